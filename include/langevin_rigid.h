@@ -830,7 +830,7 @@ enum {
     LR_CLOCK_AGE = 1,   /* the paper's: turbulence follows the table by the body's age */
 };
 
-/* What happens after the last sample of a turbulence table. */
+/* Continuation of a turbulence table after its last sample. */
 typedef int32_t lr_table_end;
 enum {
     LR_TABLE_CLAMP = 0, /* LR_CLOCK_AGE: hold the last sample after the end of the table */
@@ -1023,7 +1023,7 @@ LR_API lr_status lr_body_destroy(lr_world* world, const lr_body* bodies, uint32_
  * that lr_world_desc.checks refuses. Not recorded. */
 LR_API int32_t lr_body_is_valid(const lr_world* world, lr_body body);
 
-/* Whether a body is awake or asleep. */
+/* A body's sleep state. */
 typedef int32_t lr_sleep_state;
 enum {
     LR_SLEEP_AWAKE = 0,
@@ -1093,7 +1093,7 @@ enum {
     LR_FORCE_MODE_VELOCITY = 3,     /* m/s, rad/s: added to the body's */
 };
 
-/* The frame that a force is given in. */
+/* The frame of a force. */
 typedef int32_t lr_force_frame;
 enum {
     LR_FRAME_WORLD = 0,
@@ -1247,7 +1247,7 @@ LR_API lr_status lr_collider_destroy(lr_world* world, const lr_collider* collide
 /* Returns 1 if the collider exists in this world, else 0. Never an error: see lr_body_is_valid. */
 LR_API int32_t lr_collider_is_valid(const lr_world* world, lr_collider collider);
 
-/* How a collider is moved. */
+/* Ways to move a collider. */
 typedef int32_t lr_move_mode;
 enum {
     LR_MOVE_TO = 1,       /* sweeps to this pose during the next step, then stands still */
@@ -1365,7 +1365,7 @@ LR_API lr_status lr_batch_get_body_contact(const lr_world* world, lr_batch a, lr
 
 /* Enable events once with lr_world_set_events; after each step read them with lr_world_get_events. */
 
-/* What happened to a body. */
+/* Kinds of events. */
 typedef int32_t lr_event_kind;
 enum {
     LR_EVENT_SPAWNED = 1,   /* an emitter or lr_batch_spawn added it since the previous step; not lr_body_create */
@@ -1442,7 +1442,7 @@ LR_API lr_status lr_world_get_events(const lr_world* world, lr_event_list* list)
 /* ------------------------------------------------------------------------------------------------------------------ */
 /* Queries: ray casts and overlap tests. docs/reference/bodies.md                                                     */
 
-/* What a ray can hit. */
+/* Targets of a ray. */
 typedef uint32_t lr_ray_flags;
 enum {
     LR_RAY_BODIES = 1,
@@ -1516,7 +1516,7 @@ LR_API lr_status lr_world_overlap(const lr_world* world, const lr_overlap_desc* 
 /* An emitter spawns bodies, rules end or respawn them: together they keep a storm running. Both act at the end of each
  * step, rules first. */
 
-/* What happens to a body that its batch's rules end. */
+/* The fate of a body that its batch's rules end. */
 typedef int32_t lr_end_action;
 enum {
     LR_END_DESTROY = 0, /* the body is destroyed and its id becomes stale */
@@ -1531,7 +1531,7 @@ enum {
     LR_VOLUME_SPHERE = 2, /* size[0]: radius */
 };
 
-/* On which side of a kill volume bodies end. */
+/* The side of a kill volume on which bodies end. */
 typedef int32_t lr_kill_side;
 enum {
     LR_KILL_INSIDE = 0,
@@ -1572,7 +1572,7 @@ LR_API lr_status lr_batch_set_rules(lr_world* world, lr_batch batch, const lr_ba
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE. */
 LR_API lr_status lr_batch_get_rules(const lr_world* world, lr_batch batch, lr_batch_rules* rules, int32_t* present);
 
-/* What happens to a diverged body. */
+/* The fate of a diverged body. */
 typedef int32_t lr_divergence_policy;
 enum {
     LR_DIVERGENCE_AUTO = 0,   /* LR_DIVERGENCE_REMOVE in a batch with rules, else LR_DIVERGENCE_FREEZE */

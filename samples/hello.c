@@ -1,5 +1,5 @@
 /*
- * The first falling bodies: a few of the paper's leaves, let go at different tilts, for two seconds.
+ * The first falling bodies: a few of the paper's leaves, released at different tilts, for two seconds.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -17,7 +17,7 @@ static void check(lr_status status, const char* what) {
 }
 
 int main(void) {
-    /* The shape: a thin ellipsoid, 8 cm x 2 cm x 0.1 mm, with its mass and its added mass from closed forms. */
+    /* The shape: a thin ellipsoid, 8 cm x 2 cm x 0.1 mm. Closed forms give its mass and added mass. */
     lr_ellipsoid_desc shape;
     lr_asset* leaf = NULL;
     check(lr_ellipsoid_desc_init(&shape, sizeof shape), "ellipsoid desc");
@@ -27,7 +27,7 @@ int main(void) {
     shape.density = 800.0;
     check(lr_asset_create_ellipsoid(&shape, &leaf), "ellipsoid");
 
-    /* A world with still air and gravity along -y, and one batch: all bodies of one asset. */
+    /* A world with still air, gravity along -y, and a batch: all bodies of one asset. */
     lr_world_desc world_desc;
     lr_world* world = NULL;
     check(lr_world_desc_init(&world_desc, sizeof world_desc), "world desc");
@@ -42,7 +42,7 @@ int main(void) {
     check(lr_batch_create(world, &batch_desc, &batch), "batch");
     lr_asset_release(leaf); /* the batch keeps its own reference */
 
-    /* Thin direction (body z) turned up, then tilted a little more from leaf to leaf. */
+    /* The thin axis (body z) points up, then tilts a little more from leaf to leaf. */
     lr_body_desc descs[BODIES];
     lr_body bodies[BODIES];
     for (unsigned i = 0; i < BODIES; ++i) {
@@ -55,7 +55,7 @@ int main(void) {
     }
     check(lr_body_create(world, batch, descs, BODIES, bodies), "bodies");
 
-    /* Two seconds of frames; an engine would write the transforms into its instance buffer after each. */
+    /* Two seconds of frames. A renderer would write the transforms into its instance buffer after each. */
     float transforms[BODIES][12];
     for (int frame = 0; frame < 120; ++frame) {
         check(lr_world_step(world, 1.0f / 60.0f, 4), "step");

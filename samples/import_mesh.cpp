@@ -1,4 +1,4 @@
-// An importer in miniature: a mesh file becomes an asset in this process, and the runtime lets it fall at once.
+// A small importer: bakes a mesh file in this process and drops the result at once.
 //   import_mesh leaf.glb leaf.lrb [thickness of a sheet, m]
 //
 // SPDX-License-Identifier: MIT
@@ -13,7 +13,7 @@ namespace baker = langevin_rigid;
 
 namespace {
 
-// How far a body of this asset falls in two seconds, in m; negative if the runtime refuses.
+// The height lost in two seconds by a body of this asset, m; negative if the runtime refuses it.
 double fall(const std::vector<std::uint8_t>& bytes) {
     lr_asset* asset = nullptr;
     lr_world* world = nullptr;
@@ -54,7 +54,7 @@ int main(int argc, char** argv) {
     if (argc == 4) options.sheet = baker::BakeSheet{std::atof(argv[3]), {}};
     const baker::BakeResult result = baker::bake_file(argv[1], options, [](const char* phase, double fraction) {
         std::fprintf(stderr, "\r\033[K%3.0f %% %s", 100.0 * fraction, phase);
-        return true; // an editor asks its Cancel button here
+        return true; // an editor would check its Cancel button here
     });
     std::fputs("\r\033[K", stderr);
     for (const baker::BakeFault& fault : result.faults)

@@ -1,6 +1,6 @@
 /*
- * Rollback: two peers simulate the same leaves. Each applies its own input at once and guesses the other's, which comes some frames
- * late; where the guess was wrong it restores the frame's snapshot and steps on from there. Both end with the same hash.
+ * Rollback: two peers simulate the same leaves. Each applies its own input at once and predicts the other's, which arrives some
+ * frames late. After a wrong prediction it restores that frame's snapshot and steps again. Both end with the same hash.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -11,16 +11,16 @@
 enum { FRAMES = 300, LATE = 7, RING = 16, LEAVES = 2000 };
 
 typedef struct {
-    float wind, push; /* m/s, of the uniform wind along x; m/s^2, upward, on all leaves */
+    float wind, push; /* m/s, uniform wind along x; m/s^2, upward, on all leaves */
 } input;
 
 typedef struct {
     lr_world* world;
     lr_batch batch;
-    input of[2][FRAMES]; /* of both peers: what is known, and guesses */
+    input of[2][FRAMES]; /* of both peers: received or predicted */
     void* ring[RING];    /* the state before a frame */
     uint64_t size[RING], room[RING];
-    int replayed; /* frames that were stepped again */
+    int replayed; /* frames stepped again */
 } peer;
 
 static void check(lr_status status, const char* what) {
@@ -44,7 +44,7 @@ static void create(peer* p, const lr_asset* leaf) {
     check(lr_batch_spawn(p->world, p->batch, LEAVES, NULL), "leaves");
 }
 
-/* The ring's memory grows as the world does; where it does not, saving and restoring allocate nothing. */
+/* The ring's memory grows with the world; otherwise saving and restoring allocate nothing. */
 static void step(peer* p, int frame) {
     const int at = frame % RING;
     lr_batch_force force;
@@ -58,10 +58,10 @@ static void step(peer* p, int frame) {
     check(lr_world_step(p->world, 1.0f / 60.0f, 2), "step");
 }
 
-/* The other peer's input of an earlier frame has come; `now` is the next frame to step. */
+/* Receives the other peer's input of an earlier frame; `now` is the next frame to step. */
 static void receive(peer* p, int other, int frame, input in, int now) {
     const int right = p->of[other][frame].wind == in.wind && p->of[other][frame].push == in.push;
-    for (int f = frame; f < FRAMES; ++f) p->of[other][f] = in; /* the next guess: that it stays */
+    for (int f = frame; f < FRAMES; ++f) p->of[other][f] = in; /* the prediction: it stays the same */
     if (right || frame >= now) return;
     check(lr_world_snapshot_restore(p->world, p->ring[frame % RING], p->size[frame % RING]), "restore");
     for (int f = frame; f < now; ++f, ++p->replayed) step(p, f);
@@ -88,7 +88,7 @@ int main(void) {
         }
     for (int who = 0; who < 2; ++who) {
         check(lr_world_hash(peers[who].world, &hash[who]), "hash");
-        printf("peer %d: %d frames again, hash %016llx\n", who, peers[who].replayed, (unsigned long long)hash[who]);
+        printf("peer %d: %d steps redone, hash %016llx\n", who, peers[who].replayed, (unsigned long long)hash[who]);
         lr_world_destroy(peers[who].world);
         for (int at = 0; at < RING; ++at) free(peers[who].ring[at]);
     }

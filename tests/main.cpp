@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #if defined(__SANITIZE_ADDRESS__)
-// assimp loses memory on some damaged files; nothing of ours can give it back.
+// assimp leaks memory on some damaged files; this project cannot free it.
 extern "C" __attribute__((visibility("default"))) const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() {
     return "leak:libassimp\n";
@@ -14,7 +14,7 @@ extern "C" const char* __lsan_default_suppressions() {
 
 namespace {
 
-// A run that no test case passes would pass: CTest cuts names at a semicolon, and none begins with the half of one.
+// A run without any matching test case would pass: CTest cuts names at a semicolon, and no test begins with half a name.
 struct SomeRun : doctest::IReporter {
     explicit SomeRun(const doctest::ContextOptions&) {}
     void report_query(const doctest::QueryData&) override {}

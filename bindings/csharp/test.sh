@@ -23,11 +23,11 @@ mkdir -p "$build"
 cd "$build"
 rm -f ./*.dll ./*.exe
 
-# step NAME COMMAND...: one line, and the output of what fails
+# step NAME COMMAND...: prints one line, and the output of a failed command
 step() {
     local name=$1
     shift
-    # In the background, because a condition would switch `set -e` off in all that it runs.
+    # In the background, because a condition would switch `set -e` off in all its commands.
     (set -e; "$@") > step.log 2>&1 &
     if wait $!; then
         passed=$((passed + 1))
@@ -42,10 +42,10 @@ step() {
 sources=("$here"/src/*.cs "$here"/src/Generated/*.cs)
 compile=(mcs -unsafe -langversion:latest -warn:4 -warnaserror)
 
-# What no rule covers must stop the generator, not become something that looks right.
+# The generator must stop at declarations without a rule, and not write something plausible.
 strict() {
     refused '#define LR_NOVELTY_FIRST 1' 'LR_NOVELTY_FIRST: neither a limit nor in an enum'
-    refused 'LR_API void lr_novelty(long double x);' 'a type that no rule is for'
+    refused 'LR_API void lr_novelty(long double x);' 'no rule for the type'
 }
 refused() {
     sed "s|^#endif /\* LANGEVIN_RIGID_H \*/|$1\n&|" "$root/include/langevin_rigid.h" > novelty.h
@@ -82,7 +82,7 @@ run_tests() {
     "${compile[@]}" -debug ${1:+-d:$1} -out:Tests.exe "$here"/tests/*.cs "${sources[@]}"
     LANGEVIN_TEST_ASSET=$build/leaf.lrb LD_LIBRARY_PATH=$library timeout 100 mono --debug Tests.exe
 }
-# Libraries that are not the right one; each in a folder and a process of its own.
+# Wrong libraries, each in its own folder and process.
 wrong_library() {
     local kind=$1 code=$2
     rm -rf "wrong/$kind" && mkdir -p "wrong/$kind"
@@ -91,7 +91,7 @@ wrong_library() {
     cp Tests.exe "wrong/$kind/"
     (cd "wrong/$kind" && LD_LIBRARY_PATH=. mono Tests.exe --load "$kind")
 }
-# No code is made at run time: what IL2CPP, iOS and WebGL ask for. Mono's corlib is compiled along, as a copy in here.
+# Without code generation at run time, as for IL2CPP, iOS and WebGL. Compiles a local copy of Mono's corlib too.
 ahead_of_time() {
     rm -rf aot && mkdir aot
     cp "$(dirname "$(readlink -f "$(command -v mono)")")/../lib/mono/4.5/mscorlib.dll" Tests.exe aot/
@@ -117,7 +117,7 @@ hello() {
     diff hello.c.txt hello.cs.txt
 }
 
-# The lines of the guide, as they stand there.
+# The code of the guide, unchanged.
 guide() {
     {
         echo 'using System; using LangevinRigid; static class Guide { static float lowest; static void Splash(Float3 p) { lowest = Math.Min(lowest, p.Y); }'

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Writes everything that follows from the public header.
+"""Writes all files generated from the public header.
 
-    all.py [--check]     --check writes nothing, and fails where a file is not what it would write
+    all.py [--check]     --check writes nothing, and fails if a file is out of date
 """
 import sys
 

@@ -1,27 +1,27 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""The public header as data, for generators of bindings: constants, handles, structs with their layout, callbacks, functions, and
-what is said of each. Layouts are the compiler's own, by libclang (Debian: python3-clang-14), for any target.
+"""Reads the public header as data for the generators: constants, handles, structs with their layout, callbacks, functions, and their
+comments. libclang (Debian: python3-clang-14) gives the compiler's own layouts, for any target.
 
     api_model.py [--target wasm32-unknown-unknown] [--header FILE]     the model as JSON
 
 Types are dictionaries by `kind`:
-    scalar    name: void char i8 ... u64 f32 f64; enum: where its values have names, as lr_load_model
-    handle    name: lr_status, or what stands for a thing, as lr_batch; of: its scalar
+    scalar    name: void char i8 ... u64 f32 f64; enum: if its values have names, as lr_load_model
+    handle    name: lr_status, or the handle's type, as lr_batch; of: its scalar
     struct    name
-    opaque    name: lr_world, lr_asset, seen through pointers only
+    opaque    name: lr_world, lr_asset, used only through pointers
     callback  name: a typedef of a pointer to a function
-    function  result, parameters: a pointer to a function without a name of its own
+    function  result, parameters: an unnamed pointer to a function
     pointer   to, const
     array     of, count
 
-Values with names are macros, or a typedef and an enum right after it, which `enums` then lists:
+Named values are macros, or a typedef with an enum right after it, which `enums` lists:
     typedef int32_t lr_load_model;
     enum { LR_LOADS_DEFAULT = 0, LR_LOADS_NONE = 1 };
 A handle is a typedef of a number, or a struct of one number: typedef struct lr_body { uint64_t id; } lr_body;
 
-Parameters that are pointers say whether they may be null (`nullable`): their text does, or a note behind LR_ERROR_NULL_ARGUMENT
-that names those that may not. `null` of a function: whether null in place of its struct clears what was set, or resets it.
+Pointer parameters say whether they can be null (`nullable`), by their text or by a note behind LR_ERROR_NULL_ARGUMENT that names
+the pointers that cannot. `null` of a function: whether null in place of its struct clears what was set, or resets it.
 """
 import argparse
 import json
@@ -46,7 +46,7 @@ DEFINE = re.compile(r"#define (LR_[A-Z0-9_]+)[ \t]+(\(?-?[0-9][0-9a-fx.uf]*\)?)"
 
 
 class Comments:
-    """Which comment belongs to what stands on which lines."""
+    """Finds the comment of a declaration by its lines."""
 
     def __init__(self, source):
         self.before, self.behind, self.sections = {}, {}, []
@@ -66,7 +66,7 @@ class Comments:
                 self.before[last] = text
 
     def of(self, first, last):
-        """Of what goes from one line to another: what is said behind it, else right before it."""
+        """The comment of a declaration on these lines: behind it, or else right before it."""
         return self.behind.get(last) or self.before.get(first - 1, "")
 
     def section(self, line):
@@ -85,7 +85,7 @@ def value_of(text):
 
 
 def constants(source, comments):
-    """All numeric macros. `about`: the text before the run of lines that a macro stands in."""
+    """All numeric macros. `about`: the text before the run of lines with the macro."""
     found, lines = [], source.split("\n")
     about, expected = "", None
     for number, line in enumerate(lines, 1):
@@ -94,7 +94,7 @@ def constants(source, comments):
             continue
         if number != expected:
             about = comments.before.get(number - 1, "")
-        end = number  # a comment behind it may go on over lines
+        end = number  # a comment behind it can continue on more lines
         if "/*" in line:
             while "*/" not in lines[end - 1]:
                 end += 1
@@ -106,7 +106,7 @@ def constants(source, comments):
 
 
 def prefix_of(names, enum):
-    """What the names of an enum's members begin with, up to an underscore: all that they share, of a single one the words of the enum."""
+    """The common prefix of an enum's members, up to an underscore; of a single member, the words of the enum's name."""
     shared = os.path.commonprefix(names) if len(names) > 1 else "LR_"
     words = enum.upper().split("_")
     while len(names) == 1 and words and not names[0].startswith("_".join(words) + "_"):
@@ -132,7 +132,7 @@ class Reader:
             underlying.get_pointee().get_canonical().kind == cindex.TypeKind.FUNCTIONPROTO
 
     def handle_of(self, name):
-        """The scalar of a handle, None where the name is no handle's."""
+        """The scalar of a handle; None for other names."""
         if name in self.records:
             fields = list(self.records[name].type.get_fields())
             return SCALARS.get(fields[0].type.spelling) if [f.spelling for f in fields] == ["id"] else None
@@ -141,7 +141,7 @@ class Reader:
         return None
 
     def type(self, type_, names=()):
-        """names: of the parameters, where it is a pointer to a function."""
+        """names: parameter names of a pointer to a function."""
         kind = cindex.TypeKind
         name = type_.spelling.removeprefix("const ").strip()
         if name in SCALARS:
@@ -168,7 +168,7 @@ class Reader:
                 return {"kind": "function", "result": self.type(prototype.get_result()),
                         "parameters": [{"name": n, "type": t} for n, t in zip(names, arguments, strict=True)]}
             return {"kind": "pointer", "to": self.type(pointee), "const": pointee.is_const_qualified()}
-        raise ValueError(f"a type that no rule is for: {type_.spelling} ({type_.kind})")
+        raise ValueError(f"no rule for the type {type_.spelling} ({type_.kind})")
 
     def parameters(self, cursor):
         return [child.spelling for child in cursor.get_children() if child.kind == cindex.CursorKind.PARM_DECL]
@@ -208,7 +208,7 @@ class Reader:
                 yield {"name": name, "of": self.handle_of(name), "doc": self.doc(cursor), **self.place(cursor)}
 
     def enums(self):
-        """With their members as constants are given."""
+        """Enums; members have the form of constants."""
         for name, cursor in self.enum_of.items():
             typedef = self.typedefs[name]
             scalar, about, members = SCALARS[typedef.underlying_typedef_type.spelling], self.doc(typedef), []

@@ -15,19 +15,19 @@ from csharp_names import camel, pascal, type_name
 
 OUT = "bindings/csharp/src/Generated"
 HEAD = """// SPDX-License-Identifier: MIT
-// Written by bindings/generator/csharp.py from include/langevin_rigid.h: change those.
+// Written by bindings/generator/csharp.py from include/langevin_rigid.h: do not edit.
 """
-HAND = {"lr_batch_get_view", "lr_world_set_uniform_wind"}  # with wrappers of their own
+HAND = {"lr_batch_get_view", "lr_world_set_uniform_wind"}  # have hand-written wrappers
 INIT_DOC = "Fills a struct with its initial values; <c>{}.Create()</c> does it with the right size."
 
 
 def sentence(text):
-    """For what begins with a word, not with a unit."""
+    """Makes a sentence of a text that begins with a word, not with a unit."""
     return text[:1].upper() + text[1:] + ("" if text[-1:] in ".:" else ".") if text else text
 
 
 def file_name(section):
-    """Of a section of the header: its title up to what explains it."""
+    """The file of a section of the header: its title without the explanation."""
     return pascal(re.split(r"[:.]", section)[0].replace(" ", "_"))
 
 
@@ -40,7 +40,7 @@ class Generator:
     # Types
 
     def type(self, type_, enum=None):
-        """Of a parameter, or of a field that is not an array."""
+        """The type of a parameter, or of a field that is not an array."""
         kind = type_["kind"]
         if kind == "scalar":
             return enum or csharp_names.SCALARS[type_["name"]]
@@ -51,10 +51,10 @@ class Generator:
         if kind == "pointer":
             to = type_["to"]
             return "IntPtr" if to["kind"] == "opaque" else self.type(to, enum) + "*"
-        raise ValueError(f"a type that no rule is for: {type_}")
+        raise ValueError(f"no rule for the type {type_}")
 
     def parameter_type(self, function, parameter):
-        # What the library only hands back to the caller is never looked into.
+        # The library only passes these pointers back to the caller.
         if parameter["name"] in ("user", "task", "token"):
             return "IntPtr"
         return self.type(parameter["type"], self.names.enum(parameter["type"]))
@@ -94,7 +94,7 @@ class Generator:
 
     def limits(self):
         version = self.model["version"]
-        lines = self.summary("The header that these sources were made from, and limits that the library states.", "    ")
+        lines = self.summary("Version of the header behind these sources, and limits of the library.", "    ")
         lines += ["    public static class Limits", "    {"]
         for part, value in version.items():
             lines += self.summary(f"Version of the header: {part}.", "        ")
@@ -112,11 +112,11 @@ class Generator:
         name, scalar = type_name(handle["name"]), csharp_names.SCALARS[handle["of"]]
         lines = self.summary(sentence(handle["doc"]), "    ")
         lines += ["    [StructLayout(LayoutKind.Sequential)]", f"    public readonly struct {name} : IEquatable<{name}>", "    {"]
-        body = f"""/// <summary>As the library sees it; 0 is none.</summary>
+        body = f"""/// <summary>The number in the C API; 0 means none.</summary>
 public readonly {scalar} Value;
-/// <summary>From a number that was a handle before.</summary>
+/// <summary>A handle from its number.</summary>
 public {name}({scalar} value) {{ Value = value; }}
-/// <summary>Whether it is no handle at all. One of something destroyed is not null: calls refuse it as stale.</summary>
+/// <summary>Whether this is no handle. The handle of a destroyed object is not null: calls refuse it as stale.</summary>
 public bool IsNull {{ get {{ return Value == 0; }} }}
 /// <inheritdoc/>
 public bool Equals({name} other) {{ return Value == other.Value; }}
@@ -126,9 +126,9 @@ public override bool Equals(object other) {{ return other is {name} && Equals(({
 public override int GetHashCode() {{ return Value.GetHashCode(); }}
 /// <inheritdoc/>
 public override string ToString() {{ return "{name}(0x" + Value.ToString("x") + ")"; }}
-/// <summary>Whether both are the same.</summary>
+/// <summary>Whether the handles are equal.</summary>
 public static bool operator ==({name} left, {name} right) {{ return left.Value == right.Value; }}
-/// <summary>Whether they differ.</summary>
+/// <summary>Whether the handles differ.</summary>
 public static bool operator !=({name} left, {name} right) {{ return left.Value != right.Value; }}"""
         return lines + ["        " + line for line in body.split("\n")] + ["    }"]
 
@@ -153,7 +153,7 @@ public static bool operator !=({name} left, {name} right) {{ return left.Value !
             enum = self.names.enum(field["type"])
             doc = self.field_doc(struct, field, enum)
             if name == type_name(struct["name"]):
-                raise ValueError(f"{struct['name']}.{field['name']}: named as its type, which C# forbids")
+                raise ValueError(f"{struct['name']}.{field['name']}: has the name of its type, which C# forbids")
             if type_.get("to", {}).get("name") == "void":
                 yield f"IntPtr {name}", name, doc, at, field["size"]
             elif type_["kind"] != "array":
@@ -193,7 +193,7 @@ public static bool operator !=({name} left, {name} right) {{ return left.Value !
             if field["type"]["kind"] == "array" and field["type"]["of"]["kind"] == "struct":
                 lines += [""] + self.element(field)
         if struct["init"]:
-            lines += ["", "        /// <summary>One with its initial values and its size.</summary>",
+            lines += ["", "        /// <summary>A struct with its initial values and its size.</summary>",
                       f"        public static {name} Create()", "        {", f"            var value = default({name});",
                       "            LangevinLibrary.EnsureLoaded();",
                       f'            LangevinException.Check(Native.{struct["init"]}(&value, (uint)sizeof({name})), "{struct["init"]}");',
@@ -233,14 +233,14 @@ public ref {type_} {name}(int index)
     # Plain getters and setters
 
     def plain_parameter(self, function, parameter):
-        """(type, what is handed on)"""
+        """The type and the expression to pass."""
         name, type_ = camel(parameter["name"]), self.parameter_type(function["name"], parameter)
         if parameter["name"] in ("count", "capacity") and type_ == "uint":
             return "int", "number"
         return ("bool", f"{name} ? 1 : 0") if parameter["name"] == "enabled" else (type_, name)
 
     def plain_body(self, call):
-        """(type, statements) of a getter."""
+        """The type and the statements of a getter."""
         [value], name = call["values"], call["function"]["name"]
         type_ = self.parameter_type(name, value).removesuffix("*")
         init = f" = new {type_} {{ StructSize = (uint)sizeof({type_}) }}" if call["struct"] else ""
@@ -256,7 +256,7 @@ public ref {type_} {name}(int index)
         return f'Leave(Native.{name}({", ".join([self.plain_arguments(call, "EnterChange()"), *values])}), "{name}");'
 
     def plain_members(self, call, other):
-        """Of one call, and of the other of a pair; none for a setter that its getter has said."""
+        """The member for a call and its counterpart; nothing for a setter that its getter already covers."""
         function, name = call["function"], pascal(call["name"])
         handle = [] if call["owner"] in ("world", "batch") else [f"{type_name('lr_' + call['owner'])} {call['owner']}"]
         self.docs.local = {p["name"]: f"<c>{camel(p['name'])}</c>" for p in function["parameters"]}
@@ -282,7 +282,7 @@ public ref {type_} {name}(int index)
         parameters = ", ".join(handle + [f"{type_} {camel(p['name'])}" for (type_, _), p in zip(types, call["values"])])
         if not call["struct"]:
             lines += said
-        # What throws must come before the call: see World.Enter.
+        # Count first: it can throw, and Enter() must come after that (see World.Enter).
         counts = [f"    uint number = Counts.Of({camel(p['name'])});" for (_, given), p in zip(types, call["values"]) if given == "number"]
         yield lines + [f"public void Set{name}({parameters})", "{", *counts, "    " + self.plain_set(call, *(given for _, given in types)), "}"]
         if function["null"]:
@@ -351,7 +351,7 @@ public {desc} Get{method}(WindSourceId source)
             for field in struct["fields"]:
                 if field["type"]["kind"] == "function":
                     owner = type_name(struct["name"])
-                    doc = f"What `{pascal(field['name'])}` of a `{struct['name']}` points to."
+                    doc = f"The function type of `{pascal(field['name'])}` in a `{struct['name']}`."
                     blocks.append(self.delegate(owner + pascal(field["name"]) + "Fn", field["type"], doc, struct["name"]))
             blocks.append(self.struct(struct))
         return blocks

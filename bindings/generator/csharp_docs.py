@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Comments of the header as XML documentation, with references to what they name in C#."""
+"""Comments of the header as XML documentation, with references to their C# names."""
 import re
 import textwrap
 
@@ -16,10 +16,10 @@ def escape(text):
 class Docs:
     def __init__(self, names):
         self.names = names
-        self.local = {}  # what a name in backticks stands for in the struct or function at hand
+        self.local = {}  # meanings of names in backticks, in the present struct or function
 
     def see(self, name, field):
-        """A type, a field of one, or a function."""
+        """A reference to a type, a field or a function."""
         names = self.names
         if name in names.structs:
             type_ = csharp_names.type_name(name)
@@ -70,7 +70,7 @@ class Docs:
         return "".join(out)
 
     def paragraphs(self, text):
-        """Indented lines and lines that begin with a dash keep their breaks."""
+        """Breaks a text into lines. Indented lines and lines that begin with a dash keep their breaks."""
         blocks, current = [], []
         for line in text.split("\n"):
             kept = line.startswith(("  ", " -"))
@@ -92,7 +92,7 @@ class Docs:
                 yield "<para>", [self.inline(" ".join(" ".join(block).split()))]
 
     def element(self, tag, text, indent):
-        """One element of documentation, as lines of a comment."""
+        """An element of documentation, as lines of a comment."""
         opening, closing = f"<{tag}>", f"</{tag.split()[0]}>"
         prefix = indent + "/// "
         blocks = list(self.paragraphs(text))
@@ -111,7 +111,7 @@ class Docs:
 
 
 def wrap(text, prefix):
-    # The space in `<see cref=` must not be broken at.
+    # Never break at the space in `<see cref=`.
     text = text.replace('<see cref="', "<see\0cref=\"").replace('<param name="', "<param\0name=\"")
     text = text.replace('<paramref name="', "<paramref\0name=\"")
     lines = textwrap.wrap(text, WIDTH - len(prefix), break_long_words=False, break_on_hyphens=False)

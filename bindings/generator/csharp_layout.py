@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Writes two programs that print the layout of every struct and handle and the value of every constant: layout.c as the C compiler
-has them, Layout.cs as C# does. What they print must be the same.
+"""Writes two programs that print the layout of every struct and handle and the value of every constant: layout.c for the C compiler,
+Layout.cs for C#. Their output must be the same.
 
     csharp_layout.py DIR
 """
@@ -14,7 +14,7 @@ from csharp_names import pascal, suffixes, type_name
 
 
 def c_fields(generator, struct):
-    """(name in C#, what it is in C)"""
+    """The name in C#, and the C expression."""
     for field in struct["fields"]:
         name, type_ = pascal(field["name"]), field["type"]
         if type_["kind"] == "array" and type_["of"]["kind"] in ("pointer", "struct"):

@@ -6,13 +6,13 @@ LIMITS = r"LR_(MAX_.+)"
 
 # UnityEngine has an Event and a Material.
 STRUCTS = {"lr_event": "BodyEvent", "lr_material": "ColliderMaterial"}
-HANDLES = {"lr_status": "Status"}  # and those of the model
+HANDLES = {"lr_status": "Status"}  # others come from the model
 WORDS = {"SIMD": "Simd", "RK4": "Rk4", "3X4": "Matrix3x4", "4X4": "Matrix4x4"}
 SCALARS = {"void": "void", "char": "byte", "i8": "sbyte", "u8": "byte", "i16": "short", "u16": "ushort", "i32": "int", "u32": "uint",
            "i64": "long", "u64": "ulong", "f32": "float", "f64": "double"}
 VECTORS = {("f32", 2): "Float2", ("f32", 3): "Float3", ("f32", 4): "Float4", ("f64", 3): "Double3", ("u32", 2): "UInt2",
            ("u32", 3): "UInt3"}
-# Arrays that C# has no fixed buffers of become a field for each element.
+# C# has no fixed buffers of these elements, so each element becomes a field.
 SUFFIXES = {3: "XYZ", 4: "XYZW"}
 KEYWORDS = {"in", "out", "ref", "params", "base", "event", "object", "string", "fixed", "checked", "lock", "operator", "is", "as"}
 
@@ -28,7 +28,7 @@ def camel(name):
 
 
 def type_name(name):
-    """Of a struct, handle or callback."""
+    """The C# name of a struct, handle or callback."""
     return HANDLES.get(name) or STRUCTS.get(name) or pascal(name.removeprefix("lr_"))
 
 
@@ -37,7 +37,7 @@ def suffixes(count):
 
 
 class Names:
-    """Of one model: every constant must find its place."""
+    """Names for a model: every constant must belong to an enum."""
 
     def __init__(self, model):
         self.model = model

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""How comments of the public header are laid out: what each says of a function's parameters, statuses and threads."""
+"""Parses comments of the public header: the text on a function's parameters, statuses and threads."""
 import re
 
-# What a parameter of this name is where the text has no more to say of it.
+# Texts for parameters that the comment does not explain.
 COMMON_PARAMETERS = {
     "world": "the world",
     "batch": "handle of a batch of the world",
@@ -18,7 +18,7 @@ COMMON_PARAMETERS = {
     "struct_size": "sizeof the struct in the caller's header",
     "count": "number of elements",
     "capacity": "number of elements that fit",
-    "kinds": "bits, as said above",
+    "kinds": "bits, see above",
     "out_ids": "receives `count` ids; may be null",
     "memory": "the bytes",
     "size": "number of bytes",
@@ -29,14 +29,14 @@ COMMON_PARAMETERS = {
 
 
 def text_of(comment):
-    """The words of a comment, a line each, without what frames them."""
+    """The lines of a comment without its frame."""
     lines = comment[2:-2].strip("\n").split("\n")
     lines[0] = lines[0].removeprefix(" ")
     return [re.sub(r"^\s*\*(?: |$)", "", line).rstrip() for line in lines]
 
 
 def parameter_start(names):
-    """Matches "name: " or "name, name: " where a text begins to speak of a parameter."""
+    """Matches "name: " or "name, name: " at the start of a text on a parameter."""
     name = "|".join(map(re.escape, names))
     return rf"(?:(?<=^)|(?<=\n)|(?<=[.;] )|(?<=[.;]\n))((?:{name})(?:(?:, | and )(?:{name}))*): "
 
@@ -45,7 +45,7 @@ STATUSES_START = r"(?:(?<=\n)|(?<=^)|(?<=\. ))(LR_OK\b)"
 
 
 def split(text, names):
-    """What a function's text says: (summary, {parameter: text}, statuses, threads), each of them possibly empty."""
+    """The parts of a function's comment: (summary, {parameter: text}, statuses, threads), each possibly empty."""
     threads = ""
     match = re.search(r"(?<=[.)])\s+(Any thread\.)", text)
     if match:

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Writes what the WebAssembly package knows of the C API, from the public header as wasm32 sees it: constants, layouts of structs,
-types for TypeScript, and the plain getters and setters of its classes.
+"""Writes the generated files of the WebAssembly package from the public header as wasm32 sees it: constants, layouts of structs,
+TypeScript types, and the plain getters and setters of its classes.
 
     javascript.py [--check]     writes bindings/web/src/generated
 """
@@ -14,9 +14,9 @@ import plain
 OUT = "bindings/web/src/generated"
 NOTICE = "// Made by bindings/generator/javascript.py from include/langevin_rigid.h: changes here are lost.\n" \
          "// SPDX-License-Identifier: MIT\n"
-# With wrappers of their own.
+# These have hand-written wrappers.
 HAND = {"lr_world_set_uniform_wind", "lr_world_set_events", "lr_body_set_state"}
-# Of 64 bits: what is compared or handed on, and never counted with, is a bigint; other numbers stay below 2^53.
+# 64-bit values that are compared or passed on are bigints; those used in arithmetic are numbers, and stay below 2^53.
 WHOLE_WORDS = {"seed", "content_hash", "user"}
 
 
@@ -30,12 +30,12 @@ def class_name(struct):
 
 
 def is_kept(field):
-    """Fields that say something to those who use them."""
+    """Fields that users see."""
     return field["name"] != "struct_size" and not re.match(r"reserved(_\d+)?$", field["name"])
 
 
 def layout_type(field, type_):
-    """How a field is read and written: a scalar's name, a struct's, `char`, or `pointer`."""
+    """The layout type of a field: a scalar's name, a struct's, `char` or `pointer`."""
     kind = type_["kind"]
     if kind == "scalar":
         return "big" if type_["name"] == "u64" and field["name"] in WHOLE_WORDS else type_["name"]
@@ -91,7 +91,7 @@ POINTED = {"f32": "Float32Array", "f64": "Float64Array", "u32": "Uint32Array", "
 
 
 def field_type(field, type_):
-    """In TypeScript, of a struct's field."""
+    """The TypeScript type of a struct's field."""
     kind = type_["kind"]
     if kind in ("scalar", "handle"):
         return "bigint" if layout_type(field, type_) == "big" else "number"
@@ -145,14 +145,14 @@ def types(model):
 
 
 def plain_calls(model):
-    """By class."""
+    """Calls by class."""
     calls = [call for call in plain.calls(model, HAND) if not call["pointers"]]
     for class_, owners in (("BatchPlain", ("batch",)), ("WorldPlain", ("world", "body", "collider"))):
         yield class_, [(call, plain.partner(calls, call)) for call in calls if call["owner"] in owners]
 
 
 def plain_member(call, other):
-    """(the member in JavaScript, its text, its type in TypeScript: none for a setter that its getter has said)"""
+    """(the member in JavaScript, its text, its TypeScript declaration: none for a setter that its getter covers)"""
     owner, name, function = call["owner"], call["name"], call["function"]["name"]
     to = "this.world" if owner == "batch" else "this"
     handle = {"world": "", "batch": ", this.handle"}.get(owner, f", {owner}")

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Writes what bindings/python has from the public header: `_native.py` (ctypes), `enums.py`, `_fields.py` (types of options and of
-what is read back), `_plain.py` (plain getters and setters), `_version.py`.
+"""Writes the generated files of bindings/python from the public header: `_native.py` (ctypes), `enums.py`, `_fields.py` (types of
+options and of records), `_plain.py` (plain getters and setters), `_version.py`.
 
-    python.py [--check]     --check writes nothing, and fails where a file is not what it would write
+    python.py [--check]     --check writes nothing, and fails if a file is out of date
 """
 import re
 import sys
@@ -20,12 +20,12 @@ HINTS = {"char": "str", "f32": "float", "f64": "float"}
 
 # Functions of `plain` that wrappers have by hand, in another way.
 HAND = {"lr_world_set_uniform_wind", "lr_world_set_water", "lr_world_set_events", "lr_batch_set_aerodynamics", "lr_body_set_state"}
-# Structs that other functions read back, or take as keywords, than those of `plain`.
+# Structs with records or keywords beyond those of `plain`.
 RECORDS = {"lr_asset_info", "lr_batch_rules", "lr_emitter_desc", "lr_water_desc"}
 OPTIONS = {"lr_aerodynamics", "lr_batch_desc", "lr_body_state", "lr_collider_desc", "lr_collider_motion", "lr_material",
            "lr_ellipsoid_desc", "lr_kill_volume", "lr_recording_desc", "lr_rigid_desc", "lr_water_desc", "lr_turbulence_table", "lr_wave",
            "lr_world_desc", "lr_gusts_desc", "lr_vortex_desc", "lr_blower_desc", "lr_turbulence_desc", "lr_wind_grid_desc", "lr_ground_wind_desc"}
-# Fields that callers give otherwise: as parameters of their own, or by what follows from others.
+# Fields that are parameters of their own, or that follow from other fields.
 GIVEN_OTHERWISE = {
     "lr_batch_desc": {"asset", "capacity"}, "lr_world_desc": {"allocator", "log", "log_user", "jobs"},
     "lr_collider_desc": {"kind", "vertex_count", "triangle_count", "counts"},
@@ -36,7 +36,7 @@ RESERVED = re.compile(r"struct_size|reserved(_\d+)?$")
 
 
 def class_name(name):
-    """Of a typedef of the header."""
+    """The Python class of a typedef of the header."""
     return "".join(word.capitalize() for word in name.removeprefix("lr_").split("_"))
 
 
@@ -45,7 +45,7 @@ def options_name(struct):
 
 
 def hidden(struct):
-    """Fields that are no keywords: the number of elements of an array is that of what is given."""
+    """Fields that are no keywords: array lengths follow from the arrays."""
     names = {f["name"] for f in struct["fields"]}
     counts = {name for name in names if name.endswith("_count") and name.removesuffix("count").rstrip("_") + "s" in names}
     return GIVEN_OTHERWISE.get(struct["name"], set()) | counts
@@ -75,7 +75,7 @@ def member(name, prefix, enum):
 
 
 def references(text):
-    """Names of enumerations and their members instead of those of C constants, where a text speaks of one."""
+    """Replaces names of C constants in a text by enumerations and their members."""
     def name(match):
         word = match.group(0)
         if word in ENUM_OF:
@@ -88,7 +88,7 @@ def references(text):
 
 
 def quoted(text, indent):
-    """A docstring of a text, its lines as they are."""
+    """A docstring with the lines of a text."""
     text = text.strip().replace("\\", "\\\\").replace('"""', '\\"\\"\\"')
     lines = text.split("\n")
     body = "\n".join([lines[0]] + [(indent + line).rstrip() for line in lines[1:]])
@@ -125,7 +125,7 @@ def function_type(signature):
 
 
 def declaration(function):
-    """How C declares a function, for its docstring."""
+    """The C declaration of a function, for its docstring."""
     def c(type_):
         kind = type_["kind"]
         if kind == "pointer":
@@ -145,14 +145,14 @@ def field_line(field):
 
 def native(model):
     version = model["version"]
-    out = [HEAD, '"""The C API as ctypes sees it: types, constants, and prototypes of every function. All names are those of C."""',
+    out = [HEAD, '"""The C API for ctypes: types, constants and prototypes of every function, under their C names."""',
            "# flake8: noqa", "import ctypes", "",
-           f"VERSION = ({version['major']}, {version['minor']}, {version['patch']})  # of the header that this was made from", ""]
+           f"VERSION = ({version['major']}, {version['minor']}, {version['patch']})  # of the header behind this file", ""]
     for c in model["constants"]:
         out.append(f"{c['name']} = {c['value']}")
     out.append("")
     for name in model["opaque"]:
-        out += ["", f"class {name}(ctypes.Structure):", '    """Seen through pointers only."""', ""]
+        out += ["", f"class {name}(ctypes.Structure):", '    """Used only through pointers."""', ""]
 
     callbacks = {c["name"]: c for c in model["callbacks"]}
     done = set(model["opaque"])
@@ -194,7 +194,7 @@ def native(model):
     for name in list(callbacks) + [s["name"] for s in model["structs"]]:
         emit(name)
 
-    out += ["", "# What each field is, by struct.", "FIELD_DOCS = {"]
+    out += ["", "# Texts of fields, by struct.", "FIELD_DOCS = {"]
     for s in model["structs"]:
         out.append(f"    {s['name']!r}: {{")
         for f in s["fields"]:
@@ -224,7 +224,7 @@ def native(model):
         out.append("    ),")
     out += ["}", "", "",
             "def bind(library):",
-            '    """Gives every function of a loaded library its types and its text."""',
+            '    """Sets types and docstring of every function of a loaded library."""',
             "    for name, (result, parameters, _, text) in PROTOTYPES.items():",
             "        function = getattr(library, name)",
             "        function.restype = result",
@@ -281,7 +281,7 @@ def hint(type_, reading):
 def field_types(model):
     records = RECORDS | {c["struct"] for c in plain_calls(model) if c["verb"] == "get" and c["struct"]}
     enums = {field_enum(f) for s in model["structs"] if s["name"] in records for f in s["fields"] if field_enum(f)}
-    out = [HEAD, '"""Types of what calls take as keywords, and of what they read back."""', "from __future__ import annotations", "",
+    out = [HEAD, '"""Types of keywords for calls, and of records that calls return."""', "from __future__ import annotations", "",
            "from typing import TYPE_CHECKING, Any, Sequence, TypedDict", "", "import numpy as np", "", "from ._record import Record",
            f"from .enums import {', '.join(sorted(enums))}", "",
            "if TYPE_CHECKING:", "    from numpy.typing import ArrayLike", ""]
@@ -295,7 +295,7 @@ def field_types(model):
     for s in (s for s in model["structs"] if s["name"] in records):
         struct, name = s["name"], class_name(s["name"].removesuffix("_desc"))
         used = [f for f in s["fields"] if not RESERVED.match(f["name"])]
-        text = (s["doc"] or f"What {struct} says.") + "\n\n" + "\n".join(field_line(f) for f in used)
+        text = (s["doc"] or f"Values of {struct}.") + "\n\n" + "\n".join(field_line(f) for f in used)
         out += ["", f"class {name}(Record):", quoted(references(text), "    "), f"    __slots__ = {tuple(f['name'] for f in used)!r}"]
         out += [f"    {f['name']}: {field_enum(f) or hint(f['type'], True)}" for f in used]
         if enums := {f["name"]: field_enum(f) for f in used if field_enum(f)}:
@@ -308,21 +308,21 @@ PLAIN = '''
 
 
 class Plain:
-    """Makes calls by `_ask` and `_change`, which put what the call is on before the arguments."""
+    """Makes calls by `_ask` and `_change`, which put the called object before the arguments."""
 
     if TYPE_CHECKING:
         def _ask(self, name: str, *arguments: Any) -> None: ...
         def _change(self, name: str, *arguments: Any) -> None: ...
 
     def _set(self, name: str, struct: Any, fields: Mapping[str, Any]) -> None:
-        """Without fields, null."""
+        """Passes null if there are no fields."""
         keep: List[Any] = []
         given = any(value is not None for value in fields.values())
         self._change(name, ctypes.byref(make(struct, fields, keep)) if given else None)
 
 
 class OfWorld(Plain):
-    """Of what has a handle in a world."""
+    """Makes calls on an object with a handle in a world."""
 
     if TYPE_CHECKING:
         world: Any
@@ -342,7 +342,7 @@ def parameter_enum(parameter):
 
 
 def given(parameter):
-    """(hint, what is handed on) of a number."""
+    """The type hint of a number, and the expression to pass."""
     name, scalar = parameter["name"], parameter["type"]["name"]
     if name == "enabled":
         return "bool", "int(enabled)"
@@ -376,7 +376,7 @@ def plain_setter(call, model):
     name, function = call["name"], call["function"]
     text = references(plain.summary(function))
     if call["struct"]:
-        text += {"clear": " Without keywords, removes what was set.", "reset": " Without keywords, restores what there was first.", None: ""}[function["null"]]
+        text += {"clear": " Without keywords, removes the setting.", "reset": " Without keywords, restores the initial setting.", None: ""}[function["null"]]
         struct = next(s for s in model["structs"] if s["name"] == call["struct"])
         hide = "".join(f', "{n}"' for n in sorted(hidden(struct)))
         keyword = call["values"][0]["name"]
@@ -409,7 +409,7 @@ def plain_text(model):
     options = names({options_name(c["struct"]) for c in calls if c["struct"]})
     enums = names({entry[1] for entry in ENUM_OF.values()} - set(records))
     enums = [e for e in enums if re.search(rf"(-> |return ){e}\b", text)]
-    head = [HEAD, '"""Getters and setters that are no more than a call: bases of the classes that wrappers have by hand."""',
+    head = [HEAD, '"""Getters and setters of a single call: bases of the hand-written classes."""',
             "from __future__ import annotations", "", "import ctypes", "from typing import TYPE_CHECKING, Any, List, Mapping", "",
             "from . import _native as native", f"from ._fields import {', '.join(records)}", "from ._structs import init, integer, make, takes",
             *([f"from .enums import {', '.join(enums)}"] if enums else []), "", "if TYPE_CHECKING:",

@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Writes the lists that the library, lr_replay and the tests have of the public header:
+"""Writes the lists that the library, lr_replay and the tests take from the public header:
 
     src/api/structs.inc              structs with an init function
-    src/tools/lr_replay/calls.inc       recorded calls, and which of them can be made again by their types alone
-    tests/api/calls.inc              every call, with arguments that are right
+    src/tools/lr_replay/calls.inc       recorded calls, and whether lr_replay can repeat them by their types alone
+    tests/api/calls.inc              every call, with valid arguments
     tests/api/exports.txt            symbols of the shared library
 
-    runtime.py [--check]             --check writes nothing, and fails where a file is not what it would write
+    runtime.py [--check]             --check writes nothing, and fails if a file is out of date
 """
 import re
 import sys
@@ -17,9 +17,9 @@ import output
 import plain
 
 HEAD = "// Written by bindings/generator/runtime.py from the public header.\n"
-# Not recorded: they change nothing that a recording could hold.
+# Not recorded: they do not change the world.
 NOT_RECORDED = {"lr_world_destroy", "lr_world_record_start", "lr_world_record_stop"}
-# Made again in another way than by their types.
+# Repeated by hand-written code, not by their types.
 OWN = {"lr_world_set_simd_target"}
 
 
@@ -40,13 +40,13 @@ def recorded(model):
 
 
 def is_whole(model, type_):
-    """A pointer to a const struct that points to nothing itself."""
+    """Whether a type is a pointer to a const struct without pointers of its own."""
     sized = {s["name"] for s in model["structs"] if s["init"]}
     return type_["kind"] == "pointer" and type_["const"] and type_["to"].get("name") in sized and not plain.has_pointers(model, type_["to"]["name"])
 
 
 def by_types(model, function):
-    """Whether the player reads the arguments by their types: numbers, single structs, three floats; or one array with its count."""
+    """Whether lr_replay can read the arguments by their types: numbers, single structs, three floats; or one array with its count."""
     types = [p["type"] for p in function["parameters"][1:]]
     if function["name"] in OWN:
         return False
@@ -61,7 +61,7 @@ def replay_calls(model):
 
 
 def argument(parameter, sized):
-    """An argument that is right, as tests/api/test_calls.cpp has it."""
+    """A valid argument, in terms of tests/api/test_calls.cpp."""
     name, type_ = parameter["name"], parameter["type"]
     kind = type_["kind"]
     if kind == "callback":
@@ -90,7 +90,7 @@ C = {"void": "void", "char": "char", "f32": "float", "f64": "double", "i32": "in
 
 
 def test_calls(model):
-    """All that return a status, but those that fill a struct."""
+    """All functions that return a status, except those that fill a struct."""
     lines, names, sized = [], {f["name"] for f in model["functions"]}, {s["name"] for s in model["structs"] if s["init"]}
     simple = {call["function"]["name"] for call in plain.calls(model) if not call["pointers"]}
     for f in model["functions"]:
@@ -98,7 +98,7 @@ def test_calls(model):
             continue
         arguments = ", ".join(argument(p, sized) for p in f["parameters"])
         add = re.sub("^lr_world_(update|get)_", "lr_world_add_", f["name"])
-        if add in names - {f["name"]}:  # of a wind source, which must be of the function's kind
+        if add in names - {f["name"]}:  # wind sources: the source must be of the function's kind
             arguments = arguments.replace("s.wind_source", f"s.wind_source_of({add})")
         lines.append(f"LR_{'PLAIN_' if f['name'] in simple else ''}CALL({f['name']}, {arguments})\n")
     return HEAD + "".join(lines)

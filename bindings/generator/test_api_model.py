@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""The model holds all that the library exports, and what the header says of it."""
+"""Tests that the model holds every export of the library, with its comment."""
 import pathlib
 import tempfile
 import unittest
@@ -44,7 +44,7 @@ class ApiModel(unittest.TestCase):
         self.assertEqual(narrow["lr_event"]["size"], 64)
 
     def test_each_struct_that_a_caller_sizes_has_a_function_that_fills_it(self):
-        asked = {"lr_wind_query", "lr_water_query"}  # the library's own, given to callbacks
+        asked = {"lr_wind_query", "lr_water_query"}  # the library's own structs, passed to callbacks
         for struct in self.structs.values():
             sized = struct["fields"][0]["name"] == "struct_size" and struct["name"] not in asked
             self.assertEqual(struct["init"], f"{struct['name']}_init" if sized else None)
@@ -66,7 +66,7 @@ class ApiModel(unittest.TestCase):
         self.assertTrue(all(words[name] for name in words), words)
 
 
-# Both forms of constants and of handles.
+# Both forms of constants and handles.
 FORMS = """
 #include <stdint.h>
 

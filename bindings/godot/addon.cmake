@@ -1,5 +1,5 @@
-# Puts the addon together: OUTPUT/ with the .gdextension file, icons, licence, and in bin/ the extension, the library and what
-# that needs and a fresh machine does not have. Run by the build: cmake -D... -P addon.cmake
+# Makes the addon: OUTPUT/ with the .gdextension file, icons and licence, and in bin/ the extension, the library and the dependencies
+# that a fresh machine lacks. Run by the build: cmake -D... -P addon.cmake
 # SPDX-License-Identifier: MIT
 cmake_minimum_required(VERSION 3.20)
 
@@ -18,7 +18,7 @@ get_filename_component(extension "${EXTENSION}" EXT)
 file(COPY_FILE "${EXTENSION}" "${bin}/langevin_rigid_godot${extension}" ONLY_IF_DIFFERENT)
 
 if(system STREQUAL "linux")
-  # The name that the loader looks for is the soname, which the package has as a link.
+  # The loader looks for the soname, which is a link in the package.
   file(REAL_PATH "${LIBRARY}" real)
   get_filename_component(directory "${LIBRARY}" DIRECTORY)
   file(COPY_FILE "${real}" "${bin}/liblangevin_rigid.so.0" ONLY_IF_DIFFERENT)
@@ -39,14 +39,14 @@ else()
 endif()
 
 file(COPY "${SOURCE}/addon/" DESTINATION "${OUTPUT}")
-# A library that carries Highway has none beside it: exports of a game would look for what is named here.
+# If Highway is linked into the library, there is no file for it: game exports would look for one that is listed here.
 if(NOT EXISTS "${bin}/libhwy.so.1")
   file(READ "${OUTPUT}/langevin_rigid.gdextension" names)
   string(REGEX REPLACE ",\n[^\n]*/${system}_${arch}/libhwy.so.1\": \"\"" "" names "${names}")
   file(WRITE "${OUTPUT}/langevin_rigid.gdextension" "${names}")
 endif()
 file(COPY_FILE "${SOURCE}/../../LICENSE" "${OUTPUT}/LICENSE" ONLY_IF_DIFFERENT)
-# Of what is compiled into the library, which is in PREFIX/lib, PREFIX/lib/ARCHITECTURE or PREFIX/bin.
+# Licenses of code in the library, which is in PREFIX/lib, PREFIX/lib/ARCHITECTURE or PREFIX/bin.
 get_filename_component(directory "${LIBRARY}" DIRECTORY)
 file(GLOB licences "${directory}/../share/doc/langevin_rigid/LICENSE.*" "${directory}/../../share/doc/langevin_rigid/LICENSE.*")
 file(COPY ${licences} DESTINATION "${OUTPUT}")

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes demo/ ready to be opened: builds the addon into demo/addons, bakes the leaves.
-#   bindings/godot/demo.sh PREFIX [DIRECTORY]      PREFIX: an installed package; DIRECTORY: a copy of the demo there instead
+# Prepares demo/ for the editor: builds the addon into demo/addons, bakes the leaves.
+#   bindings/godot/demo.sh PREFIX [DIRECTORY]      PREFIX: an installed package; DIRECTORY: for a copy of the demo instead
 # SPDX-License-Identifier: MIT
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -19,7 +19,7 @@ for leaf in leaf leaf_maple; do
     LD_LIBRARY_PATH="$prefix/lib${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}" \
         "$prefix/bin/lr_bake" mesh "$demo/$leaf.obj" -o "$demo/$leaf.lrb" --density 350 --quiet
 done
-# The engine finds extensions by this list. Without it the first headless run does not know the classes, or crashes at its end.
+# The engine finds extensions through this list. Without it the first headless run does not know the classes, or crashes at its end.
 mkdir -p "$demo/.godot"
 echo "res://addons/langevin_rigid/langevin_rigid.gdextension" >"$demo/.godot/extension_list.cfg"
 echo "ready: open $demo/project.godot in Godot 4.4 or later, and press play"

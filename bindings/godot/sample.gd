@@ -4,7 +4,7 @@ extends SceneTree
 
 
 func _initialize() -> void:
-	await process_frame  # until then nodes are not in the tree
+	await process_frame  # before that, nodes are not in the tree
 	var world := LangevinWorld.new()
 	world.seed = 1
 	world.process_callback = LangevinWorld.PROCESS_CALLBACK_MANUAL  # this script calls step() itself

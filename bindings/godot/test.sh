@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds the extension against an installed package and tests it: bindings/godot/test.sh PREFIX
-# With an engine (GODOT, or godot4 or godot on the PATH; 4.4 or later) also in the engine, headless.
+# With an engine (GODOT, or godot4 or godot on the PATH; 4.4 or later) also tests in the engine, headless.
 # SPDX-License-Identifier: MIT
 set -uo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -11,7 +11,7 @@ export LD_LIBRARY_PATH="$prefix/lib${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}"
 passed=0 failed=0 skipped=0
 mkdir -p "$build"
 
-# step NAME COMMAND...: one line; the log of what failed
+# step NAME COMMAND...: prints one line, and the log of a failed command
 step() {
     local name=$1 log
     shift
@@ -37,7 +37,7 @@ transforms() {
         "$here/tests/test_transform.c" -lm -o "$build/test_transform" && "$build/test_transform"
 }
 
-# The addon must find its library beside it and export its entry alone.
+# The addon must find its library beside it and export only its entry.
 addon_is_whole() {
     local bin
     bin=$(echo "$build"/addon/addons/langevin_rigid/bin/linux_*)
@@ -66,7 +66,7 @@ compare_abi() {
     local cc_flags=(-std=gnu11 -Wall -Wextra -Werror -I"$build/dump" -fsyntax-only)
     mkdir -p "$build/dump" && (cd "$build/dump" && engine --dump-gdextension-interface --quit) &&
         cc "${cc_flags[@]}" "$here/tests/abi/compare_with_engine.c" || return 1
-    # That the comparison can fail: a parameter of another width, and a field too many.
+    # Checks that the comparison can fail: with a parameter of another width, and with an additional field.
     mkdir -p "$build/broken/src/abi" "$build/broken/tests/abi"
     cp "$here/tests/abi/compare_with_engine.c" "$build/broken/tests/abi"
     for change in 's/void\* self, const void\* method, const void\* const\* args, int64_t count/void* self, const void* method, const void* const* args, int32_t count/' \
@@ -75,13 +75,13 @@ compare_abi() {
         ! cmp -s "$here/src/abi/gdextension_abi.h" "$build/broken/src/abi/gdextension_abi.h" || return 1
         ! cc "${cc_flags[@]}" "$build/broken/tests/abi/compare_with_engine.c" 2>/dev/null || return 1
     done
-    # Each name that is asked for is in the engine's list.
+    # Each looked-up name is in the engine's list.
     grep -oE '^    X\([a-z0-9_]+' "$here/src/abi/gdextension_abi.h" | cut -c7- | while read -r name; do
         grep -q "@name $name\$" "$build/dump/gdextension_interface.h" || { echo "$name is not in the engine"; exit 1; }
     done
 }
 
-# An engine's complaints that no test announced are failures: leaks of objects and RIDs are told at the end of a run.
+# Unannounced error messages of the engine are failures: at the end of a run they report leaks of objects and RIDs.
 no_complaints() {
     local expected=0 found
     expected=$(grep -oE '\([0-9]+ expected\)' "$1" | tr -dc '0-9\n' | awk '{sum += $1} END {print sum + 0}')
@@ -117,7 +117,7 @@ demo() {
     no_complaints "$build/demo.txt"
 }
 
-# The editor with the demo's scene open: nodes that are placed and not run.
+# The editor with the demo's scene open: nodes exist but do not run.
 editor() {
     engine --path "$build/demo_project" --editor --quit-after 60 res://storm.tscn >"$build/editor.txt" 2>&1 || return 1
     cat "$build/editor.txt"

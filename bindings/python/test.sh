@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Builds and runs all tests of the Python package against an installed package:  test.sh PREFIX
-# PYTHON: the interpreter; initially the first of python3 and /usr/bin/python3 that has NumPy. BLENDER: initially blender.
+# PYTHON: the interpreter, by default the first of python3 and /usr/bin/python3 that has NumPy. BLENDER: by default blender.
 set -uo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(cd "$here/../.." && pwd)
@@ -20,7 +20,7 @@ finish() {
     [ $failed -eq 0 ]
     exit
 }
-skip() { # what, for want of what, how to get it
+skip() { # what, missing tool, how to install it
     echo "SKIPPED: $1, for want of $2: $3"
     skipped=$((skipped + 1))
 }
@@ -80,13 +80,13 @@ tests() { # what, environment and command of an interpreter
 }
 tests "unit tests" "$python"
 
-# As a user installs it, in folders of the test's own.
+# As users install it, in folders of the test.
 if has pip && has setuptools && has wheel; then
     mkdir -p "$work/source" && cp -r "$here/langevin_rigid" "$here/pyproject.toml" "$here/README.md" "$work/source"
     run "pip install, offline" "$python" -m pip install --quiet --no-index --no-build-isolation --no-deps --target "$work/site" "$work/source"
     run "hello.py, installed" env PYTHONPATH="$work/site" bash -c "cd / && $python $here/samples/hello.py | grep -q 'state $LR_TEST_HELLO_HASH'"
     run "wheel with the library and the baker inside" "$here/wheel.sh" "$prefix" "$work/wheels"
-    # As for Blender: a wheel is an archive.
+    # As for Blender: unpacked like an archive.
     run "the wheel, unpacked" unzip -q "$work"/wheels/langevin_rigid-*-py3-none-linux_"$(uname -m)".whl -d "$work/carried"
     run "the wheel finds what it carries" bash -c "cd '$work/carried/langevin_rigid' && ! ldd lib/*.so* bin/lr_bake |
         grep -E 'lib(hwy|assimp).* => ' | grep -vF ' => $work/carried/'"

@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: MIT
 """Writes and checks the .meta files of a Unity package.
 
-    metas.py write DIR    writes what is missing or differs, and removes what belongs to nothing
-    metas.py check DIR    says what is wrong; exit code 1 if anything is
+    metas.py write DIR    writes missing or different files, and removes those of missing assets
+    metas.py check DIR    prints problems; exit code 1 if there are any
 
-A GUID is the UUID (version 5) of the asset's path in the package: the same in every build of the package, so that scenes keep their
-references from one version to the next. A file that moves gets another one: then set its old GUID in MOVED.
+A GUID is the UUID (version 5) of the asset's path in the package. It is the same in every build, so that scenes keep their
+references in a new version. A moved file would get a new GUID: list its old path in MOVED.
 """
 import pathlib
 import re
@@ -14,7 +14,7 @@ import sys
 import uuid
 
 NAMESPACE = uuid.UUID("5b1c6f0e-6a0f-5d0c-9a53-3c1f6f1f5a11")
-MOVED = {}  # path now: path that its GUID is made of
+MOVED = {}  # new path: path that gives its GUID
 
 TAIL = "  userData: \n  assetBundleName: \n  assetBundleVariant: \n"
 
@@ -36,7 +36,7 @@ def platform(first, second, enabled, settings):
     return "".join(lines)
 
 
-# Folder of a native library: what it runs on. Libraries beside the first (what it needs itself) are alike.
+# Folder of a native library: its platform. The other libraries in it (its dependencies) have the same settings.
 PLUGINS = {
     "Linux/x86_64": {"Editor": ("x86_64", "Linux"), "Linux64": "x86_64"},
     "Linux/arm64": {"EmbeddedLinux": "ARM64"},
@@ -46,7 +46,7 @@ PLUGINS = {
 
 
 def plugin(path):
-    """Settings of the plug-in importer for a library in Runtime/Plugins."""
+    """Importer settings of a library in Runtime/Plugins."""
     folder = path.split("Runtime/Plugins/", 1)[1].rsplit("/", 1)[0]
     on = PLUGINS[folder]
     excluded = [(f"Exclude {name}", 0 if name in on else 1)
@@ -91,7 +91,7 @@ def meta(path, is_folder):
 
 
 def hidden(relative):
-    """Unity imports nothing whose name, or whose folder's, ends with ~ or begins with a dot."""
+    """Unity ignores names, of files or folders, that end with ~ or begin with a dot."""
     return any(part.endswith("~") or part.startswith(".") for part in relative.parts)
 
 
@@ -121,7 +121,7 @@ def orphans(root):
 
 
 def check(root):
-    """Everything that is wrong with the metas."""
+    """All problems of the metas."""
     faults, seen = [], {}
     for entry, path in assets(root):
         at = entry.with_name(entry.name + ".meta")

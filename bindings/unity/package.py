@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Makes the Unity package: com.langevin.rigid with the C# binding, native libraries and the baker in place, checked.
+"""Makes and checks the Unity package: com.langevin.rigid with the C# binding, native libraries and the baker.
 
     package.py [--native PREFIX...] --out DIR [--tgz]
 
-PREFIX   an installed package of the library (include/, lib/ or bin/, bin/lr_bake), one for each platform: which one it is for is read
-         from the library itself. An archive liblangevin_rigid.a of WebAssembly objects (Emscripten) is for WebGL. Without any: what was
-         built here last, by ./demo.sh or with the release preset.
---out    receives com.langevin.rigid; what was there before is replaced.
+PREFIX   an installed package of the library (include/, lib/ or bin/, bin/lr_bake), one for each platform, which is read from the
+library itself. An archive liblangevin_rigid.a of WebAssembly objects (Emscripten) is for WebGL. Default: the last build here,
+by ./demo.sh or with the release preset.
+--out    receives com.langevin.rigid, in place of an earlier one.
 --tgz    also writes com.langevin.rigid-VERSION.tgz, for "Install package from tarball".
 """
 import argparse
@@ -107,7 +107,7 @@ def put_native(prefix, package, licences):
                         licences.update([licence_of(beside, prefix)])
                     except PackageError as error:
                         print(f"package: warning: {error}")
-    for document in (prefix / "share/doc/langevin_rigid").glob("LICENSE.*"): # of what is compiled into the library
+    for document in (prefix / "share/doc/langevin_rigid").glob("LICENSE.*"): # licenses of code in the library
         licences[document.suffix[1:]] = document.read_text()
     print(f"package: {platform}: {', '.join(copied)}")
     put_tool(prefix, platform, package, licences)
@@ -133,12 +133,12 @@ def put_tool(prefix, platform, package, licences):
 
 
 def put_sample(prefixes, package):
-    """The storm's leaf, as Unity imports it, baked."""
+    """Bakes the storm's leaf, as Unity imports it."""
     folder = package / "Samples~" / "LeafStorm"
     shutil.copyfile(ASSETS / "leaf.obj", folder / "leaf.obj")
     baked = [p / "assets" / "leaf.lrb" for p in prefixes if (p / "assets" / "leaf.lrb").exists()]
     bakers = [p / "bin" / "lr_bake" for p in prefixes if (p / "bin" / "lr_bake").exists() and elf_platform(p / "bin" / "lr_bake") == host_platform()]
-    if baked: # a package for another machine, whose baker does not run here
+    if baked: # the package is for another machine, so its baker does not run here
         shutil.copyfile(baked[0], folder / "leaf.lrb")
     elif bakers:
         subprocess.run([bakers[0], "mesh", folder / "leaf.obj", "-o", folder / "leaf.lrb", "--density", "350", "--name", "leaf", "--quiet"], check=True)
@@ -148,7 +148,7 @@ def put_sample(prefixes, package):
     for name in ("leaf.lrb", "LeafStorm.cs"):
         text = metas.meta(f"Samples~/LeafStorm/{name}", False)
         if name == "leaf.lrb":
-            # meshMirror 1: Unity's model importer negates x of the OBJ beside it.
+            # meshMirror 1: Unity's model importer negates x of the OBJ.
             text = text.split("DefaultImporter:")[0] + (
                 "ScriptedImporter:\n  internalIDToNameTable: []\n  externalObjects: {}\n  serializedVersion: 2\n" + metas.TAIL +
                 f"  script: {{fileID: 11500000, guid: {importer}, type: 3}}\n  meshMirror: 1\n")
@@ -161,7 +161,7 @@ def header_version(header):
 
 
 def library_version(path):
-    """Of a library that this machine can load; None of others."""
+    """The version of a library that this machine can load; otherwise None."""
     code = ("import ctypes, sys; v = ctypes.CDLL(sys.argv[1]).lr_version; v.restype = ctypes.c_uint32; n = v(); "
             "print(f'{n >> 22}.{n >> 12 & 0x3ff}.{n & 0xfff}')")
     run = subprocess.run([sys.executable, "-c", code, path], capture_output=True, text=True)
@@ -178,12 +178,12 @@ def check_json(package):
     return faults, found
 
 
-# Optional, or part of the engine: Unity ignores a reference to an assembly that is not there.
+# Optional or part of the engine: Unity ignores references to assemblies that do not exist.
 OUTSIDE = {"Unity.Burst", "UnityEngine.TestRunner", "UnityEditor.TestRunner"}
 
 
 def check(package):
-    """Everything that is wrong with a package."""
+    """All problems of a package."""
     faults, documents = check_json(package)
     faults += metas.check(package)
     definitions = {path: json for path, json in documents.items() if path.suffix == ".asmdef"}
@@ -254,9 +254,9 @@ def write_tgz(package, out):
         entry.uname = entry.gname = ""
         return entry
 
-    # Without times, owners and its own name: the same bits each time.
+    # No times, owners and file name, so that the archive has the same bits each time.
     with open(path, "wb") as file, gzip.GzipFile("", "wb", fileobj=file, mtime=0) as packed, tarfile.open(fileobj=packed, mode="w") as archive:
-        # npm's layout: Unity's Package Manager wants everything in a folder of this name.
+        # npm's layout: Unity's Package Manager expects everything in a folder of this name.
         archive.add(package, "package", filter=plain)
     return path
 

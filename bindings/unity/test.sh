@@ -39,7 +39,7 @@ if ! command -v mcs >/dev/null || ! command -v mono >/dev/null; then
     finish ", 1 skipped"
 fi
 compiler=(mcs -langversion:latest -unsafe -warnaserror -warn:4 -nologo)
-# 0649, 0169: fields that Unity sets from what it has saved.
+# 0649, 0169: fields that Unity fills from saved scenes.
 unity=("${compiler[@]}" -target:library -nowarn:0649,0169)
 cd "$out"
 shim=()
@@ -48,7 +48,7 @@ step "shim compiles" "${compiler[@]}" -target:library -out:UnityEngine.dll "${sh
     step "editor shim compiles" "${unity[@]}" -out:UnityEditor.dll -r:UnityEngine.dll "$here/shim/Editor.cs" &&
     step "test framework compiles" "${compiler[@]}" -target:library -out:nunit.framework.dll "$here/shim/TestFramework.cs" || finish
 
-# As Unity compiles it: the editor, with and without Burst, and players.
+# Compiled as Unity does: for the editor, with and without Burst, and for players.
 sources() { find "$1" -name '*.cs' | sort; }
 compile_all() { # folder, defines
     mkdir -p "$1"

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What a native library is: format, machine, what it needs, what it exports; and an import library for a DLL.
+"""Reads native libraries: format, machine, dependencies, exports; and writes an import library for a DLL.
 
-Import libraries of MinGW are not in the short format that Microsoft's linker wants for delay loading, so one is written
-here from the DLL's exports (Microsoft PE and COFF specification, Archive and Import Library Format).
+MinGW's import libraries are not in the short format that Microsoft's linker needs for delay loading, so this writes one from
+the DLL's exports (Microsoft PE and COFF specification, Archive and Import Library Format).
 """
 import re
 import struct
@@ -100,7 +100,7 @@ def describe_pe(data: bytes) -> NativeFile:
 
 
 def pe_exports(path: Path) -> list:
-    """Names of the functions that a DLL exports for users: lr_*."""
+    """The DLL's public function names: lr_*."""
     pe = Pe(Path(path).read_bytes())
     table = pe.directory(0)
     if not table:
@@ -150,7 +150,7 @@ def coff_object(sections: list, symbols: list) -> bytes:
 
 
 def import_library(dll: str, names: list) -> bytes:
-    """A .lib in the short import format, by which link.exe and lld-link can also delay-load the DLL."""
+    """A .lib in the short import format, which also lets link.exe and lld-link delay-load the DLL."""
     base = dll.rsplit(".", 1)[0]
     descriptor, null_descriptor = f"__IMPORT_DESCRIPTOR_{base}", "__NULL_IMPORT_DESCRIPTOR"
     null_thunk = f"\x7f{base}_NULL_THUNK_DATA"
@@ -184,7 +184,7 @@ def import_library(dll: str, names: list) -> bytes:
     text_size = sum(len(symbol) + 1 for symbol, _ in symbols)
     first_size = 4 + 4 * len(symbols) + text_size
     second_size = 4 + 4 * len(members) + 4 + 2 * len(symbols) + text_size
-    # A name over 15 characters stands in the table of long names.
+    # Names over 15 characters are in the table of long names.
     name_field = dll + "/" if len(dll) < 16 else "/0"
     long_names = b"" if len(dll) < 16 else dll.encode() + b"\0"
 

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Puts the Unreal plugin together with native libraries: a folder to be dropped into a project's Plugins/.
+"""Packages the Unreal plugin with native libraries: a folder for a project's Plugins/.
 
     package.py --native Linux=/opt/langevin_rigid --native Win64=C:/langevin_rigid --out MyProject/Plugins
 
-PREFIX is where the library was installed (include/, lib/, bin/). PLATFORM= may be left out: it is then read from the
-library itself. Without --native: what was built here last, by ./demo.sh or with the release preset. Libraries that it needs
-go along; --also says where one is that is neither beside it nor on this system (a C++ runtime of another platform).
+PREFIX: where the library is installed (include/, lib/, bin/). PLATFORM= is optional; by default it is read from the library.
+Default for --native: the last build here, by ./demo.sh or with the release preset. Dependencies are packaged too; --also names one
+that is neither beside the library nor on this system (a C++ runtime of another platform).
 """
 import argparse
 import shutil
@@ -38,7 +38,7 @@ def find_library(prefix: Path) -> Path:
 
 def put(source: Path, target: Path) -> None:
     target.parent.mkdir(parents=True, exist_ok=True)
-    shutil.copyfile(source, target)  # follows links: plugin folders travel through zip files and version control
+    shutil.copyfile(source, target)  # follows links: plugin folders pass through zip files and version control
     print(f"  {target}")
 
 
@@ -84,7 +84,7 @@ def package_native(plugin: Path, native: str, also: list) -> str:
         target.write_bytes(native_file.import_library(library.name, native_file.pe_exports(library)))
         print(f"  {target}")
     else:
-        # The linker takes the plain name, the loader asks for the name inside.
+        # The linker uses the plain name, the loader the soname.
         name = described.soname or "liblangevin_rigid.so"
         copied, origins = copy_elf(library, folder, name, also=also)
         for file in copied:

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds and runs all tests of the Unreal plugin against an installed library: test.sh PREFIX
-# The engine is not needed: bindings/unreal/shim stands for it. With LR_WIN64_PREFIX and LR_LINUXARM64_PREFIX installed
-# libraries for those platforms are packaged as well; without, small stand-ins that export the same functions.
+# Needs no engine: bindings/unreal/shim replaces it. With LR_WIN64_PREFIX and LR_LINUXARM64_PREFIX, libraries installed for those
+# platforms are packaged too; otherwise small stand-ins that export the same functions.
 # SPDX-License-Identifier: MIT
 set -uo pipefail
 
@@ -47,7 +47,7 @@ step "header tool: generated headers, properties and functions that Blueprints k
     python3 "$here/shim/header_tool.py" "$gen" "${headers[@]}"
 step "header tool refuses what the engine's refuses" "$here/tests/test_header_tool.sh" "$build/header_tool"
 
-alone() { # COMPILER FILE...: each file by itself; headers by way of a source that includes them and nothing else
+alone() { # COMPILER FILE...: compiles each file alone; headers through a source that includes nothing else
     local compiler="$1"
     shift
     printf '%s\0' "$@" | compiler="$compiler" xargs -0 -P 2 -n 1 bash -c \
@@ -60,7 +60,7 @@ else
 fi
 step "g++: ${#headers[@]} headers, each alone (sources: below)" alone g++ "${headers[@]}"
 
-# The engine builds a module as one or a few sources that include the others: names of files must not meet.
+# The engine compiles a module as one or a few sources that include the others: file-local names must not collide.
 unity() {
     local module
     for module in LangevinRigid LangevinRigidNiagara LangevinRigidEditor; do

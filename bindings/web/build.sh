@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Builds the WebAssembly package: build/web/package, which is all that a page or a node program needs.
+# Builds the WebAssembly package: build/web/package, with everything that a page or a node program needs.
 #   bindings/web/build.sh [--tests]     --tests: also the determinism tests as a program for node
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -20,7 +20,7 @@ cp langevin_rigid.mjs langevin_rigid.d.mts langevin_rigid.d.ts package.json READ
 cp src/*.mjs "$package/src"
 cp src/generated/* "$package/src/generated"
 cp "$wasm/bindings/web/native/langevin_rigid.wasm" "$package"
-# What is linked in.
+# Licenses of linked code.
 cp "$root/LICENSE" "$package/licenses/langevin_rigid"
 cp "$root/build/sources/libccd/BSD-LICENSE" "$package/licenses/libccd"
 for library in libhwy-dev libflatbuffers-dev wasi-libc libc++-14-dev-wasm32; do

@@ -13,18 +13,18 @@ export type Input<T> = {
     : T[K] extends (infer E)[] ? Input<E>[] : T[K] extends object ? Input<T[K]> | null : T[K];
 };
 
-/** A call that the library refused; it changed nothing. The message gives its name and the reason. */
+/** A refused call. It changed nothing. The message gives its name and the reason. */
 export declare class LangevinRigidError extends Error {
   /** LR.ERROR_* */
   readonly status: number;
-  /** as "LR_ERROR_STALE_BODY" */
+  /** for example "LR_ERROR_STALE_BODY" */
   readonly statusName: string;
   /** the C function */
   readonly function: string;
 }
 export declare function statusName(status: number): string;
 
-/** One numbered fault of an asset's bytes: docs/reference/asset_format.md. */
+/** A numbered fault of an asset's bytes: docs/reference/asset_format.md. */
 export interface Fault {
   number: number;
   where: string;
@@ -33,11 +33,11 @@ export interface Fault {
 }
 
 interface Disposable {
-  /** Frees the memory at once. Forgotten objects are freed when they are collected. */
+  /** Frees the memory at once. Otherwise the garbage collector frees it with the object. */
   dispose(): void;
 }
 
-/** An immutable shape, for any number of worlds of its module. */
+/** An immutable shape, shared by any number of worlds of its module. */
 export declare class Asset implements Disposable {
   private constructor();
   readonly info: api.AssetInfo;
@@ -59,12 +59,12 @@ export type WaterCallback = (query: Omit<api.WaterQuery, 'height'> & { height: F
 
 export declare class World extends WorldPlain implements Disposable {
   private constructor();
-  /** Advances all bodies by dt seconds in `substeps` (2) equal parts: at 60 Hz 2 suit leaves, 4 petals and confetti. */
+  /** Advances all bodies by dt seconds in `substeps` equal parts, by default 2. At 60 Hz: 2 for leaves, 4 for petals and confetti. */
   step(dt: number, substeps?: number): void;
   setGravity(gravity: ArrayLike<number>): void;
-  /** Equal hashes mean equal motion from here on. The same on all machines, here and in native programs. */
+  /** Worlds with equal hashes move the same from here on, on all machines, here and in native programs. */
   hash(): bigint;
-  /** Bytes that native programs can restore, and vice versa. */
+  /** A snapshot as bytes, which native programs can restore, and vice versa. */
   saveSnapshot(): Uint8Array;
   restoreSnapshot(bytes: Uint8Array): void;
   /** `write` receives every call that can change the world, for lr_replay. An exception ends the recording. */
@@ -72,9 +72,9 @@ export declare class World extends WorldPlain implements Disposable {
   stopRecording(): void;
 
   setUniformWind(velocity: ArrayLike<number>): void;
-  /** As it was set last. */
+  /** The uniform wind last set. */
   readonly uniformWind: number[];
-  // Wind sources: add gives a number, update replaces all values, and the kind's name reads them as last set.
+  // Wind sources: add returns a handle, update replaces all values, and the kind's name reads the last values.
   addGusts(desc?: Input<api.GustsDesc>): number;
   updateGusts(source: number, desc: Input<api.GustsDesc>): void;
   gusts(source: number): api.GustsDesc;
@@ -95,30 +95,30 @@ export declare class World extends WorldPlain implements Disposable {
   groundWind(source: number): api.GroundWindDesc;
   removeWind(source: number): void;
   windSourceIsValid(source: number): boolean;
-  /** Its arrays are valid during the call. step() rethrows its exception after it has completed. */
+  /** The query's arrays are valid during the callback. step() is completed, then rethrows the callback's exception. */
   setWindCallback(callback: WindCallback | null): void;
-  /** Velocities, x y z of each point. */
+  /** The velocities at points, as x y z of each point. */
   sampleWind(positions: ArrayLike<number>): Float32Array;
-  /** null without water. */
+  /** The water's settings; null without water. */
   readonly water: api.WaterDesc | null;
   setWaterCallback(callback: WaterCallback | null): void;
 
   createBatch(desc: Omit<Input<api.BatchDesc>, 'asset'> & { asset: Asset; capacity: number }): Batch;
   destroyBodies(ids: bigint | ArrayLike<bigint>): void;
-  /** Whether the body exists: false once it has ended. */
+  /** Whether the body still exists. */
   bodyIsValid(id: bigint): boolean;
   batchIsValid(batch: Batch): boolean;
   /** Fields missing in `state` stay unchanged. */
   setBodyState(id: bigint, state: Input<api.BodyState>): void;
   setSleep(ids: bigint | ArrayLike<bigint>, rest: boolean): void;
-  /** Returns how many it woke. */
+  /** Returns the number of woken bodies. */
   wakeBox(low: ArrayLike<number>, high: ArrayLike<number>): number;
   addForces(forces: Input<api.BodyForce>[]): void;
   setBodyContact(a: Batch, b: Batch, enabled: boolean): void;
   bodyContact(a: Batch, b: Batch): boolean;
 
   createCollider(desc: Input<api.ColliderDesc>): bigint;
-  /** Numbers of vertices and triangles follow from the arrays. */
+  /** Derives numbers of vertices and triangles from the arrays. */
   createColliders(descs: Input<api.ColliderDesc>[]): BigUint64Array;
   destroyColliders(ids: bigint | ArrayLike<bigint>): void;
   moveColliders(motions: Input<api.ColliderMotion>[]): void;
@@ -128,13 +128,13 @@ export declare class World extends WorldPlain implements Disposable {
   setEvents(capacity: number, kinds?: number): void;
   /** The events of the last step. */
   events(): { events: api.Event[]; lost: number; totalLost: number; capacity: number; kinds: number };
-  /** One per ray, null if nothing is hit. */
+  /** The first hit of each ray, or null. */
   rayCast(rays: RayInput[]): (api.RayHit | null)[];
   overlap(desc: OverlapInput): BigUint64Array;
   dispose(): void;
 }
 
-/** Many bodies: one array per field, with the bodies' values one after the other. */
+/** Values of many bodies: an array per field, with the bodies' values one after the other. */
 export interface ManyBodies {
   count: number;
   position?: ArrayLike<number>;
@@ -155,9 +155,9 @@ export declare class Batch extends BatchPlain {
   destroy(): void;
   createBody(desc?: Input<api.BodyDesc>): bigint;
   createBodies(descs: Input<api.BodyDesc>[] | ManyBodies): BigUint64Array;
-  /** Spawns bodies by the emitter. */
+  /** Spawns bodies from the emitter now. */
   emit(count: number): BigUint64Array;
-  /** The bodies' arrays, without a copy. Valid until the world changes; empty after the memory has grown. Call it again each frame. */
+  /** The bodies' arrays, without a copy. Valid until the world changes; empty after the memory grew. Call it again each frame. */
   view(): api.BatchView;
   /** A box around all bodies; null without bodies. */
   bounds(): { low: number[]; high: number[] } | null;
@@ -165,9 +165,9 @@ export declare class Batch extends BatchPlain {
   createTransforms(format?: number, capacity?: number): TransformBuffer;
   setTurbulenceTable(table: Input<api.TurbulenceTable> | null): void;
   addForces(arrays: Input<api.ForceArrays>): void;
-  /** null without rules. */
+  /** The rules, or null. */
   readonly rules: api.BatchRules | null;
-  /** null without an emitter. */
+  /** The emitter, or null. */
   readonly emitter: api.EmitterDesc | null;
 }
 
@@ -179,11 +179,11 @@ export declare class TransformBuffer implements Disposable {
   readonly capacity: number;
   /** Number of bodies at the last write. */
   readonly count: number;
-  /** The whole buffer; a new array after the memory has grown. */
+  /** The whole buffer; a new array after the memory grew. */
   readonly array: Float32Array;
-  /** Writes all bodies, and returns that part of the buffer. */
+  /** Writes all bodies that fit, and returns this part of the buffer. */
   write(): Float32Array;
-  /** Writes the bodies that may have moved since the last write, and returns that part, which begins at the first body. */
+  /** Writes the bodies that can have moved since the last write, and returns this part, which begins at the first body. */
   writeMoved(): Float32Array;
   dispose(): void;
 }
@@ -195,19 +195,19 @@ export declare class LangevinRigid {
   readonly memory: WebAssembly.Memory;
   readonly raw: api.RawFunctions & { malloc(bytes: number): number; free(address: number): void };
   createWorld(desc?: WorldInput): World;
-  /** From the bytes of an .lrb file. The error lists their faults. */
+  /** Loads the bytes of an .lrb file. The error lists their faults. */
   loadAsset(bytes: ArrayBuffer | ArrayBufferView): Asset;
-  /** From an address on the web, or of a file in node. */
+  /** Loads an .lrb file from a URL, or in node from a file. */
   fetchAsset(url: string | URL): Promise<Asset>;
   checkAsset(bytes: ArrayBuffer | Uint8Array): Fault[];
   createEllipsoid(desc: Input<api.EllipsoidDesc>): Asset;
   createRigid(desc: Input<api.RigidDesc>): Asset;
-  /** A struct with the library's defaults, by its C name. */
+  /** A struct with the library's defaults, by its name in C. */
   initial(struct: string): Record<string, unknown>;
   simdTargets(): number[];
   simdTargetName(target: number): string;
   statusString(status: number): string;
 }
 
-/** wasm: address, bytes or compiled module; by default langevin_rigid.wasm beside langevin_rigid.mjs. */
+/** wasm: URL, bytes or compiled module; by default langevin_rigid.wasm beside langevin_rigid.mjs. */
 export declare function load(options?: { wasm?: string | URL | ArrayBuffer | ArrayBufferView | WebAssembly.Module }): Promise<LangevinRigid>;

@@ -10,7 +10,7 @@ export { LangevinRigidError, statusName } from './src/errors.mjs';
 export { LR } from './src/generated/api.mjs';
 export { World } from './src/world.mjs';
 
-/** A loaded module, with a memory of its own. */
+/** A loaded module, with its own memory. */
 export class LangevinRigid {
   #host;
 
@@ -23,7 +23,7 @@ export class LangevinRigid {
     return this.#host.version;
   }
 
-  /** The C functions, for what is not said otherwise. */
+  /** The C functions, for calls without a wrapper. */
   get raw() {
     return this.#host.raw;
   }
@@ -36,17 +36,17 @@ export class LangevinRigid {
     return World.create(this.#host, desc);
   }
 
-  /** From bytes of an .lrb file. */
+  /** Loads the bytes of an .lrb file. */
   loadAsset(bytes) {
     return Asset.load(this.#host, bytes);
   }
 
-  /** From an address on the web, or of a file in node. */
+  /** Loads an .lrb file from a URL, or in node from a file. */
   async fetchAsset(url) {
     return this.loadAsset(await readBytes(url, 'asset'));
   }
 
-  /** Everything that is wrong with the bytes of an asset; empty when nothing is. */
+  /** All faults of an asset's bytes; empty if it is valid. */
   checkAsset(bytes) {
     return Asset.check(this.#host, bytes instanceof ArrayBuffer ? new Uint8Array(bytes) : bytes);
   }
@@ -59,7 +59,7 @@ export class LangevinRigid {
     return Asset.rigid(this.#host, desc);
   }
 
-  /** A struct as its init function fills it: initial values to look at. */
+  /** A struct with the library's defaults, by its name in C. */
   initial(struct) {
     return this.#host.scratch((scratch) => this.#host.heap.read(struct, scratch.struct(struct)));
   }
@@ -85,7 +85,7 @@ export class LangevinRigid {
 
 /**
  * Loads the module.
- * @param wasm its address, its bytes, or a compiled WebAssembly.Module; by default langevin_rigid.wasm beside this file
+ * @param wasm its URL, its bytes, or a compiled WebAssembly.Module; by default langevin_rigid.wasm beside this file
  */
 export async function load({ wasm = new URL('./langevin_rigid.wasm', import.meta.url) } = {}) {
   return new LangevinRigid(await Host.create(wasm));

@@ -6,12 +6,12 @@ const [folder = '.', file] = process.argv.slice(2);
 const { load, LR } = await import(`${pathToFileURL(folder)}/langevin_rigid.mjs`);
 
 const lr = await load();
-// The shape: as lr_bake made it of a mesh, or an ellipsoid of 8 cm x 2 cm x 0.1 mm without a file.
+// The shape: an asset that lr_bake made from a mesh, or without a file an ellipsoid of 8 cm x 2 cm x 0.1 mm.
 const leaf = file ? await lr.fetchAsset(pathToFileURL(file)) : lr.createEllipsoid({ semiAxes: [0.04, 0.01, 0.00005], density: 800 });
 const { mass, density } = leaf.info;
 console.log(`Langevin Rigid ${lr.version}, ${lr.simdTargetName(lr.simdTargets()[0])}: leaves of ${(1e3 * mass).toFixed(3)} g, ${density.toFixed(0)} kg/m^3`);
 
-// A world with wind over ground, and one batch: all bodies of one asset.
+// A world with wind over a ground, and a batch: all bodies of one asset.
 const world = lr.createWorld({ seed: 1 });
 world.setUniformWind([1, 0, 0]);
 world.addGusts({ rms: 0.5 });
@@ -19,12 +19,12 @@ world.createCollider({ kind: LR.COLLIDER_PLANE });
 const count = 1000;
 const batch = world.createBatch({ asset: leaf, capacity: count });
 
-// Each at its own place, on its own side: x y z of all, then quaternions of all.
+// Each leaf has its own position and orientation: arrays of x y z, and of quaternions.
 const position = new Float32Array(3 * count).map((_, i) => (i % 3 === 1 ? 2 + (i % 7) / 2 : 0.1 * (i % 31)));
 const orientation = new Float32Array(4 * count).map((_, i) => Math.sin(i));
 const bodies = batch.createBodies({ count, position, orientation });
 
-// Ten seconds of frames. An engine would give `matrices` to the GPU in each: it lies in the module's memory.
+// Ten seconds of frames. An engine would upload `matrices` to the GPU in each frame; the array is in the module's memory.
 const transforms = batch.createTransforms(LR.TRANSFORM_4X4_COLUMN_MAJOR);
 let matrices;
 for (let frame = 0; frame < 600; ++frame) {
@@ -43,7 +43,7 @@ console.log(`hash ${world.hash().toString(16)}`);
 try {
   world.step(-1);
 } catch (error) {
-  console.log(`as it should be: ${error.message}`);
+  console.log(`as expected: ${error.message}`);
 }
 world.dispose();
 leaf.dispose();

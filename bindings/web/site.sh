@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Puts the page, the package and baked models into build/web/site, for any server of static files.
+# Puts the page, the package and baked models into build/web/site, for any static file server.
 #   bindings/web/site.sh PREFIX      after bindings/web/build.sh; PREFIX/bin/lr_bake bakes the models
 set -euo pipefail
 prefix=$(cd "${1:?usage: bindings/web/site.sh PREFIX}" && pwd)

@@ -19,7 +19,7 @@ step() { # name, command
         return 1
     fi
 }
-skip() { # what, for want of what, how to get it
+skip() { # what, missing tool, how to install it
     skipped=$((skipped + 1))
     echo "SKIPPED: $1, for want of $2: $3"
 }
@@ -43,13 +43,13 @@ done
 step "package" "$web/build.sh" --tests || finish
 sed 's/^/    /' "$work/step.log"
 
-# All scenes, as held for every other processor.
+# All scenes, with the hashes of all processors.
 determinism() {
     node "$root/cmake/cross/run_wasi.mjs" "$wasm/tests/tests_determinism.wasm" \
         --test-case="held hashes,every instruction set is named,*sees*,*order of bodies*" >"$work/determinism.log" 2>&1
     local status=$?
     cat "$work/determinism.log"
-    # None but these may have been left out.
+    # Only these may have been skipped.
     [ $status -eq 0 ] && grep -q 'instruction sets: WebAssembly' "$work/determinism.log" && grep -Eq '[4-9] passed' "$work/determinism.log"
 }
 step "held hashes" determinism

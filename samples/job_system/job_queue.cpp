@@ -16,7 +16,7 @@ JobQueue::~JobQueue() {
 
 void JobQueue::run(const Job& job) {
     job.function(job.data, job.index);
-    job.counter->fetch_sub(1, std::memory_order_release); // the last look at it: whoever waits may take it away
+    job.counter->fetch_sub(1, std::memory_order_release); // the counter's last use: a waiting thread can destroy it now
 }
 
 void JobQueue::submit(void (*function)(void*, uint32_t), void* data, uint32_t count, Counter& counter) {

@@ -1,4 +1,4 @@
-// What stands for an engine's job system: threads that take jobs from one queue. It knows nothing of Langevin Rigid.
+// Stands in for an engine's job system: threads that take jobs from a queue. It knows nothing of Langevin Rigid.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -12,7 +12,7 @@
 
 class JobQueue {
 public:
-    // Counts down to 0 when the jobs that it was given to are done.
+    // Reaches 0 when all its jobs are done.
     using Counter = std::atomic<uint32_t>;
     struct Job {
         void (*function)(void* data, uint32_t index);
@@ -22,15 +22,15 @@ public:
     };
 
     explicit JobQueue(unsigned threads);
-    ~JobQueue(); // runs what is left
+    ~JobQueue(); // runs the remaining jobs
     JobQueue(const JobQueue&) = delete;
     JobQueue& operator=(const JobQueue&) = delete;
 
     unsigned threads() const { return static_cast<unsigned>(threads_.size()); }
 
-    // function(data, 0 .. count - 1), each a job of its own. When the queue is full the caller runs some of them.
+    // Queues function(data, 0 .. count - 1), each as a job. If the queue is full, the caller runs some of them.
     void submit(void (*function)(void*, uint32_t), void* data, uint32_t count, Counter& counter);
-    // Runs other jobs until the counter is at 0.
+    // Runs other jobs until the counter is 0.
     void wait(const Counter& counter);
 
 private:

@@ -1,5 +1,5 @@
-// A world that is stepped by an engine's own job system, among the engine's other jobs: the hash after some frames is that
-// of a world without threads, and that of one with threads of its own.
+// Steps a world by an engine's own job system, among the engine's other jobs. The hash after some frames equals that of a
+// world without threads, and that of a world with its own threads.
 // SPDX-License-Identifier: MIT
 #include "job_queue.h"
 
@@ -19,7 +19,7 @@ void check(lr_status status, const char* what) {
     std::exit(2);
 }
 
-// All that there is to plugging a job system in: a task of the library is as many jobs as it has indices.
+// The whole adapter for a job system: a task of the library becomes as many jobs as it has indices.
 class LangevinJobs {
 public:
     explicit LangevinJobs(JobQueue& queue) : queue_(&queue) {}
@@ -43,13 +43,13 @@ private:
     }
 
     JobQueue* queue_;
-    // One for each world: its rounds never overlap.
+    // One adapter per world: a world's rounds of tasks never overlap.
     lr_task_fn run_ = nullptr;
     void* task_ = nullptr;
     JobQueue::Counter open_{0};
 };
 
-// Stands for what else an engine does in a frame.
+// Stands in for the engine's other work in a frame.
 void animate(void* data, uint32_t index) {
     auto& sum = static_cast<std::atomic<uint64_t>*>(data)[index % 4];
     uint64_t value = index;
@@ -59,7 +59,7 @@ void animate(void* data, uint32_t index) {
 
 struct Outcome {
     uint64_t hash;
-    double milliseconds; // a step
+    double milliseconds; // per step
 };
 
 Outcome play(const lr_asset* leaf, uint32_t workers, JobQueue* queue) {
@@ -67,7 +67,7 @@ Outcome play(const lr_asset* leaf, uint32_t workers, JobQueue* queue) {
     check(lr_world_desc_init(&wd, sizeof wd), "world desc");
     wd.seed = 7;
     wd.worker_count = workers;
-    std::unique_ptr<LangevinJobs> jobs; // outlives the world
+    std::unique_ptr<LangevinJobs> jobs; // must outlive the world
     if (queue) {
         jobs = std::make_unique<LangevinJobs>(*queue);
         wd.jobs = jobs->callbacks();
@@ -75,7 +75,7 @@ Outcome play(const lr_asset* leaf, uint32_t workers, JobQueue* queue) {
     lr_world* world = nullptr;
     check(lr_world_create(&wd, &world), "world");
 
-    // A large batch, and many small ones, as of the trees of a street: these share tasks.
+    // A large batch, and many small ones, like the trees of a street: these share tasks.
     for (uint32_t i = 0; i <= 200; ++i) {
         lr_batch_desc bd;
         check(lr_batch_desc_init(&bd, sizeof bd), "batch desc");

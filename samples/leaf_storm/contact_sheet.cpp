@@ -43,7 +43,7 @@ int sheet_height(const Options& options) {
     return rows * (options.height + gap) - gap;
 }
 
-// At the height of a child's eyes; before a heap crouched down.
+// The camera is at the height of a child's eyes; for a heap it is lower.
 View view_of_ground(const Park& park, bool heap) {
     if (heap) {
         const Park::Place at = park.heap();
@@ -79,7 +79,7 @@ ContactSheet::ContactSheet(const Options& options, const Storm& storm)
         const Mesh mesh = drawn_mesh(options, storm, k, path);
         const double ratio = 2.0 * static_cast<double>(mesh.radius()) / kind.info.length_d;
         if (ratio < 0.6 || ratio > 2.5) {
-            std::fprintf(stderr, "leaf_storm: %s is %.2g times the size of %s: is it in metres, and the right one?\n",
+            std::fprintf(stderr, "leaf_storm: %s is %.2g times the size of %s: check the mesh and its unit\n",
                          path.c_str(), ratio, kind.path.c_str());
         }
         const std::string name = std::filesystem::path(path.empty() ? kind.path : path).stem().string();

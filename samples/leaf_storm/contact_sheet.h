@@ -1,5 +1,5 @@
-// The picture of a storm: its frames in time, the last one large above, the earlier ones in a strip below; on the ground all
-// alike, in two columns.
+// The picture of a storm: its frames in time, the last one large above, the earlier ones in a strip below. With --ground all
+// frames have the same size, in two columns.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -14,16 +14,16 @@
 #include "renderer/scenery.h"
 #include "storm.h"
 
-// What is drawn for the bodies of a kind, from --mesh, a file beside the asset, or neither. path: receives where from, may be
-// empty.
+// The mesh for the bodies of a kind: from --mesh, or from a file beside the asset, or an ellipse. path: receives the file's
+// path; may be empty.
 Mesh drawn_mesh(const Options& options, const Storm& storm, std::size_t kind, std::string& path);
 
 class ContactSheet {
 public:
-    // Throws Failure when there is no OpenGL: before the storm, not after it.
+    // Throws Failure without OpenGL: before the storm, not after it.
     ContactSheet(const Options& options, const Storm& storm);
 
-    // True when a frame is to be taken after this step.
+    // Whether to take a frame after this step.
     bool due(std::uint64_t step) const;
     void take(const Storm& storm);
     const Picture& picture() const { return picture_; }

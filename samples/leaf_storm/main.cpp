@@ -102,7 +102,7 @@ int main(int argc, char** argv) {
         int exit_code = 0;
         const auto options = parse_options(argc, argv, exit_code);
         if (!options) return exit_code;
-        // So that a stopped run leaves no half-written files behind.
+        // A stopped run must leave no half-written files.
         for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { interrupted = 1; });
         run(*options);
         return 0;

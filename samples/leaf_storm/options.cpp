@@ -11,7 +11,7 @@
 
 namespace {
 
-// As CLI::Range, but it takes neither NaN nor infinity.
+// Like CLI::Range, but refuses NaN and infinity.
 CLI::Validator within(double low, double high, const std::string& text) {
     return {[=](std::string& value) -> std::string {
                 double x = std::numeric_limits<double>::quiet_NaN();
@@ -23,7 +23,7 @@ CLI::Validator within(double low, double high, const std::string& text) {
             text};
 }
 
-// Letters and digits of the library's names, small: "AVX-512" is avx512 here.
+// Names of instruction sets, lower case without punctuation: "AVX-512" is avx512 here.
 std::map<std::string, std::int32_t> simd_names() {
     std::map<std::string, std::int32_t> names{{"auto", LR_SIMD_AUTO}};
     for (std::int32_t target = LR_SIMD_SSE4; target <= LR_SIMD_PLAIN; ++target) {
@@ -48,12 +48,12 @@ CLI::Validator one_of(std::map<std::string, std::int32_t> names) {
                     }
                     known += " " + name;
                 }
-                return value + " is none of" + known;
+                return value + "  is not one of" + known;
             },
             ""};
 }
 
-// Every output has its own path, and none is that of an input.
+// Every output needs its own path, different from all inputs.
 void check_paths(const Options& options) {
     std::vector<std::string> taken = options.assets;
     taken.insert(taken.end(), options.meshes.begin(), options.meshes.end());
@@ -68,25 +68,25 @@ void check_paths(const Options& options) {
 void add_ground_options(CLI::App& app, Options& options) {
     auto* const ground =
         app.add_flag("--ground", options.ground,
-                     "leaves set out above rolling ground with a bench, a wall and stones, land, and lie");
-    app.add_flag("--heap", options.heap, "they meet each other, and set out above one place: they lie there in a heap")
+                     "leaves start above rolling ground with a bench, a wall and stones, and land on it");
+    app.add_flag("--heap", options.heap, "leaves collide with each other and start above one place, where they pile up")
         ->needs(ground);
-    app.add_option("--fall", options.fall, "s in which all of them set out")
+    app.add_option("--fall", options.fall, "time in which all leaves start, s")
         ->needs(ground)
         ->check(within(0.1, 1e6, "from 0.1 to 1e6 s"));
-    app.add_option("--walk", options.walk, "s: when somebody walks through them; without: nobody does")
+    app.add_option("--walk", options.walk, "time at which a person walks through the leaves, s; without it: never")
         ->needs(ground)
         ->default_str("")
         ->check(within(0, 1e6, "from 0 to 1e6 s"));
-    app.add_option("--gusts", options.gusts, "s: when a gust of 4 s comes that sweeps them away; without: none does")
+    app.add_option("--gusts", options.gusts, "time of a gust of 4 s that blows the leaves away, s; without it: none")
         ->needs(ground)
         ->default_str("")
         ->check(within(0, 1e6, "from 0 to 1e6 s"));
-    app.add_option("--gust-speed", options.gust_speed, "of it, 10 m above the ground, m/s, on top of --wind")
+    app.add_option("--gust-speed", options.gust_speed, "speed of the gust 10 m above the ground, m/s, added to --wind")
         ->needs(ground)
         ->check(within(0, 100, "from 0 to 100 m/s"));
     app.add_flag("--check", options.check,
-                 "count what lies on the ground, in it, above it and on edge, at each frame and at the end")
+                 "count bodies on the ground, in it, above it and on edge, at each frame and at the end")
         ->needs(ground);
 }
 
@@ -105,43 +105,42 @@ std::uint64_t Options::frame_step(int frame) const {
 std::optional<Options> parse_options(int argc, char** argv, int& exit_code) {
     Options options;
     std::vector<float> wind;
-    CLI::App app{
-        "A storm of leaves (or whatever was baked), simulated by Langevin Rigid: steps it, measures it, draws it.",
-        "leaf_storm"};
+    CLI::App app{"Simulates a storm of leaves or other baked bodies with Langevin Rigid, measures it and draws it.",
+                 "leaf_storm"};
     app.option_defaults()->always_capture_default();
-    app.footer("Exit code: 0 done, 1 bad usage, 2 something failed while running (it says what, and what to do).");
-    app.add_option("--asset", options.assets, "asset made by lr_bake; several share the count")
+    app.footer("Exit code: 0 success, 1 bad usage, 2 run-time failure, with a message that says what to do.");
+    app.add_option("--asset", options.assets, "asset made by lr_bake; several assets share the count")
         ->required()
         ->type_name("F")
         ->default_str("")
         ->check(CLI::ExistingFile);
-    app.add_option("--count", options.count, "bodies in all")->check(within(1, 50e6, "from 1 to 50000000"));
+    app.add_option("--count", options.count, "total number of bodies")->check(within(1, 50e6, "from 1 to 50000000"));
     app.add_option("--seconds", options.seconds, "simulated time, s")->check(within(1e-6, 1e6, "from 1e-6 to 1e6 s"));
-    app.add_option("--dt", options.dt, "time of one step, s (1/60)")->check(within(1e-6, 1.0, "from 1e-6 to 1 s"));
-    app.add_option("--substeps", options.substeps, "substeps in each step")
+    app.add_option("--dt", options.dt, "length of a step, s (1/60)")->check(within(1e-6, 1.0, "from 1e-6 to 1 s"));
+    app.add_option("--substeps", options.substeps, "substeps per step")
         ->check(within(1, LR_MAX_SUBSTEPS, "from 1 to 65536"));
-    app.add_option("--threads", options.threads, "threads in all; 0 and 1 are the caller alone")
+    app.add_option("--threads", options.threads, "total number of threads; 0 and 1: only the caller's")
         ->check(within(0, 65, "from 0 to 65"));
-    app.add_option("--wind", wind, "velocity of the air, m/s; y is up")
+    app.add_option("--wind", wind, "wind velocity, m/s; y is up")
         ->expected(3)
         ->delimiter(',')
         ->type_name("X,Y,Z")
         ->default_str("1.5,0,0.5; with --ground 0.4,0,0.1")
         ->check(within(-1000, 1000, "from -1000 to 1000 m/s"));
-    app.add_option("--seed", options.seed, "of the births and of the turbulence");
-    app.add_option("--noise", options.noise, "multiplies the turbulent noise")->check(within(0, 100, "from 0 to 100"));
-    app.add_flag("--same-size", options.same_size, "all at the size of their asset, instead of 0.7 to 1.3 times it");
+    app.add_option("--seed", options.seed, "seed of initial poses and of turbulence");
+    app.add_option("--noise", options.noise, "factor on the turbulent noise")->check(within(0, 100, "from 0 to 100"));
+    app.add_flag("--same-size", options.same_size, "all bodies at their asset's size, instead of 0.7 to 1.3 times it");
     app.add_option("--loads", options.loads,
                    "aerodynamic: quasi-steady drag and lift; langevin: the paper's turbulent loads; none")
         ->type_name("NAME")
         ->default_str("aerodynamic")
         ->transform(
             one_of({{"aerodynamic", LR_LOADS_AERODYNAMIC}, {"langevin", LR_LOADS_LANGEVIN}, {"none", LR_LOADS_NONE}}));
-    app.add_option("--clock", options.clock, "speed: turbulence by present speed; age: by the baked table in time")
+    app.add_option("--clock", options.clock, "speed: turbulence by present speed; age: by the baked table over time")
         ->type_name("NAME")
         ->default_str("speed")
         ->transform(one_of({{"speed", LR_CLOCK_SPEED}, {"age", LR_CLOCK_AGE}}));
-    app.add_option("--integrator", options.integrator, "splitting: stable at any step; rk4: the paper's")
+    app.add_option("--integrator", options.integrator, "splitting: stable at any step; rk4: that of the paper")
         ->type_name("NAME")
         ->default_str("splitting")
         ->transform(one_of({{"splitting", LR_INTEGRATOR_SPLITTING}, {"rk4", LR_INTEGRATOR_RK4}}));
@@ -150,32 +149,33 @@ std::optional<Options> parse_options(int argc, char** argv, int& exit_code) {
         ->type_name("NAME")
         ->default_str("auto")
         ->transform(one_of(simd_names()));
-    app.add_option("--png", options.png, "picture: a contact sheet in time")->type_name("F");
+    app.add_option("--png", options.png, "picture to write: frames of the storm on one sheet")->type_name("F");
     app.add_option("--mesh", options.meshes,
-                   "OBJ in metres to draw, for each --asset in turn (without: STEM.obj beside the asset or in meshes/, "
+                   "OBJ in metres to draw, for each --asset in turn (default: STEM.obj beside the asset or in meshes/, "
                    "else an ellipse)")
         ->type_name("F")
         ->default_str("")
         ->check(CLI::ExistingFile);
-    app.add_option("--width", options.width, "of the picture, px")->check(within(320, 8192, "from 320 to 8192"));
-    app.add_option("--height", options.height, "of its large frame, px")->check(within(180, 8192, "from 180 to 8192"));
-    app.add_option("--frames", options.frames, "in the picture; the last one is the large one")
+    app.add_option("--width", options.width, "width of the picture, px")->check(within(320, 8192, "from 320 to 8192"));
+    app.add_option("--height", options.height, "height of the large frame, px")
+        ->check(within(180, 8192, "from 180 to 8192"));
+    app.add_option("--frames", options.frames, "number of frames in the picture; the last is the large one")
         ->check(within(1, 16, "from 1 to 16"));
-    app.add_option("--at", options.at, "s: times of the frames, instead of --frames at equal distances")
+    app.add_option("--at", options.at, "times of the frames, s, instead of --frames at equal intervals")
         ->delimiter(',')
         ->type_name("T,T...")
         ->default_str("")
         ->check(within(0, 1e6, "from 0 to 1e6 s"));
-    app.add_option("--rate", options.divisor, "level of detail: a substep where others take so many")
+    app.add_option("--rate", options.divisor, "level of detail: one substep for this number of ordinary substeps")
         ->check(within(1, 1024, "from 1 to 1024"));
     add_ground_options(app, options);
-    app.add_option("--tracks", options.tracks, "picture: single falls from rest in still air, seen from the side")
+    app.add_option("--tracks", options.tracks, "picture to write: single falls from rest in still air, side view")
         ->type_name("F");
-    app.add_option("--tracks-count", options.track_count, "falls in it")->check(within(1, 400, "from 1 to 400"));
+    app.add_option("--tracks-count", options.track_count, "number of falls")->check(within(1, 400, "from 1 to 400"));
     app.add_option("--tracks-seconds", options.track_seconds, "length of a fall, s")
         ->check(within(0.1, 60, "from 0.1 to 60 s"));
-    app.add_option("--csv", options.csv, "averages over time")->type_name("F");
-    app.add_option("--json", options.json, "the report for programs")->type_name("F");
+    app.add_option("--csv", options.csv, "CSV file to write: averages over time")->type_name("F");
+    app.add_option("--json", options.json, "JSON file to write: the report")->type_name("F");
     app.add_flag("--quiet", options.quiet, "no progress");
     try {
         app.parse(argc, argv);

@@ -15,7 +15,7 @@ struct Options {
     double seconds = 10.0;
     double dt = 1.0 / 60.0; // s
     std::uint32_t substeps = 4;
-    std::uint32_t threads = 1; // in all: the library gets one less as workers
+    std::uint32_t threads = 1; // total; the library gets one less as workers
     float wind[3] = {1.5f, 0.0f, 0.5f};
     std::uint64_t seed = 1;
     float noise = 1.0f;
@@ -33,18 +33,18 @@ struct Options {
 
     bool ground = false;
     bool heap = false;
-    double fall = 7.0;       // s in which all leaves set out
-    double walk = -1.0;      // s: when somebody walks through; negative: nobody does
-    double gusts = -1.0;     // s: when a gust comes; negative: none
+    double fall = 7.0;       // s in which all leaves start
+    double walk = -1.0;      // s: start of the walk; negative: none
+    double gusts = -1.0;     // s: start of the gust; negative: none
     double gust_speed = 9.0; // m/s, 10 m above the ground
     std::uint32_t divisor = 1;
     bool check = false;
-    std::vector<double> at; // s: when frames are taken
+    std::vector<double> at; // s: times of the frames
 
     std::uint64_t steps() const;
-    std::uint64_t frame_step(int frame) const; // after which it is taken
+    std::uint64_t frame_step(int frame) const; // the step before the frame
 };
 
-// Empty when the program has nothing more to do (--help, or bad usage, already told): then exit_code is what to end
-// with.
+// Empty if the program has nothing more to do (--help, or bad usage, already reported): then exit_code is its exit
+// code.
 std::optional<Options> parse_options(int argc, char** argv, int& exit_code);

@@ -1,4 +1,4 @@
-// How far it is, on stderr: a bar that redraws itself on a terminal, a line for every tenth elsewhere.
+// Progress on stderr: a bar that redraws itself on a terminal, elsewhere a line for every tenth.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -14,7 +14,7 @@ public:
 
     // stepping: s spent in lr_world_step up to now.
     void update(std::uint64_t step, double stepping);
-    void note(const char* text); // what else takes time, on a line of its own
+    void note(const char* text); // names other slow work, on its own line
     void close();                // ends the line of the bar
 
 private:

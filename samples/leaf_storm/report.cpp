@@ -32,7 +32,7 @@ std::string library_version() {
     return text("%u.%u.%u", v >> 22, (v >> 12) & 0x3ffu, v & 0xfffu);
 }
 
-// One body through one substep.
+// Work in body-steps: one body through one substep.
 double body_steps(const Options& options, const Measured& measured) {
     return static_cast<double>(measured.steps) * options.substeps * static_cast<double>(options.count);
 }
@@ -60,10 +60,10 @@ std::string table_report(const Options& options, const Storm& storm, const Measu
     out += text("horizontal speed in wind   mean %.3f m/s\n", s.horizontal);
     out +=
         text("spin                       mean %.2f rad/s, %.2f turns/s\n", s.spin, s.spin / (2.0 * std::numbers::pi));
-    out += text("  (over %.1f to %.1f s, %llu samples of every body, relative to the air)\n", s.from, s.to,
+    out += text("  (over %.1f to %.1f s, %llu samples per body, relative to the air)\n", s.from, s.to,
                 static_cast<unsigned long long>(s.samples));
     if (options.ground)
-        out += text("left the ground            %s blown over its edges, %s through it\n",
+        out += text("left the ground            %s over its edges, %s through it\n",
                     grouped(storm.blown_away()).c_str(), grouped(storm.fell_through()).c_str());
     else
         out += text("bodies that re-entered     %s\n", grouped(storm.reentries()).c_str());

@@ -1,4 +1,4 @@
-// What the storm measured: a table for people, JSON and CSV for programs.
+// The storm's measurements: a table for people, JSON and CSV for programs.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -14,7 +14,7 @@ struct Measured {
     std::vector<Sample> samples;
     std::vector<Lying> lying; // with --check
     Summary summary;
-    double wall = 0.0; // s, all in all
+    double wall = 0.0; // s, total
     std::uint64_t steps = 0;
 };
 

@@ -38,7 +38,7 @@ void Sampler::add(const lr_batch_view& view, const float* wind, Histogram* desce
         const double spin[3] = {view.spin[0][i], view.spin[1][i], view.spin[2][i]};
         const double horizontal = std::sqrt(east * east + south * south);
         const double turning = std::sqrt(spin[0] * spin[0] + spin[1] * spin[1] + spin[2] * spin[2]);
-        if (!std::isfinite(horizontal + up + turning)) continue; // the next step tells
+        if (!std::isfinite(horizontal + up + turning)) continue; // the next step reports it
         ++sample_.bodies;
         sample_.descent -= up;
         sample_.horizontal += horizontal;

@@ -1,4 +1,4 @@
-// Averages over the bodies of a storm, at one time and over the second half of it.
+// Averages over the bodies of a storm, at one time and over its second half.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -9,15 +9,15 @@
 
 struct Sample {
     double time = 0.0;         // s
-    std::uint64_t bodies = 0;  // that move, with a finite motion
-    double descent = 0.0;      // m/s, mean, against the vertical speed of the air; down is positive
-    double horizontal = 0.0;   // m/s, mean of the magnitude, against the air
-    double spin = 0.0;         // rad/s, mean of the magnitude
+    std::uint64_t bodies = 0;  // awake bodies with finite motion
+    double descent = 0.0;      // m/s, mean, relative to the vertical speed of the air; down is positive
+    double horizontal = 0.0;   // m/s, mean magnitude, relative to the air
+    double spin = 0.0;         // rad/s, mean magnitude
     double tilt = 0.0;         // mean |cos| between body z and the vertical: 1 flat, 0 on edge
-    std::uint64_t at_rest = 0; // besides: all else is of bodies that move
+    std::uint64_t at_rest = 0; // asleep; all other values are of awake bodies
 };
 
-// Counts values in bins of 2 mm/s from -50 to 50 m/s; what lies outside goes to the ends.
+// Counts values in bins of 2 mm/s from -50 to 50 m/s; the outer bins take the rest.
 class Histogram {
 public:
     Histogram() : bins_(50000) {}
@@ -28,7 +28,7 @@ private:
     std::uint64_t total_ = 0;
 };
 
-// Adds the bodies of a view into sums; `finish` makes the means.
+// Adds the bodies of a view to sums; `finish` turns them into means.
 class Sampler {
 public:
     explicit Sampler(double time) { sample_.time = time; }
@@ -36,10 +36,10 @@ public:
     Sample finish() const;
 
 private:
-    Sample sample_; // sums until finish
+    Sample sample_; // sums until finish()
 };
 
-// The body axis across which the body is thin: a plate has its largest moment of inertia about it.
+// The body axis along which the body is thin: a plate has its largest moment of inertia about it.
 int thin_axis(const lr_asset_info& info);
 
 struct Summary {
@@ -47,7 +47,7 @@ struct Summary {
     double horizontal = 0.0;                                                            // m/s
     double spin = 0.0;                                                                  // rad/s
     double tilt = 0.0;
-    double from = 0.0, to = 0.0; // s: of which time
+    double from = 0.0, to = 0.0; // s: averaged time
     std::uint64_t samples = 0;
 };
 

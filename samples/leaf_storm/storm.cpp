@@ -83,7 +83,7 @@ void Storm::let_meet() {
     for (std::size_t a = 0; a < kinds_.size(); ++a)
         for (std::size_t b = 0; b <= a; ++b)
             check(lr_batch_set_body_contact(world_.get(), kinds_[a].batch, kinds_[b].batch, 1),
-                  "the leaves cannot meet each other", "try a smaller --count");
+                  "cannot set contact between leaves", "try a smaller --count");
 }
 
 void Storm::fill(Kind& kind, std::uint64_t first) {
@@ -109,7 +109,7 @@ void Storm::fill_from_above(Kind& kind) {
     check(lr_batch_set_emitter(world_.get(), kind.batch, &emitter), "emitter", "try a longer --fall");
     lr_batch_rules rules;
     check(lr_batch_rules_init(&rules, sizeof rules), "lr_batch_rules_init");
-    // Over its edges with the wind; and through it, which nobody should.
+    // Bodies end beyond its edges, and below it, where none should be.
     rules.volume_count = 2;
     lr_kill_volume& edges = rules.volumes[over_the_edge];
     edges.shape = LR_VOLUME_BOX;
@@ -125,7 +125,7 @@ void Storm::fill_from_above(Kind& kind) {
     check(lr_batch_set_rules(world_.get(), kind.batch, &rules), "rules");
 }
 
-// Those that were carried away leave room that nobody is to fill.
+// Bodies that were blown away must not be replaced.
 void Storm::end_births() {
     if (births_ended_ || info().time < options_.fall) return;
     for (const Kind& kind : kinds_) check(lr_batch_set_emitter(world_.get(), kind.batch, nullptr), "emitter");
@@ -153,7 +153,7 @@ void Storm::step() {
         end_births();
     }
     for (std::size_t k = 0; k < reentries_.size(); ++k) {
-        check(reentries_[k].apply(world_.get(), kinds_[k].batch), "the motion of a body blew up",
+        check(reentries_[k].apply(world_.get(), kinds_[k].batch), "the motion of a body diverged",
               "try more --substeps or a smaller --dt; if that does not help, report it");
     }
 }

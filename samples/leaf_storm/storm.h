@@ -1,4 +1,4 @@
-// The storm itself: assets, a world, a batch for each asset, births, steps, samples.
+// The storm: assets, a world with a batch for each asset, spawns, steps, samples.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -29,7 +29,7 @@ public:
 
     explicit Storm(const Options& options);
 
-    // One dt. What has left the box comes in again; with --ground leaves set out above it, and end where they have left it.
+    // One step of dt. Bodies that left the box re-enter; with --ground, bodies start above the ground and end beyond its edges.
     void step();
     Sample sample(Histogram* descents) const;
     std::uint64_t hash() const;
@@ -38,8 +38,8 @@ public:
     const std::vector<Kind>& kinds() const { return kinds_; }
     const storm::Box& box() const { return box_; }
     const Park* park() const { return park_.get(); }             // with --ground
-    std::uint64_t blown_away() const { return blown_away_; }     // from the ground
-    std::uint64_t fell_through() const { return fell_through_; } // it: a fault of somebody's
+    std::uint64_t blown_away() const { return blown_away_; }     // over the edges of the ground
+    std::uint64_t fell_through() const { return fell_through_; } // through the ground: a defect
     double stepping_seconds() const { return stepping_; }        // wall time in lr_world_step
     std::uint64_t reentries() const;
     lr_world_info info() const;

@@ -34,7 +34,7 @@ std::vector<std::vector<Instant>> fall(const Options& options, const lr_asset* a
     std::vector<lr_body> bodies(descs.size());
     check(lr_body_create(world.get(), batch, descs.data(), options.track_count, bodies.data()), "bodies of the tracks");
 
-    // The same substep as the storm, looked at about 120 times a second.
+    // The storm's substep, sampled about 120 times a second.
     const double substep = options.dt / options.substeps;
     const auto together = static_cast<std::uint32_t>(std::clamp(std::floor(1.0 / (120.0 * substep)), 1.0, 65536.0));
     every = substep * together;
@@ -54,7 +54,7 @@ std::vector<std::vector<Instant>> fall(const Options& options, const lr_asset* a
 }
 
 Colour hue(std::size_t i) {
-    // Steps of the golden angle: neighbours differ.
+    // Multiples of the golden angle: neighbours differ.
     const double turn = 2.0 * std::numbers::pi * 0.381966 * static_cast<double>(i);
     const auto channel = [&](double phase) { return static_cast<int>(105.0 + 95.0 * std::cos(turn + phase)); };
     return from_srgb(channel(0.0), static_cast<int>(0.8 * channel(-2.1)), channel(2.1));
@@ -70,7 +70,7 @@ Picture draw_tracks(const Options& options) {
     double every = 0.0;
     const auto tracks = fall(options, asset.get(), thin_axis(info), every);
 
-    // Rows of falls; the cells are as wide as the middle of the falls need, so some run into their neighbours.
+    // Rows of falls. Cells are as wide as the median fall needs, so some falls reach into their neighbours.
     const std::size_t count = tracks.size();
     std::vector<double> widths;
     double deepest = 0.0;
@@ -90,7 +90,7 @@ Picture draw_tracks(const Options& options) {
     const std::size_t columns = (count + rows - 1) / rows;
     const double edge = std::max(widths.back() - 0.5 * cell, 0.0) + d;
     const double wide = static_cast<double>(columns) * cell + 2.0 * edge; // m
-    const double scale = options.width / wide;                            // px for each m
+    const double scale = options.width / wide;                            // px per metre
     const double header = 64.0, footer = 24.0;
     const int height =
         std::min(16384, static_cast<int>(header + footer + scale * row_height * static_cast<double>(rows)));
@@ -108,7 +108,7 @@ Picture draw_tracks(const Options& options) {
             picture.line(on_page(tracks[i][k]), on_page(tracks[i][k + 1]), 1.2, pale);
         }
         for (std::size_t k = 0; k < tracks[i].size(); k += ticks) {
-            // A disc of half the leaf's length: edge-on it is a line, its upper face is dark, its lower face pale.
+            // A disc of half the leaf's length: a line if edge-on, dark from above, pale from below.
             const auto& n = tracks[i][k].normal;
             const double across = std::hypot(n[0], n[1]), half = 0.25 * d * scale;
             const Point along = across > 1e-6 ? Point{half * n[1] / across, half * n[0] / across} : Point{half, 0.0};
@@ -123,7 +123,7 @@ Picture draw_tracks(const Options& options) {
                   info.name, options.track_seconds, every * static_cast<double>(ticks));
     const Colour black = from_srgb(40, 40, 44);
     write_text(picture, {24.0, 36.0}, 15.0, black, text);
-    double bar = 10.0; // m; as long as fits a fifth of the width, of 1, 2, 5 times a power of ten
+    double bar = 10.0; // m; the largest of 1, 2, 5 times a power of ten within a fifth of the width
     for (int k = 0; bar * scale > 0.2 * options.width; ++k) bar /= k % 3 == 1 ? 2.5 : 2.0;
     const double right = options.width - 24.0;
     picture.line({right - bar * scale, 40.0}, {right, 40.0}, 2.0, black);

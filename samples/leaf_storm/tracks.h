@@ -1,4 +1,4 @@
-// A diagram of single falls from rest in still air, seen from the side: where one sees flutter, glide and tumble.
+// A diagram of single falls from rest in still air, seen from the side, which shows flutter, glide and tumble.
 // SPDX-License-Identifier: MIT
 #pragma once
 

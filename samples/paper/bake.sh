@@ -1,5 +1,5 @@
 #!/bin/sh
-# Bakes what paper_figures draws: an asset and a report for each body.
+# Bakes the bodies of paper_figures: an asset and a report for each.
 #   samples/paper/bake.sh LR_BAKE ASSETS OUTPUT_DIR      (lr_bake; the folder assets of the project; where to write)
 # SPDX-License-Identifier: MIT
 set -eu
@@ -14,7 +14,7 @@ bake() { # NAME MESH OPTIONS...
 }
 
 bake leaf ellipsoid_leaf.obj --density 800
-# Paper of 80 g/m^2: a surface to the air, and the layers of the folded square as its mass.
+# Paper of 80 g/m^2: a surface for the air; the layers of the folded square give its mass.
 for folded in paper_plane paper_plane_uneven; do
     bake "${folded#paper_}" "${folded}_surface.obj" --sheet --thickness 0.0001 --areal-density 0.08 \
         --mass-from "$assets/${folded}_layers.obj"
@@ -22,8 +22,8 @@ done
 # Rubber just heavier than water: the paper gives no density.
 bake rubber ellipsoid_rubber.obj --density 1100 --fluid water
 bake rubber_coarse ellipsoid_rubber_coarse.obj --density 1100 --fluid water
-# Fig. 2: the density at which the leaf has the paper's Reynolds number of 3.8e3, in an empty stream and in the leaf's own wake.
+# Fig. 2: with this density the leaf has the paper's Reynolds number of 3.8e3, in an empty stream and in its own wake.
 bake table ellipsoid_leaf.obj --density 623 --grid 32,32,16
 bake table_wake ellipsoid_leaf.obj --density 623 --grid 32,32,16 --wake
-# The paper's time for a table is of this grid.
+# The paper's time for a table is for this grid.
 bake table_paper_grid ellipsoid_leaf.obj --density 623 --grid 32,32,8

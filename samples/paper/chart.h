@@ -18,7 +18,7 @@ struct Curve {
 void draw_chart(Picture& picture, Frame frame, const std::string& title, const std::string& x_label,
                 const std::vector<Curve>& curves);
 
-// A bar of a round length with its name, its right end at `right`.
+// A scale bar of a round length with a label, its right end at `right`.
 void draw_scale_bar(Picture& picture, Point right, double metres_per_pixel, double longest_pixels);
 
 Colour ink();  // of text

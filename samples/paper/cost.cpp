@@ -1,4 +1,4 @@
-// Table 2: what a step costs.
+// Table 2: the cost of a step.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <chrono>
@@ -12,7 +12,7 @@
 
 namespace {
 
-// Nanoseconds for one body and step, of `count` bodies that fall for `seconds` of wall time, in one thread.
+// Nanoseconds per body and step of one thread, for `count` bodies during `seconds` of wall time.
 double step_cost(const lr_asset* asset, std::int32_t loads, std::uint32_t count, float dt, double seconds,
                  std::uint64_t seed) {
     const WorldPointer world = make_world(seed);
@@ -23,7 +23,7 @@ double step_cost(const lr_asset* asset, std::int32_t loads, std::uint32_t count,
     check(lr_batch_spawn(world.get(), batch, count, nullptr), "cannot create bodies");
     using Clock = std::chrono::steady_clock;
     for (int i = 0; i < 10; ++i) check(lr_world_step(world.get(), dt, 1), "step");
-    double best = 1e300; // of parts: what else the machine does only adds
+    double best = 1e300; // of several parts: other load on the machine only adds time
     const auto end = Clock::now() + std::chrono::duration<double>(seconds);
     const std::uint32_t steps = count > 100 ? 1 : 1000;
     do {

@@ -72,7 +72,7 @@ LeafFall measure_leaf(const Track& track) {
     LeafFall fall;
     fall.descent = descent_of(track);
     const double interval = track[1].time - track[0].time;
-    // The heading over 0.2 s, so that the swing of a flutter is not taken for a turn.
+    // The heading is averaged over 0.2 s, so that the swing of a flutter does not count as a turn.
     const auto smooth = std::max<std::size_t>(4, static_cast<std::size_t>(std::lround(0.2 / interval)));
     double before = 0.0, net = 0.0, total = 0.0;
     for (std::size_t i = 0; i + smooth < track.size(); i += smooth / 4) {

@@ -1,4 +1,4 @@
-// Fig. 2: chi and epsilon in time.
+// Fig. 2: chi and epsilon over time.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>

@@ -27,7 +27,7 @@ void figure_3(const Options& options, const std::string& part, Numbers& numbers)
         load_actor(options, "leaf", "ellipsoid_leaf.obj", from_srgb(62, 134, 62), from_srgb(232, 168, 60), false);
     Random random(options.seed);
     std::vector<Release> releases(options.falls);
-    for (Release& release : releases) { // the long axis points down by the angle, to a degree
+    for (Release& release : releases) { // the long axis points down by the angle, within a degree
         const double roll = random.within(-1.0, 1.0);
         release.turn = after(lying(), after(rotation({0.0, 1.0, 0.0}, (angle + random.within(-1.0, 1.0)) * degree),
                                             rotation({1.0, 0.0, 0.0}, roll * degree)));

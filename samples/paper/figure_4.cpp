@@ -32,7 +32,7 @@ Flights measure(const std::vector<Track>& tracks, double seconds) {
     return flights;
 }
 
-// The sample at which the plane has turned both ways.
+// The sample at which the plane has turned in both directions.
 std::size_t turned_at(const Track& track) {
     Track part;
     for (const Pose& pose : track) {
@@ -44,8 +44,8 @@ std::size_t turned_at(const Track& track) {
     return part.size() - 1;
 }
 
-// What is launched, and what is drawn of it: its fall to the end of both turns, only the beginning, or all from above. Nobody
-// folds to a degree: in the uneven plane the second fold goes a degree farther on one side.
+// The launched plane, and the drawn part of its fall: to the end of both turns, only the beginning, or all from above. No one
+// folds exactly: in the uneven plane the second fold is a degree farther on one side.
 enum class Part { end, beginning, from_above };
 struct Launch {
     const char* name;
@@ -88,7 +88,7 @@ void figure_4(const Options& options, Numbers& numbers) {
                                     from_srgb(225, 130, 80), false));
     Random random(options.seed);
     std::vector<Release> releases(options.falls);
-    for (Release& release : releases) { // level to a degree in pitch and roll
+    for (Release& release : releases) { // level within a degree in pitch and roll
         const Quaternion pitch = rotation({0.0, 0.0, 1.0}, random.within(-1.0, 1.0) * degree);
         release.turn = after(after(pitch, rotation({1.0, 0.0, 0.0}, random.within(-1.0, 1.0) * degree)), lying());
         release.velocity = {0.2, 0.0, 0.0};

@@ -1,4 +1,4 @@
-// Fig. 5: a rubber ellipsoid in water, frames 50 ms apart, without and with the loads of the turbulence.
+// Fig. 5: a rubber ellipsoid in water, frames 50 ms apart, without and with the turbulence's loads.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
@@ -17,14 +17,14 @@ constexpr std::size_t frames = 13;
 constexpr std::size_t first_frame = 160, stride = 10; // samples of 5 ms
 constexpr double apart = 0.075;                       // m to the right for each frame
 
-// With the position from where the body is in the first frame.
+// The pose relative to the body's position in the first frame.
 Pose frame_of(const Track& track, std::size_t i) {
     Pose pose = track[first_frame + stride * i];
     pose.position = minus(pose.position, track[first_frame].position);
     return pose;
 }
 
-// A strip of frames: each moved to the right of the one before, as on film.
+// A strip of frames, each to the right of the one before, as on film.
 void draw_strip(Picture& picture, Frame frame, const Actor& actor, const Track& track, double metres_per_pixel) {
     const double half = 0.5 * apart * static_cast<double>(frames - 1);
     std::vector<Vector> places;
@@ -95,7 +95,7 @@ void figure_5(const Options& options, Numbers& numbers) {
         numbers.show(part, model.name, "swing across over swing along, mean", across, "");
         numbers.show(part, model.name, "reversals of the swing by 2 degrees or more in 3 s", times, "");
         if (none) {
-            numbers.show(part, model.name, "descent", descent, "m/s", "without drag it only gets faster");
+            numbers.show(part, model.name, "descent", descent, "m/s", "without drag it accelerates throughout");
         } else {
             numbers.judge(part, model.name, "descent over the fall speed scale U0 of Eq. 1", descent / info.u0, "",
                           "falls down", descent / info.u0 >= 0.5);

@@ -1,4 +1,4 @@
-// The numbers beside the pictures, for people and for programs.
+// The numbers that go with the pictures, for people and for programs.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -10,11 +10,11 @@ enum class Verdict { none, agrees, differs };
 
 struct Row {
     std::string figure; // "3a"
-    std::string model;  // load model, or what else the number is of
+    std::string model;  // load model, or another name for the number's case
     std::string what;
     double value = 0.0;
     std::string unit;  // may be empty
-    std::string paper; // what the paper says of it; may be empty
+    std::string paper; // the paper's value; may be empty
     Verdict verdict = Verdict::none;
 };
 

@@ -1,4 +1,4 @@
-// Each writes figure_N.png into the output folder and adds its numbers. They throw Failure.
+// Each function writes figure_N.png into the output folder and adds its numbers. Throws Failure.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -8,7 +8,7 @@
 
 struct Options {
     std::string baked, meshes, output_dir = ".";
-    std::vector<std::string> figures; // none: all
+    std::vector<std::string> figures; // empty: all
     std::uint64_t seed = 1;
     std::uint32_t falls = 200;
     double cost_seconds = 0.5;

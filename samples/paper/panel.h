@@ -1,4 +1,4 @@
-// What the figures of falls have in common.
+// Shared by the figures of falls.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -19,7 +19,7 @@ struct LoadModel {
 };
 inline constexpr LoadModel both_models[] = {{"LANGEVIN", LR_LOADS_LANGEVIN}, {"AERODYNAMIC", LR_LOADS_AERODYNAMIC}};
 
-// The same numbers on every machine, which the standard's distributions are not.
+// The same numbers on every machine, unlike the standard's distributions.
 class Random {
 public:
     explicit Random(std::uint64_t seed) : engine_(seed) {}
@@ -35,22 +35,22 @@ struct Actor {
     AssetPointer asset;
     Mesh mesh;
     Colour front, back;
-    bool octants; // colours in turn over the octants, for solids
+    bool octants; // alternating colours by octant, for solids
 };
 
 Actor load_actor(const Options& options, const std::string& asset, const std::string& mesh, Colour front, Colour back,
                  bool octants);
 
-// z, the thin direction, up; x along the world's x.
+// Thin axis z up, x along the world's x.
 Quaternion lying();
 
 inline constexpr double degree = 3.14159265358979323846 / 180.0;
 
-// Poses from `first` to `last`, drawn every `stride`; the path of the centre; with a scale bar.
+// Draws poses from `first` to `last`, every `stride`, the path of the centre, and a scale bar.
 void draw_fall(Picture& picture, Frame frame, const View& view, const Actor& actor, const Track& track,
                std::size_t first, std::size_t last, std::size_t stride, double metres_per_pixel);
 
-// The least metres for each pixel with which draw_fall fits the frame.
+// The smallest metres per pixel with which draw_fall fits the frame.
 double fitting(Frame frame, const View& view, const Actor& actor, const Track& track, std::size_t first,
                std::size_t last);
 

@@ -54,7 +54,7 @@ std::vector<Track> record(const lr_asset* asset, const Run& run, const std::vect
     check(lr_body_create(world.get(), batch, bodies.data(), static_cast<std::uint32_t>(bodies.size()), nullptr),
           "cannot create bodies");
 
-    // Nothing dies, so that the order of the view stays that of the releases.
+    // No body ends, so the view keeps the order of the releases.
     std::vector<Track> tracks(releases.size());
     const auto steps = static_cast<std::size_t>(std::lround(run.seconds / run.interval));
     for (std::size_t step = 0; step <= steps; ++step) {

@@ -1,4 +1,4 @@
-// Falls of one body after another way of releasing it, recorded.
+// Records falls of a body from several releases.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -35,5 +35,5 @@ struct Run {
 WorldPointer make_world(std::uint64_t seed);
 lr_batch make_batch(lr_world* world, const lr_asset* asset, std::int32_t loads, std::size_t capacity);
 
-// y is up. A track for each release, with interval * k as times from 0 on.
+// y is up. Returns a track for each release, with poses at interval * k from 0 on.
 std::vector<Track> record(const lr_asset* asset, const Run& run, const std::vector<Release>& releases);

@@ -8,7 +8,7 @@
 
 namespace {
 
-constexpr int fineness = 3; // finer pixels a pixel and direction
+constexpr int fineness = 3; // subpixels per pixel and direction
 
 Vector vector_of(const float* v) {
     return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
@@ -98,13 +98,13 @@ void Scene::body(const Mesh& mesh, const Vector& position, const Quaternion& tur
             middle = plus(middle, vector_of(mesh.vertices[index].position));
         }
         const bool first = octants ? (middle[0] > 0.0) == (middle[1] > 0.0) : normal[2] > 0.0;
-        // In steps: fewer colours, smaller files.
+        // Few shades: fewer colours, smaller files.
         const double shade = 0.35 + 0.65 / 12.0 * std::round(12.0 * std::abs(dot(unit(turned(turn, normal)), light)));
         const Colour base = first ? front : back;
         const auto s = static_cast<float>(shade);
         triangle(corners, {base.r * s, base.g * s, base.b * s});
     }
-    // A sheet of 0.1 mm seen edge on has no pixel to itself: its outline is drawn as a line.
+    // A sheet of 0.1 mm seen edge on covers no pixel: draw its outline as a line.
     if (octants) return;
     const auto [low, high] =
         std::minmax_element(mesh.vertices.begin(), mesh.vertices.end(),

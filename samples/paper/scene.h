@@ -1,4 +1,4 @@
-// Bodies at many poses and their paths in one view, drawn by the processor: orthographic, with hidden surfaces removed.
+// Bodies at many poses and their paths in a view, drawn by the CPU: orthographic, with hidden surfaces removed.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -9,7 +9,7 @@
 #include "mesh.h"
 #include "vectors.h"
 
-// Where one looks from: unit vectors of the page in the world.
+// The view: unit vectors of the page in the world.
 struct View {
     Vector right, up, towards;
     static View from(double azimuth,
@@ -23,14 +23,14 @@ struct Frame {
 
 class Scene {
 public:
-    // Everything in `bounds` (world points) fits into the frame; at least `metres_per_pixel`.
+    // Fits everything in `bounds` (world points) into the frame, with at least `metres_per_pixel`.
     Scene(Frame frame, const View& view, const std::vector<Vector>& bounds, double margin_metres);
 
     double metres_per_pixel() const { return metres_per_pixel_; }
-    void set_metres_per_pixel(double value); // the middle stays in the middle
+    void set_metres_per_pixel(double value); // keeps the middle of the view
 
-    // front: colour where the normal has positive z in the body; back: elsewhere. Solids with `octants` have both colours in
-    // turn, so that one sees them turn.
+    // front: colour where the body-frame normal has positive z; back: elsewhere. Solids with `octants` alternate both colours, so
+    // that rotation is visible.
     void body(const Mesh& mesh, const Vector& position, const Quaternion& turn, Colour front, Colour back,
               bool octants);
     void path(const std::vector<Vector>& points, double thickness_pixels, Colour colour);
@@ -54,6 +54,6 @@ private:
     View view_;
     Vector centre_{};
     double metres_per_pixel_ = 1.0;
-    int width_, height_; // of the finer grid that is averaged over at the end
+    int width_, height_; // of the finer grid, which is averaged at the end
     std::vector<Pixel> pixels_;
 };

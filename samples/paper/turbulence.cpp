@@ -25,7 +25,7 @@ BakeReport read_report(const std::string& path) {
                           timings.at("turbulence")};
         if (report.chi.size() < 2 || report.chi.size() != report.epsilon.size() ||
             report.stationary >= report.chi.size() || !(report.table_dt > 0.0)) {
-            throw Failure("report " + path + ": its table is none", "bake with samples/paper/bake.sh --force");
+            throw Failure("report " + path + ": it has no valid table", "bake with samples/paper/bake.sh --force");
         }
         return report;
     } catch (const nlohmann::json::exception& error) {

@@ -1,4 +1,4 @@
-// What lr_bake says in its report of an asset: the turbulence table and the times.
+// Reads lr_bake's report of an asset: the turbulence table and the times.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -11,10 +11,10 @@ struct BakeReport {
     std::vector<double> chi, epsilon;              // 1/s, m^2/s^3
     std::size_t stationary;                        // sample
     std::size_t faces;                             // triangles of the mesh
-    double added_mass_seconds, turbulence_seconds; // of the bake, on the machine that made it
+    double added_mass_seconds, turbulence_seconds; // of the bake, on its machine
 };
 
 BakeReport read_report(const std::string& path); // throws Failure
 
-// k in a uniform stream at time t over its first value: Eqs. 16 and 17 with G = 0.
+// k in a uniform stream at time t relative to its first value: Eqs. 16 and 17 with G = 0.
 double closed_form_decay(double chi0, double t);

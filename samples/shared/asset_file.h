@@ -1,4 +1,4 @@
-// Owners of assets and worlds, and how a sample reads an asset.
+// Owners of assets and worlds, and a loader for assets.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -16,5 +16,5 @@ struct WorldDestroy {
 using AssetPointer = std::unique_ptr<lr_asset, AssetRelease>;
 using WorldPointer = std::unique_ptr<lr_world, WorldDestroy>;
 
-// Says every fault of a bad one on stderr before it throws Failure.
+// Prints every fault of a damaged asset on stderr, then throws Failure.
 AssetPointer load_asset(const std::string& path);

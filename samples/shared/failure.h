@@ -1,4 +1,4 @@
-// What went wrong at run time, and what to do about it: ends the program with exit code 2.
+// A run-time failure with its remedy: ends the program with exit code 2.
 // SPDX-License-Identifier: MIT
 #pragma once
 

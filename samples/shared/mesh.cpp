@@ -27,7 +27,7 @@ struct Surface {
     std::vector<std::array<Corner, 3>> faces;
 };
 
-// One corner of a face: position, position/uv, position//normal or position/uv/normal; negative counts from the end.
+// A corner of a face: position, position/uv, position//normal or position/uv/normal; negative indices count from the end.
 Corner parse_corner(const std::string& word, const Surface& surface) {
     std::istringstream stream(word);
     long position = 0, uv = 0;
@@ -68,7 +68,7 @@ Surface read_obj(std::istream& file) {
     return surface;
 }
 
-// Smooth, but not over edges sharper than 60 degrees: the rim of a leaf would get normals that look sideways.
+// Smooth, except over edges sharper than 60 degrees: otherwise normals at the rim of a leaf would point sideways.
 Mesh with_normals(const Surface& surface) {
     std::vector<Vector> face_normals;
     std::vector<std::vector<std::size_t>> around(surface.positions.size());
@@ -143,7 +143,7 @@ Mesh load_obj(const std::string& path, const lr_asset_info& info) {
 }
 
 Mesh ellipse_card(const lr_asset_info& info) {
-    // Semi-axes from the principal moments: I_x = m (b^2 + c^2) / 5, and so on.
+    // Semi-axes from the principal moments: I_x = m (b^2 + c^2) / 5, and cyclically.
     const double* i = info.inertia;
     const double half_trace = 0.5 * (i[0] + i[4] + i[8]);
     std::array<double, 3> axes{};
@@ -179,7 +179,7 @@ Mesh coarser(const Mesh& mesh, float cell) {
     Mesh result;
     for (const Vertex& v : mesh.vertices) {
         const auto slot = [cell](float x) { return std::lround(x / cell); };
-        // The vertex farthest out stands for its cell: a mean would shrink the outline.
+        // The farthest vertex represents its cell: a mean would shrink the outline.
         const float squared =
             v.position[0] * v.position[0] + v.position[1] * v.position[1] + v.position[2] * v.position[2];
         const auto [place, fresh] =
@@ -193,7 +193,7 @@ Mesh coarser(const Mesh& mesh, float cell) {
         }
         moved.push_back(place->second.index);
     }
-    std::set<std::array<std::uint32_t, 3>> known; // top and bottom of a sheet fall together: one of them is enough
+    std::set<std::array<std::uint32_t, 3>> known; // top and bottom of a sheet coincide: keep one
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
         const std::array<std::uint32_t, 3> face{moved[mesh.indices[i]], moved[mesh.indices[i + 1]],
                                                 moved[mesh.indices[i + 2]]};

@@ -1,4 +1,4 @@
-// What is drawn for a body: a triangle mesh with normals and texture coordinates, in the body frame, coarser with
+// The drawn mesh of a body: triangles with normals and texture coordinates, in the body frame, coarser at a
 // distance.
 // SPDX-License-Identifier: MIT
 #pragma once
@@ -21,11 +21,11 @@ struct Mesh {
     float radius() const; // m, about the centre of mass
 };
 
-// Reads an OBJ in metres and moves its origin to the centre of mass. Throws Failure.
+// Reads an OBJ in metres, and moves its origin to the centre of mass. Throws Failure.
 Mesh load_obj(const std::string& path, const lr_asset_info& info);
 
 // The ellipse of the ellipsoid with the asset's inertia, for an asset without a mesh.
 Mesh ellipse_card(const lr_asset_info& info);
 
-// Merges the vertices in each cell of a grid and drops what collapses. cell: m.
+// Merges the vertices in each cell of a grid and drops degenerate triangles. cell: m.
 Mesh coarser(const Mesh& mesh, float cell);

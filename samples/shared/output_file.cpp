@@ -15,7 +15,7 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), aside_(path_)
         errno = EISDIR;
         fail("cannot write");
     }
-    // symlink_status: /dev/stdout is a link, to a regular file when stdout is one.
+    // symlink_status: /dev/stdout is a link, to a regular file if stdout is one.
     const auto status = std::filesystem::symlink_status(path_, ignored);
     if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) {
         aside_ += ".part-" + std::to_string(getpid());

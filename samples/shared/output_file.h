@@ -1,4 +1,4 @@
-// A file that is written aside and renamed when it is whole: whoever reads it sees the old one or the new one.
+// Writes a file under another name and renames it when it is complete: readers see the old file or the new one.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -7,7 +7,7 @@
 
 class OutputFile {
 public:
-    // Opens at once, so that a path that cannot be written is told before the work and not after. Throws Failure.
+    // Opens at once, so that a wrong path is reported before the work and not after it. Throws Failure.
     explicit OutputFile(std::string path);
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;
@@ -21,6 +21,6 @@ public:
 private:
     [[noreturn]] void fail(const char* what) const;
 
-    std::string path_, aside_; // aside_ is path_ itself for what is no regular file: /dev/stdout must not be replaced
+    std::string path_, aside_; // aside_ is path_ for irregular files: /dev/stdout must not be replaced
     std::FILE* file_ = nullptr;
 };

@@ -21,7 +21,7 @@ enum Draw : std::uint32_t { place = 0, size = 3, turn = 8 };
 } // namespace
 
 Box box_for(std::uint64_t count, double length) {
-    // Air for each body: a cube of six lengths; edges 2 : 1 : 2. In float, as everything that the world will see.
+    // Each body gets a cube of six lengths; the box has edges 2 : 1 : 2. In float, as the world gets it.
     const double volume = 216.0 * length * length * length * static_cast<double>(count);
     double height = 1e-3;
     while (4.0 * height * height * height < volume) height *= 1.0009765625;
@@ -78,12 +78,12 @@ lr_status Reentry::apply(lr_world* world, lr_batch batch) {
     if (status == LR_OK) status = lr_batch_get_view(world, batch, &view);
     if (status != LR_OK) return status;
 
-    // The view ends with the first change, so first look, then change.
+    // The first change invalidates the view, so read all bodies first.
     outside_.clear();
     for (std::uint32_t i = 0; i < view.count; ++i) {
         for (int axis = 0; axis < 3; ++axis) {
             const float x = view.position[axis][i];
-            if (!(x >= box_.low[axis] && x < box_.high[axis])) { // so that NaN is outside too
+            if (!(x >= box_.low[axis] && x < box_.high[axis])) { // NaN counts as outside
                 outside_.push_back(view.ids[i]);
                 break;
             }
@@ -98,7 +98,7 @@ lr_status Reentry::apply(lr_world* world, lr_batch batch) {
             float& x = state.position[axis];
             const float turns = std::floor((x - box_.low[axis]) / box_.size(axis));
             x -= turns * box_.size(axis);
-            // Rounding can leave it on the far side, a hair outside; that would bring it back every frame.
+            // Rounding can leave it slightly outside on the far side, which would bring it back every frame.
             if (x < box_.low[axis] || x >= box_.high[axis]) x = box_.low[axis];
         }
         status = lr_body_set_state(world, body, &state);

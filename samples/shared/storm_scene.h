@@ -1,6 +1,6 @@
-// The set-up of a storm, written once for samples, tests and benchmarks: the box of air, the births in it, and what
-// happens to a body that leaves it. Depends on the public header only. Same seed, same bits, on every machine: its own
-// counter-based random numbers, and no functions of the C library that round differently from one to the next.
+// The storm of samples, tests and benchmarks: a box of air, bodies in it, and the re-entry of bodies that leave. Depends on the
+// public header only. The same seed gives the same bits on every machine: it has its own counter-based random numbers, and uses
+// no functions of the C library that round differently between libraries.
 //
 // SPDX-License-Identifier: MIT
 #pragma once
@@ -23,24 +23,24 @@ struct Box {
 // as leaves in a thick storm.
 Box box_for(std::uint64_t count, double length);
 
-// A number in [0, 1) that depends on nothing but its arguments.
+// A number in [0, 1) that depends only on its arguments.
 float random_unit(std::uint64_t seed, std::uint64_t index, std::uint32_t draw);
 
-// A rotation drawn evenly from all: quaternion x y z w.
+// A uniformly distributed rotation: quaternion x y z w.
 void random_orientation(std::uint64_t seed, std::uint64_t index, float* quaternion);
 
-// Bodies number `first` to `first + count - 1` of a storm: anywhere in the box, turned anyhow, 0.7 to 1.3 times the
-// size of their asset, and at rest in the air, which moves with `wind` (m/s).
+// Bodies `first` to `first + count - 1` of a storm, anywhere in the box, in any orientation, 0.7 to 1.3 times the size of
+// their asset, and at rest relative to the air, which moves with `wind` (m/s).
 std::vector<lr_body_desc> births(const Box& box, std::uint64_t seed, std::uint64_t first, std::uint32_t count,
                                  const float* wind);
 
-// Bodies that have left the box come in again through the opposite side, their motion kept; so the storm lasts, and
-// averages over it are those of a storm without walls.
+// Bodies that left the box re-enter through the opposite side with the same motion. So the storm lasts, and averages over it
+// are those of a storm without walls.
 class Reentry {
 public:
     explicit Reentry(const Box& box) : box_(box) {}
 
-    // Returns the first error: LR_ERROR_NOT_FINITE or LR_ERROR_INVALID_ARGUMENT when a body's motion has blown up.
+    // Returns the first error: LR_ERROR_NOT_FINITE or LR_ERROR_INVALID_ARGUMENT if a body's motion has diverged.
     lr_status apply(lr_world* world, lr_batch batch);
 
     std::uint64_t count() const { return count_; }
@@ -48,7 +48,7 @@ public:
 private:
     Box box_;
     std::uint64_t count_ = 0;
-    std::vector<lr_body> outside_; // kept to save an allocation a frame
+    std::vector<lr_body> outside_; // kept to save an allocation per frame
 };
 
 } // namespace storm

@@ -1,4 +1,4 @@
-// Vectors, and quaternions x, y, z, w that turn body vectors into world vectors.
+// Vectors, and quaternions x, y, z, w that rotate body vectors to the world.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -35,7 +35,7 @@ inline Vector turned(const Quaternion& q, const Vector& v) {
 inline Quaternion inverse(const Quaternion& q) {
     return {-q[0], -q[1], -q[2], q[3]};
 }
-// First b, then a.
+// The rotation b, then a.
 inline Quaternion after(const Quaternion& a, const Quaternion& b) {
     const Vector u{a[0], a[1], a[2]}, v{b[0], b[1], b[2]};
     const Vector w = plus(plus(times(a[3], v), times(b[3], u)), cross(u, v));

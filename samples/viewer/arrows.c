@@ -61,7 +61,7 @@ void arrows_free(arrows* a) {
 }
 
 void arrows_draw(const arrows* a, const scene* s, const pass* p, const camera* c) {
-    /* The spacing is one of 1, 2 and 5 times a power of ten, and the lattice stands still while the camera moves. */
+    /* The spacing is 1, 2 or 5 times a power of ten, and the lattice does not move with the camera. */
     const float wanted = c->distance / 6.0f, power = powf(10.0f, floorf(log10f(wanted))), part = wanted / power;
     const float spacing = power * (part < 2.0f ? 1.0f : part < 5.0f ? 2.0f : 5.0f);
     static float feet[lattice][3], winds[lattice][3], instances[lattice][6];

@@ -1,4 +1,4 @@
-/* Arrows of the wind on a lattice around what is looked at.    SPDX-License-Identifier: MIT */
+/* Arrows of the wind on a lattice around the camera's target.    SPDX-License-Identifier: MIT */
 #ifndef VIEWER_ARROWS_H
 #define VIEWER_ARROWS_H
 
@@ -13,7 +13,7 @@ typedef struct arrows {
 void arrows_create(arrows* a);
 void arrows_free(arrows* a);
 
-/* The wind is what lr_world_sample_wind says at the foot of each. */
+/* Each arrow shows the result of lr_world_sample_wind at its foot. */
 void arrows_draw(const arrows* a, const scene* s, const pass* p, const camera* c);
 
 #endif

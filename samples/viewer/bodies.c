@@ -8,9 +8,9 @@
 #include "shaders.h"
 #include "shadow.h"
 
-/* Size in pixels, or texels of the shadow map, below which a coarser mesh is drawn. */
+/* Sizes in pixels, or texels of the shadow map, below which the next coarser mesh is drawn. */
 static const float level_below[body_levels - 1] = {40.0f, 10.0f};
-static const float level_cell[body_levels] = {0.0f, 0.16f, 0.5f}; /* of the coarser meshes, by the radius */
+static const float level_cell[body_levels] = {0.0f, 0.16f, 0.5f}; /* of the coarser meshes, relative to the radius */
 
 static void create_level(body_level* level, const mesh* m, GLuint picked) {
     level->index_count = (GLsizei)m->index_count;
@@ -97,7 +97,7 @@ void bodies_update(bodies* b, const scene* s) {
         body_batch* d = &b->batches[k];
         const lr_batch batch = s->batches[k].batch;
         const lr_batch_view view = view_of(s, batch);
-        uint32_t count = view.count; /* docs/reference/bodies.md: bodies still asleep keep their place */
+        uint32_t count = view.count; /* docs/reference/bodies.md: bodies still asleep keep their places */
         if (d->batch.id == batch.id && d->revision == view.revision && d->written == view.count)
             count = d->moved > view.awake_count ? d->moved : view.awake_count;
         if (view.count > d->capacity || !d->rows) reserve(d, view.capacity), count = view.count;
@@ -123,7 +123,7 @@ static int level_of(float pixels) {
     return level;
 }
 
-/* pixels_a_metre: at distance 1 for the picture; anywhere for the shadow map, where it is given as negative. */
+/* pixels_a_metre: at distance 1 for the picture; negative for the shadow map, where it holds at any distance. */
 static void draw_batches(bodies* b, const scene* s, const pass* p, float pixels_a_metre, GLuint program) {
     for (int k = 0; k < b->batch_count; ++k) {
         const body_batch* d = &b->batches[k];

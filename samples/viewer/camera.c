@@ -60,7 +60,7 @@ float camera_depth(const camera_view* v, vec3 middle, float radius) {
     const float depth = -dot(d, v->back);
     if (depth < v->near - radius) return -1.0f;
     const float reach = v->tan_half * depth;
-    /* The sides of the picture lean outward: a sphere reaches in from a little farther than its radius. */
+    /* The sides of the picture lean outward, so a sphere is visible from slightly farther than its radius. */
     if (fabsf(dot(d, v->up)) > reach + 1.1f * radius) return -1.0f;
     if (fabsf(dot(d, v->right)) > reach * v->aspect + 1.4f * radius) return -1.0f;
     return depth > v->near ? depth : v->near;

@@ -1,4 +1,4 @@
-/* A camera that goes round what it looks at.    SPDX-License-Identifier: MIT */
+/* A camera that orbits its target.    SPDX-License-Identifier: MIT */
 #ifndef VIEWER_CAMERA_H
 #define VIEWER_CAMERA_H
 
@@ -11,17 +11,17 @@ typedef struct camera {
     float elevation; /* rad, above the horizontal */
 } camera;
 
-/* What follows from it for a picture of this shape. */
+/* The camera's vectors and angles for a picture of this shape. */
 typedef struct camera_view {
     vec3 eye, right, up, back;
-    float tan_half; /* of half the vertical angle of view */
+    float tan_half; /* of half the vertical field of view */
     float aspect, near, far;
     mat4 to_clip;
 } camera_view;
 
 camera_view camera_look(const camera* c, float aspect);
 
-/* Mouse: by the picture's height, x to the right, y down. */
+/* Mouse motion relative to the picture's height, x to the right, y down. */
 void camera_orbit(camera* c, float dx, float dy);
 void camera_pan(camera* c, float dx, float dy);
 void camera_zoom(camera* c, float notches);
@@ -29,10 +29,10 @@ void camera_zoom(camera* c, float notches);
 /* Unit vector from the eye through a point of the picture: x, y from -1 to 1, y up. */
 vec3 camera_ray(const camera_view* v, float x, float y);
 
-/* Where a point is in the picture: x, y from -1 to 1, y up. 0 if it is behind the eye. */
+/* Projects a point into the picture: x, y from -1 to 1, y up. 0 if it is behind the eye. */
 int camera_project(const camera_view* v, vec3 point, float* x, float* y);
 
-/* Distance ahead of a sphere; negative when it cannot be in the picture. */
+/* Distance ahead of a sphere; negative if it cannot be in the picture. */
 float camera_depth(const camera_view* v, vec3 middle, float radius);
 
 #endif

@@ -1,10 +1,10 @@
-/* What a user does, from a window or from --press.    SPDX-License-Identifier: MIT */
+/* User input, from a window or from --press.    SPDX-License-Identifier: MIT */
 #ifndef VIEWER_EVENT_H
 #define VIEWER_EVENT_H
 
 enum event_kind { event_none, event_key, event_press, event_release, event_move, event_scroll };
 
-/* Keys are small letters, digits and ' ', or one of these. */
+/* Keys are lower-case letters, digits and ' ', or one of these. */
 enum { key_up = 256, key_down, key_left, key_right, key_escape, key_tab };
 enum { button_left, button_right, button_middle };
 

@@ -1,4 +1,4 @@
-/* What went wrong, and what to do about it: ends the program.    SPDX-License-Identifier: MIT */
+/* Run-time failures with their remedy: ends the program.    SPDX-License-Identifier: MIT */
 #ifndef VIEWER_FAILURE_H
 #define VIEWER_FAILURE_H
 
@@ -12,10 +12,10 @@
 _Noreturn void fail(const char* remedy, const char* format, ...) __attribute__((format(printf, 2, 3)));
 _Noreturn void fail_usage(const char* format, ...) __attribute__((format(printf, 1, 2)));
 
-/* Fails when a call of the library did. */
+/* Fails if the status is an error. */
 void check(lr_status status, const char* what, const char* remedy);
 
-/* Memory, or the program ends. */
+/* Allocates zeroed memory, or ends the program. */
 void* allocate(size_t count, size_t size);
 void* grow(void* memory, size_t count, size_t size);
 

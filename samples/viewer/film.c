@@ -25,7 +25,7 @@ void film_write_png(const char* path, const unsigned char* rgb, int width, int h
     image.format = PNG_FORMAT_RGB;
     char aside[1100];
     struct stat status;
-    /* A device or a link is written through. */
+    /* Write directly to a device or through a link. */
     const int plain = lstat(path, &status) != 0 || S_ISREG(status.st_mode);
     snprintf(aside, sizeof aside, plain ? "%s.part-%ld" : "%s", path, (long)getpid());
     FILE* file = fopen(aside, "wb");
@@ -54,7 +54,7 @@ static void start_ffmpeg(film* f, int fps) {
     snprintf(output, sizeof output, "file:%s", f->path);
     char* const arguments[] = {"ffmpeg", "-loglevel", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24", "-s",
                                size,     "-r",        rate,    "-i", "-",  "-pix_fmt", "yuv420p",  output,  NULL};
-    int ends[2], told[2]; /* told: ffmpeg's end is closed when it has begun, or says why it has not */
+    int ends[2], told[2]; /* told: its end is closed when ffmpeg has started, or receives the reason why not */
     if (pipe(ends) != 0 || pipe(told) != 0) fail(NULL, "no pipe to ffmpeg: %s", strerror(errno));
     fflush(NULL);
     f->ffmpeg = fork();
@@ -77,7 +77,7 @@ static void start_ffmpeg(film* f, int fps) {
     close(told[0]);
     if (said > 0) {
         waitpid(f->ffmpeg, NULL, 0);
-        fail("install ffmpeg, or give --png a name with %04d for numbered pictures", "no film %s: ffmpeg: %s", f->path,
+        fail("install ffmpeg, or use a --png name with %04d for numbered pictures", "no film %s: ffmpeg: %s", f->path,
              strerror(reason));
     }
     signal(SIGPIPE, SIG_IGN);
@@ -96,7 +96,7 @@ static void finish_ffmpeg(film* f) {
     close(f->pipe);
     waitpid(f->ffmpeg, &status, 0);
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
-        fail("read what ffmpeg said above; width and height must be even", "ffmpeg could not make %s", f->path);
+        fail("read ffmpeg's message above; width and height must be even", "ffmpeg could not make %s", f->path);
 }
 
 void film_add(film* f, const unsigned char* rgb) {
@@ -104,7 +104,7 @@ void film_add(film* f, const unsigned char* rgb) {
         char path[1024];
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wformat-nonliteral"
-        snprintf(path, sizeof path, f->path, f->number++); /* film_is_numbered has looked at it */
+        snprintf(path, sizeof path, f->path, f->number++); /* film_is_numbered has checked it */
 #pragma GCC diagnostic pop
         film_write_png(path, rgb, f->width, f->height);
         return;

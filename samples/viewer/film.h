@@ -4,25 +4,25 @@
 
 #include <sys/types.h>
 
-/* Writes aside and renames, so that no half of a file is left. Fails with a message. */
+/* Writes under another name and renames, so that no half-written file stays. Fails with a message. */
 void film_write_png(const char* path, const unsigned char* rgb, int width, int height);
 
 typedef struct film {
     const char* path;
-    int numbered; /* path has a %d; otherwise ffmpeg makes the file */
+    int numbered; /* path has a %d; otherwise ffmpeg writes the file */
     int width, height, pipe;
     unsigned number;
     pid_t ffmpeg;
 } film;
 
-/* Whether a path is that of numbered pictures: one %d or %0Nd, and no other %. */
+/* Whether a path is for numbered pictures: one %d or %0Nd, and no other %. */
 int film_is_numbered(const char* path);
 
-/* Begins a film; fails with a message if ffmpeg is needed and missing. */
+/* Begins a film. Fails with a message if ffmpeg is needed and missing. */
 void film_begin(film* f, const char* path, int width, int height, int fps);
 void film_add(film* f, const unsigned char* rgb);
 
-/* Fails with a message if ffmpeg did. */
+/* Fails with a message if ffmpeg failed. */
 void film_end(film* f);
 
 #endif

@@ -6,7 +6,7 @@
 #include <GL/glcorearb.h>
 #include <stddef.h>
 
-/* Compiles and links, or fails with the compiler's log. Each shader is in two pieces, the first of which has #version. */
+/* Compiles and links, or fails with the compiler's log. Each shader has two parts; the first has #version. */
 GLuint make_program(const char* name, const char* const vertex[2], const char* const fragment[2]);
 
 GLint uniform(GLuint program, const char* name);
@@ -17,7 +17,7 @@ const char* gl_name(void);
 /* Fails if OpenGL has an error pending. */
 void gl_check(const char* what);
 
-/* Buffer of vertices in an array object: attribute `place` of `size` floats at `offset` in elements of `stride` bytes. */
+/* Binds a vertex buffer to an array object: attribute `place` of `size` floats at `offset` in elements of `stride` bytes. */
 void gl_attribute(GLuint place, GLint size, size_t stride, size_t offset, GLuint divisor);
 
 #endif

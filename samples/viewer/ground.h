@@ -8,16 +8,16 @@ enum { ground_side = 129 };                                  /* samples along ea
 #define GROUND_CELL 0.1875f                                  /* m between them */
 #define GROUND_HALF (0.5f * GROUND_CELL * (ground_side - 1)) /* 12 m: bodies end before its edge */
 
-/* Height at a place, m. relief: height of its waves, m; they end before the edge. */
+/* Height at a point, m. relief: height of the waves, m; they end before the edge. */
 float ground_height(float relief, float level, float x, float z);
 
-/* Height of the collider there: its triangles lie a little off the curve between the samples. */
+/* Height of the collider at a point: its triangles deviate a little from the curve between samples. */
 float ground_surface(float relief, float level, float x, float z);
 
-/* Samples as a heightfield has them: x varies fastest. */
+/* Samples in the order of a heightfield: x varies fastest. */
 void ground_heights(float relief, float level, float heights[ground_side * ground_side]);
 
-/* Makes the collider: a heightfield, or a plane where there is no relief. */
+/* Creates the collider: a heightfield, or a plane without relief. */
 lr_collider ground_create(lr_world* world, float relief, float level);
 
 #endif

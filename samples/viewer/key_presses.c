@@ -58,10 +58,10 @@ static void read_one(options* o, const char* text) {
         char* end = NULL;
         const long times = star ? strtol(star + 1, &end, 10) : 1;
         if (star && (*end || end == star + 1 || times < 1 || times > 1000))
-            fail_usage("--press: '%s' is no number of times", star + 1);
+            fail_usage("--press: '%s' is not a number of repetitions", star + 1);
         if (star) *star = 0;
         const event e = {.kind = event_key, .key = key_of(name)};
-        if (!e.key) fail_usage("--press: '%s' is no key, click@X/Y, drag@X/Y/X/Y or scroll@N", name);
+        if (!e.key) fail_usage("--press: '%s' is not a key, click@X/Y, drag@X/Y/X/Y or scroll@N", name);
         schedule(o, time, e, (int)times);
     }
 }

@@ -1,4 +1,4 @@
-/* What --press does.    SPDX-License-Identifier: MIT */
+/* Parses --press.    SPDX-License-Identifier: MIT */
 #ifndef VIEWER_KEY_PRESSES_H
 #define VIEWER_KEY_PRESSES_H
 

@@ -32,7 +32,7 @@ static void create_ground(landscape* l, const scene_plan* plan) {
     }
     GLsizei n = 0;
     for (uint32_t k = 0; k + 1 < ground_side; ++k) {
-        for (uint32_t i = 0; i + 1 < ground_side; ++i) { /* parted as the collider's cells are */
+        for (uint32_t i = 0; i + 1 < ground_side; ++i) { /* split like the collider's cells */
             const uint32_t a = k * ground_side + i, b = a + 1, c = a + ground_side, d = c + 1;
             const uint32_t corners[6] = {a, d, b, a, c, d};
             memcpy(indices + n, corners, sizeof corners);
@@ -138,7 +138,7 @@ void landscape_draw(const landscape* l, const scene* s, const pass* p) {
 void landscape_draw_water(const landscape* l, const scene* s, const pass* p, double time) {
     if (!s->plan->water) return;
     pass_use(p, l->water_program);
-    float waves[pond_wave_count][4]; /* as docs/reference/wind_and_water.md has them */
+    float waves[pond_wave_count][4]; /* in the form of docs/reference/wind_and_water.md */
     for (int i = 0; i < pond_wave_count; ++i) {
         const lr_wave* w = &pond_waves[i];
         const double number = 2.0 * 3.14159265358979 / (double)w->length, frequency = sqrt(9.81 * number);

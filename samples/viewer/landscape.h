@@ -7,7 +7,7 @@
 
 typedef struct landscape {
     GLuint ground_program, solid_program, solid_shadow_program, water_program, sky_program;
-    GLuint ground_array, ground_vertices, ground_indices; /* the water has the same places */
+    GLuint ground_array, ground_vertices, ground_indices; /* the water uses the same points */
     GLuint solid_array, solid_vertices;
     GLsizei ground_count, solid_count;
 } landscape;
@@ -18,7 +18,7 @@ void landscape_free(landscape* l);
 void landscape_draw_shadow(const landscape* l, const pass* p);
 void landscape_draw(const landscape* l, const scene* s, const pass* p);
 
-/* After all that is opaque. */
+/* Draw after everything opaque. */
 void landscape_draw_water(const landscape* l, const scene* s, const pass* p, double time);
 
 #endif

@@ -20,7 +20,7 @@ static void write_shot(viewer* v, const char* path) {
     printf("wrote %s\n", path);
 }
 
-/* A picture by key p, under the first name that is free. */
+/* Writes the picture of key p under the first free name. */
 static void write_snapshot(viewer* v) {
     static int number;
     char path[64];
@@ -34,7 +34,7 @@ static void write_snapshot(viewer* v) {
     v->snapshot = 0;
 }
 
-/* Does what --press has up to this time on the clock. */
+/* Handles the events of --press up to this time on the clock. */
 static void press_until(viewer* v, double clock, int* next) {
     const options* o = &v->options;
     while (*next < o->press_count && o->presses[*next].time <= clock + 1e-9) {
@@ -47,7 +47,7 @@ static void press_until(viewer* v, double clock, int* next) {
 
 static void report(const viewer* v, unsigned pictures) {
     const scene_report r = scene_look(v->scene, 1);
-    printf("scene %s: %u pictures, t = %.4f s, %llu bodies, %llu at rest, lowest %.4f m, hash %016llx\n",
+    printf("scene %s: %u pictures, t = %.4f s, %llu bodies, %llu asleep, lowest %.4f m, hash %016llx\n",
            v->scene->plan->name, pictures, r.time, (unsigned long long)r.bodies,
            (unsigned long long)(r.bodies - r.awake), (double)r.lowest, (unsigned long long)r.hash);
     const camera* c = &v->camera;
@@ -62,7 +62,7 @@ static void report(const viewer* v, unsigned pictures) {
     putchar('\n');
 }
 
-/* Pictures without a display: time goes by ticks of a sixtieth of a second, whatever the clock says. */
+/* Pictures without a display: time advances in ticks of a sixtieth of a second, independent of the clock. */
 static unsigned run_without_display(viewer* v) {
     const options* o = &v->options;
     picture_resize(&v->picture, o->width, o->height); /* clicks need its size */
@@ -114,10 +114,10 @@ static unsigned run_window(viewer* v, window* w) {
         const double now = window_time(), elapsed = now - before;
         before = now;
         v->frame_seconds += 0.1 * (elapsed - v->frame_seconds);
-        /* After a pause of the window itself the world does not jump. */
+        /* The world must not jump after a pause of the window. */
         viewer_tick(v, elapsed < 0.001 ? 0.001 : elapsed > 0.05 ? 0.05 : elapsed);
         window_size(w, &width, &height);
-        if (width <= 0 || height <= 0) continue; /* an icon */
+        if (width <= 0 || height <= 0) continue; /* the window is minimised */
         viewer_draw(v, width, height);
         if (v->snapshot) write_snapshot(v);
         window_show(w, v->picture.target[1], width, height);

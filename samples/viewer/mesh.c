@@ -23,7 +23,7 @@ void mesh_free(mesh* m) {
 }
 
 mesh mesh_ellipsoid(const lr_asset_info* info) {
-    /* Semi-axes from the moments: I_x = m (b^2 + c^2) / 5, and so on. */
+    /* Semi-axes from the moments: I_x = m (b^2 + c^2) / 5, and cyclically. */
     const double half_trace = 0.5 * (info->inertia[0] + info->inertia[4] + info->inertia[8]);
     float axes[3];
     for (int k = 0; k < 3; ++k) {
@@ -60,7 +60,7 @@ mesh mesh_ellipsoid(const lr_asset_info* info) {
     return m;
 }
 
-/* An open table from cells to vertices. */
+/* An open-addressing hash table from cells to vertices. */
 typedef struct cell_table {
     uint32_t* slots;
     uint32_t mask;
@@ -106,11 +106,11 @@ mesh mesh_coarser(const mesh* from, float cell) {
             memcpy(keys[m.vertex_count], key, sizeof key);
             m.vertices[m.vertex_count++] = *v;
         } else if (length(from_array(v->position)) > length(from_array(m.vertices[*slot].position))) {
-            m.vertices[*slot] = *v; /* the one farthest out: a mean would shrink the outline */
+            m.vertices[*slot] = *v; /* the farthest vertex: a mean would shrink the outline */
         }
         moved[i] = *slot;
     }
-    /* Top and bottom of a sheet fall together: one of them is enough. */
+    /* Top and bottom of a sheet coincide: keep one. */
     uint32_t* first_use = allocate(m.vertex_count, sizeof(uint32_t));
     uint32_t* next = allocate(from->index_count, sizeof(uint32_t));
     memset(first_use, 0xff, m.vertex_count * sizeof(uint32_t));

@@ -1,4 +1,4 @@
-/* What is drawn for a body: triangles with normals, in the body frame.    SPDX-License-Identifier: MIT */
+/* The drawn mesh of a body: triangles with normals, in the body frame.    SPDX-License-Identifier: MIT */
 #ifndef VIEWER_MESH_H
 #define VIEWER_MESH_H
 

@@ -1,4 +1,4 @@
-/* Wavefront OBJ: v, vt, f. Normals are made here, smooth over edges of less than 60 degrees.    SPDX-License-Identifier: MIT */
+/* Wavefront OBJ: v, vt, f. Computes normals, smooth over edges of less than 60 degrees.    SPDX-License-Identifier: MIT */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -90,9 +90,9 @@ static obj read_obj(const char* path) {
     return o;
 }
 
-/* Faces around each point, so that a corner's normal is the mean of those that face as its own does. */
+/* Faces around each point: a corner's normal is the mean of those that point in nearly the same direction. */
 typedef struct around {
-    uint32_t* first; /* of a point: place in `faces` */
+    uint32_t* first; /* index in `faces`, by point */
     uint32_t* faces;
 } around;
 
@@ -108,16 +108,16 @@ mesh mesh_load_obj(const char* path, const lr_asset_info* info) {
     obj o = read_obj(path);
     const float centre[3] = {(float)info->center_of_mass[0], (float)info->center_of_mass[1],
                              (float)info->center_of_mass[2]};
-    vec3* normals = allocate(o.corner_count / 3, sizeof(vec3)); /* of faces, as long as twice their area */
+    vec3* normals = allocate(o.corner_count / 3, sizeof(vec3)); /* of faces; their length is twice the area */
     for (uint32_t f = 0; f < o.corner_count / 3; ++f) {
         const vec3 a = o.points[o.corners[3 * f][0]], b = o.points[o.corners[3 * f + 1][0]],
                    c = o.points[o.corners[3 * f + 2][0]];
         normals[f] = cross(sub(b, a), sub(c, a));
     }
     around neighbours = faces_around(&o);
-    /* A corner shares its vertex with the corners before it at the same point that have its normal and texture coordinates. */
+    /* A corner shares its vertex with earlier corners at the same point with the same normal and texture coordinates. */
     mesh m = {allocate(o.corner_count, sizeof(vertex)), allocate(o.corner_count, sizeof(uint32_t)), 0, 0};
-    uint32_t* first = allocate(o.point_count, sizeof(uint32_t)); /* vertex + 1 of a point; then its others */
+    uint32_t* first = allocate(o.point_count, sizeof(uint32_t)); /* of a point: vertex + 1; `others` links the rest */
     uint32_t* others = allocate(o.corner_count, sizeof(uint32_t));
     for (uint32_t c = 0; c < o.corner_count; ++c) {
         const uint32_t p = o.corners[c][0];

@@ -19,29 +19,29 @@ static const char help[] =
     "  viewer --frames 300 --png film_%04d.png   numbered pictures; --png film.mp4 goes through ffmpeg\n"
     "  viewer --asset my.lrb --mesh my.obj       your own bodies, up to four pairs\n"
     "\n"
-    "  --scene NAME         leaf, paper, petals, confetti, planes or water; initially leaf\n"
-    "  --asset FILE.lrb     a body baked by lr_bake, in place of the scene's\n"
-    "  --mesh FILE.obj      what is drawn for the --asset before it; initially an ellipsoid\n"
-    "  --baked DIR          where the scenes' assets are (samples/viewer/bake.sh)\n"
-    "  --meshes DIR         where their meshes are\n"
-    "  --count N            bodies, once all are spawned\n"
-    "  --wind, --gusts, --turbulence SPEED   m/s; --direction DEGREES: where the wind blows to\n"
+    "  --scene NAME         leaf, paper, petals, confetti, planes or water; default: leaf\n"
+    "  --asset FILE.lrb     a body baked by lr_bake, instead of the scene's\n"
+    "  --mesh FILE.obj      the mesh to draw for the preceding --asset; default: an ellipsoid\n"
+    "  --baked DIR          folder of the scenes' assets (samples/viewer/bake.sh)\n"
+    "  --meshes DIR         folder of their meshes\n"
+    "  --count N            number of bodies, once all are spawned\n"
+    "  --wind, --gusts, --turbulence SPEED   m/s; --direction DEGREES: direction to which the wind blows\n"
     "  --time-scale X, --substeps N          of the world\n"
-    "  --model aerodynamic|langevin|none     loads; --meet: bodies meet each other\n"
+    "  --model aerodynamic|langevin|none     loads; --meet: contact between bodies\n"
     "  --seed N, --threads N                 of the world\n"
     "  --png FILE           a picture, or with --frames a film; without --window needs no display\n"
-    "  --frames N, --fps N  length of the film and its rate, a divisor of 60; initially 30\n"
-    "  --seconds S          when the picture is taken or the film begins; of a window: when it ends\n"
-    "  --size WIDTHxHEIGHT  px; initially 1280x720\n"
+    "  --frames N, --fps N  length of the film and its rate, a divisor of 60; default: 30\n"
+    "  --seconds S          time of the picture or of the film's start; with a window: time of its end\n"
+    "  --size WIDTHxHEIGHT  px; default: 1280x720\n"
     "  --camera AZIMUTH,ELEVATION,DISTANCE   degrees and m;  --target X,Y,Z   m\n"
-    "  --arrows, --trails, --no-overlay      what is shown at the start\n"
-    "  --press T:WHAT[*N],...   acts at T s as if a user had: a key (space up down left right tab escape, letters, "
+    "  --arrows, --trails, --no-overlay      parts of the first display\n"
+    "  --press T:WHAT[*N],...   simulates user input at T s: a key (space up down left right tab escape, letters, "
     "digits),\n"
     "                       click@X/Y or drag@X/Y/X/Y (parts of the picture), scroll@N\n"
-    "  --window             a window even with --png, which is then taken at its end\n"
+    "  --window             a window even with --png; the picture is then taken at its end\n"
     "  --help\n"
     "\n"
-    "Exit code 0: done, 1: bad usage, 2: something failed, and it says what to do.\n";
+    "Exit code 0: success, 1: bad usage, 2: run-time failure, with a message that says what to do.\n";
 
 static double number(const char* option, const char* text, double low, double high) {
     char* end = NULL;
@@ -92,7 +92,7 @@ static float model_of(const char* text) {
     fail_usage("--model is aerodynamic, langevin or none, not '%s'", text ? text : "");
 }
 
-/* The sliders' options and their values. Returns 1 if it was one of them. */
+/* Reads an option of a slider and its value. Returns 1 if the option is one of these. */
 static int read_setting(settings* s, const char* option, const char* value) {
     for (int k = 0; k < setting_number; ++k) {
         const setting_kind* kind = &setting_kinds[k];
@@ -110,19 +110,19 @@ static int read_setting(settings* s, const char* option, const char* value) {
 static void add_own(const char** list, const char* option, const char* value) {
     int k = 0;
     while (k < scene_kinds && list[k]) ++k;
-    if (k == scene_kinds) fail_usage("%s is taken %d times at most", option, (int)scene_kinds);
+    if (k == scene_kinds) fail_usage("%s can be given %d times at most", option, (int)scene_kinds);
     list[k] = text_of(option, value);
 }
 
 static void read_mesh(options* o, const char* value) {
     int k = 0;
     while (k < scene_kinds && o->source.own_assets[k]) ++k;
-    if (k == 0) fail_usage("--mesh belongs to an --asset before it");
+    if (k == 0) fail_usage("--mesh needs an --asset before it");
     if (o->source.own_meshes[k - 1]) fail_usage("two --mesh for one --asset");
     o->source.own_meshes[k - 1] = text_of("--mesh", value);
 }
 
-/* Those with a value. Returns 0 if it is none of them. */
+/* Reads an option with a value. Returns 0 if the option is not one of these. */
 static int read_valued(options* o, const char* option, const char* value) {
     if (strcmp(option, "--asset") == 0)
         add_own(o->source.own_assets, option, value);
@@ -182,13 +182,13 @@ static void read_scene(options* o, int count, char** arguments) {
 static void check_all(options* o) {
     if (ticks_a_second % o->fps != 0) fail_usage("--fps is a divisor of %d, not %d", (int)ticks_a_second, o->fps);
     if (o->frames && !o->png) fail_usage("--frames needs --png FILE: a name with %%04d in it, or film.mp4");
-    if (o->frames && o->window) fail_usage("--frames makes its film without a window");
+    if (o->frames && o->window) fail_usage("--frames works without a window only");
     if (!o->frames && o->png && film_is_numbered(o->png)) fail_usage("--png with a number in its name needs --frames");
     if (o->frames && !film_is_numbered(o->png) && (strchr(o->png, '%') || !strchr(o->png, '.')))
         fail_usage("--png with --frames takes one %%d, as in film_%%04d.png, or a name as film.mp4, not '%s'", o->png);
     if (o->frames && strlen(o->png) > 4 && strcmp(o->png + strlen(o->png) - 4, ".png") == 0 &&
         !film_is_numbered(o->png))
-        fail_usage("%u pictures cannot all be '%s': give a name with %%04d in it", o->frames, o->png);
+        fail_usage("%u pictures cannot have the same name '%s': use a name with %%04d", o->frames, o->png);
     if (!o->png) o->window = 1;
     if (o->seconds < 0.0 && !o->window) o->seconds = o->frames ? 0.0 : 8.0;
 }
@@ -198,7 +198,7 @@ void options_read(options* o, int count, char** arguments) {
     for (int i = 1; i < count; ++i) {
         if (strcmp(arguments[i], "--help") != 0 && strcmp(arguments[i], "-h") != 0) continue;
         fputs(help, stdout);
-        if (!window_possible()) fputs("This program has been built without windows (GLFW).\n", stdout);
+        if (!window_possible()) fputs("This program was built without windows (GLFW).\n", stdout);
         exit(0);
     }
     read_scene(o, count, arguments);

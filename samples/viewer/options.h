@@ -9,8 +9,8 @@ enum { press_room = 256, ticks_a_second = 60 };
 
 /* An event of --press. */
 typedef struct press {
-    double time; /* s on the clock, from the start */
-    event what;  /* x and y as parts of the picture's width and height */
+    double time; /* s on the clock, since the start */
+    event what;  /* x and y relative to the picture's width and height */
     int times;
 } press;
 
@@ -18,11 +18,11 @@ typedef struct options {
     const scene_plan* plan;
     scene_source source;
     settings settings;
-    int window; /* a window is wanted */
+    int window; /* open a window */
     int width, height;
-    double seconds;  /* on the clock; of a window under 0: until it is closed */
-    const char* png; /* null: none */
-    unsigned frames; /* of a film; 0: one picture */
+    double seconds;  /* on the clock; with a window, below 0: until it is closed */
+    const char* png; /* null: no picture */
+    unsigned frames; /* length of the film; 0: a single picture */
     int fps;
     int arrows, trails, overlay;
     camera camera;

@@ -1,4 +1,4 @@
-/* The panel: sliders, numbers, keys, and a frame around the body that is followed.    SPDX-License-Identifier: MIT */
+/* The panel: sliders, numbers, keys, and a frame around the followed body.    SPDX-License-Identifier: MIT */
 #include <stdio.h>
 #include <string.h>
 
@@ -9,7 +9,7 @@ static const shade ink = {0.96f, 0.96f, 0.94f, 1.0f}, faint = {0.80f, 0.82f, 0.8
                    board = {0.05f, 0.06f, 0.07f, 0.58f}, track = {1.0f, 1.0f, 1.0f, 0.16f},
                    filled = {0.98f, 0.72f, 0.22f, 0.85f}, chosen = {1.0f, 1.0f, 1.0f, 0.10f};
 
-/* Places in px, all by the height of a letter. */
+/* Positions in px, relative to the height of a letter. */
 typedef struct layout {
     float letter, line, left, top, width, bar_left, bar_width, value_left;
 } layout;
@@ -80,7 +80,7 @@ static void draw_numbers(viewer* v, const layout* l) {
     const scene_report r = scene_look(v->scene, 0);
     char lines[4][64];
     int n = 0;
-    snprintf(lines[n++], sizeof *lines, "%llu bodies, %llu at rest", (unsigned long long)r.bodies,
+    snprintf(lines[n++], sizeof *lines, "%llu bodies, %llu asleep", (unsigned long long)r.bodies,
              (unsigned long long)(r.bodies - r.awake));
     snprintf(lines[n++], sizeof *lines, "t = %.2f s%s", r.time, v->paused ? "   paused" : "");
     if (v->frame_seconds > 0.0) {
@@ -106,7 +106,7 @@ static void draw_numbers(viewer* v, const layout* l) {
     draw_lines(v, l, (float)v->picture.width - l->left, top, told, 5);
 }
 
-/* Corners around the body that is followed. */
+/* Draws corners around the followed body. */
 static void draw_frame(viewer* v, const layout* l) {
     const camera_view view = camera_look(&v->camera, (float)v->picture.width / (float)v->picture.height);
     float x, y;
@@ -128,8 +128,8 @@ static void draw_frame(viewer* v, const layout* l) {
 
 static void draw_keys(viewer* v, const layout* l) {
     static const char* const lines[2] = {
-        "space: pause   n: step   arrow keys: sliders (shift: 5 steps)   r: anew   1 - 6: scenes   p: picture   q: end",
-        "mouse: turn, right: shift, wheel: nearer, click: follow   f: let go   a: wind   t: ways   c: camera   h: hide "
+        "space: pause   n: step   arrows: sliders (shift: 5 steps)   r: restart   1 - 6: scenes   p: picture   q: end",
+        "mouse: turn, right: shift, wheel: zoom, click: follow   f: let go   a: wind   t: trails   c: camera   h: hide "
         "this"};
     const float top = (float)v->picture.height - 2.0f * l->line - 0.8f * l->letter;
     text_box(&v->text, 0.0f, top, (float)v->picture.width, 2.0f * l->line + 0.8f * l->letter, board);

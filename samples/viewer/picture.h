@@ -6,20 +6,20 @@
 
 typedef struct picture {
     int width, height;
-    GLuint target[2]; /* of several samples a pixel; of one, where the panel is drawn and pixels are read */
+    GLuint target[2]; /* multisampled; and with one sample per pixel, for the panel and for reading */
     GLuint colour[2], depth;
 } picture;
 
-/* Of no size yet. */
+/* Creates a picture without a size. */
 void picture_create(picture* p);
 void picture_free(picture* p);
 
-/* Fails with a message when OpenGL cannot. */
+/* Fails with a message if OpenGL cannot. */
 void picture_resize(picture* p, int width, int height);
 
 void picture_begin(const picture* p);
 
-/* Averages the samples; what is drawn from now on goes on top. */
+/* Averages the samples; further drawing goes on top. */
 void picture_resolve(const picture* p);
 
 /* RGB, 8 bits each, rows from the top: 3 * width * height bytes. */

@@ -11,7 +11,7 @@ static GLuint compile(const char* name, GLenum kind, const char* const text[2]) 
     if (!good) {
         char log[2000] = "";
         glGetShaderInfoLog(shader, sizeof log, NULL, log);
-        fail("report it with this text", "OpenGL (%s) does not take the shader %s: %s", gl_name(), name, log);
+        fail("report it with this text", "OpenGL (%s) does not compile the shader %s: %s", gl_name(), name, log);
     }
     return shader;
 }

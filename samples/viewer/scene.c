@@ -88,7 +88,7 @@ static void create_batch(scene* s, scene_batch* b) {
     check(lr_batch_set_load_gains(s->world, b->batch, &gains), "gains", NULL);
 }
 
-/* Bodies that lie or fly outside of what is to be seen begin anew, as do old ones. */
+/* Old bodies, and bodies outside the visible part, respawn. */
 static void set_rules(scene* s, const scene_batch* b) {
     lr_batch_rules rules;
     check(lr_batch_rules_init(&rules, sizeof rules), "lr_batch_rules_init", NULL);
@@ -110,7 +110,7 @@ static lr_emitter_desc emitter_of(const scene* s, const scene_batch* b) {
     memcpy(desc.position, kind->at, sizeof desc.position);
     memcpy(desc.size, kind->half, sizeof desc.size);
     if (kind->thrown) {
-        /* Nose along x, top along z: laid flat, then turned about y. */
+        /* Nose along x, top along z: laid flat, then rotated about y. */
         const float half = 0.5f * atan2f(-kind->direction[2], kind->direction[0]);
         const float c = cosf(half), t = sinf(half), r = sqrtf(0.5f);
         desc.pose = LR_POSE_FIXED;
@@ -138,14 +138,14 @@ static void emit(scene* s, const scene_batch* b, const lr_emitter_desc* desc, ui
     check(lr_batch_spawn(s->world, b->batch, count < b->count ? count : b->count, NULL), "births", NULL);
 }
 
-/* The air is full at once: as many as a fall from the births lasts, at all heights below them; or the first burst. */
+/* Fills the air at once: with the number of bodies that spawn during a fall, at all heights; or with the first burst. */
 static void fill_air(scene* s, const scene_batch* b) {
     const scene_kind* kind = b->kind;
     lr_emitter_desc desc = emitter_of(s, b);
     if (kind->burst > 0.0f) emit(s, b, &desc, desc.burst_count);
     if (!(s->plan->ready > 0.0f) || kind->burst > 0.0f) return;
     const float top = kind->at[1] + kind->half[1], bottom = 0.25f * top;
-    const float fall = s->plan->ready * (top - bottom) / 1.1f; /* s: about as fast as leaves and paper */
+    const float fall = s->plan->ready * (top - bottom) / 1.1f; /* s, from about the speed of leaves and paper */
     const uint32_t count = (uint32_t)(desc.rate * fall);
     desc.position[1] = 0.5f * (top + bottom);
     desc.size[1] = 0.5f * (top - bottom);
@@ -162,7 +162,7 @@ static void let_meet(scene* s) {
         for (int b = 0; b <= a; ++b)
             check(lr_batch_set_body_contact(s->world, s->batches[a].batch, s->batches[b].batch,
                                             s->now.value[setting_meet] > 0.0f),
-                  "bodies cannot meet each other", "try a smaller --count");
+                  "cannot set contact between bodies", "try a smaller --count");
 }
 
 static uint32_t share_of(const scene* s, int k, float count) {
@@ -185,7 +185,7 @@ scene* scene_create(const scene_plan* plan, const scene_source* source, const se
     while (s->batch_count < scene_kinds && plan->kinds[s->batch_count].asset &&
            !(source->own_assets[0] && !source->own_assets[s->batch_count]))
         s->batches[s->batch_count].kind = &plan->kinds[s->batch_count], ++s->batch_count;
-    /* More assets of the user than the plan has kinds: all are spawned as its first. */
+    /* If the user gives more assets than the plan has kinds, the others spawn like its first kind. */
     while (s->batch_count < scene_kinds && source->own_assets[s->batch_count])
         s->batches[s->batch_count].kind = &plan->kinds[0], ++s->batch_count;
     for (int k = 0; k < s->batch_count; ++k) {
@@ -214,7 +214,7 @@ void scene_free(scene* s) {
     free(s);
 }
 
-/* Another batch with the same bodies: loads and capacity are of a batch for good. */
+/* Makes a new batch with the same bodies: a batch's loads and capacity cannot change. */
 static void replace_batch(scene* s, scene_batch* b) {
     lr_batch_view view;
     check(lr_batch_view_init(&view, sizeof view), "lr_batch_view_init", NULL);
@@ -254,7 +254,7 @@ static void shrink(scene* s, const scene_batch* b) {
     check(lr_batch_get_view(s->world, b->batch, &view), "view", NULL);
     if (view.count <= b->count) return;
     const uint32_t surplus = view.count - b->count;
-    lr_body* ids = allocate(surplus, sizeof *ids); /* the view is not valid while bodies end */
+    lr_body* ids = allocate(surplus, sizeof *ids); /* destroying bodies invalidates the view */
     memcpy(ids, view.ids + b->count, surplus * sizeof *ids);
     check(lr_body_destroy(s->world, ids, surplus), "ends", NULL);
     free(ids);
@@ -272,7 +272,7 @@ int scene_apply(scene* s, const settings* wanted) {
         b->count = share_of(s, k, s->now.value[setting_count]);
         const uint32_t needed = b->count ? b->count : 1;
         shrink(s, b);
-        /* The emitter fills a batch up to its capacity, so that is the count. */
+        /* The emitter fills a batch to its capacity, which is therefore the count. */
         b->capacity = needed;
         replace_batch(s, b);
         set_emitter(s, b);
@@ -298,7 +298,7 @@ static double seconds_now(void) {
 
 void scene_step(scene* s, float dt) {
     const double start = seconds_now();
-    /* Faster time takes more substeps of the same length, slower time shorter ones. */
+    /* Faster time takes more substeps of the same length, slower time shorter substeps. */
     const uint32_t substeps = (uint32_t)s->now.value[setting_substeps] * (uint32_t)ceilf(dt * 59.0f);
     check(lr_world_step(s->world, dt, substeps ? substeps : 1), "step", "try more --substeps");
     s->stepping = seconds_now() - start;

@@ -7,11 +7,11 @@
 #include "mesh.h"
 #include "scenes.h"
 
-/* Where assets come from. */
+/* Sources of assets. */
 typedef struct scene_source {
     const char* baked;                   /* folder of NAME.lrb */
     const char* meshes;                  /* folder of NAME.obj */
-    const char* own_assets[scene_kinds]; /* from the command line, in place of the plan's; null: none */
+    const char* own_assets[scene_kinds]; /* from the command line, instead of the plan's; null: none */
     const char* own_meshes[scene_kinds];
     uint64_t seed;
     uint32_t threads;
@@ -23,7 +23,7 @@ typedef struct scene_batch {
     lr_asset_info info;
     mesh mesh;
     lr_batch batch;
-    uint32_t capacity, count; /* bodies there can be, and that are wanted */
+    uint32_t capacity, count; /* largest and wanted number of bodies */
 } scene_batch;
 
 typedef struct scene {
@@ -33,12 +33,12 @@ typedef struct scene {
     int batch_count;
     lr_wind_source gusts, turbulence;
     settings now;
-    double stepping;       /* s on the clock, of the last step */
-    lr_body (*renamed)[2]; /* old and new ids of the bodies that the last scene_apply kept */
+    double stepping;       /* s on the clock, for the last step */
+    lr_body (*renamed)[2]; /* old and new ids of the bodies kept by the last scene_apply */
     uint32_t renamed_count, renamed_room;
 } scene;
 
-/* A float stands for each of lr_wave's numbers that the picture needs as well. */
+/* Waves of the pond, for the library and for the shader. */
 enum { pond_wave_count = 3 };
 extern const lr_wave pond_waves[pond_wave_count];
 
@@ -46,10 +46,10 @@ extern const lr_wave pond_waves[pond_wave_count];
 scene* scene_create(const scene_plan* plan, const scene_source* source, const settings* initially);
 void scene_free(scene* s);
 
-/* Makes the world as `wanted` says: wind, numbers, loads. Bodies stay, as far as they may; returns 1 if their ids are others. */
+/* Applies `wanted` to the world: wind, numbers, loads. Keeps bodies if possible; returns 1 if their ids changed. */
 int scene_apply(scene* s, const settings* wanted);
 
-/* The id that a body has since scene_apply returned 1; id 0 if it has ended. */
+/* A body's new id after scene_apply returned 1; id 0 if it has ended. */
 lr_body scene_renamed(const scene* s, lr_body old);
 
 /* Steps by dt, s. */
@@ -59,10 +59,10 @@ typedef struct scene_report {
     uint64_t bodies, awake;
     double time; /* s */
     uint64_t hash;
-    float lowest; /* m: of the centres of mass of all bodies, over the ground there */
+    float lowest; /* m: smallest height of a centre of mass over the ground below it */
 } scene_report;
 
-/* The hash and `lowest` are only found where `whole` is not 0. */
+/* Finds the hash and `lowest` only if `whole` is not 0. */
 scene_report scene_look(const scene* s, int whole);
 
 #endif

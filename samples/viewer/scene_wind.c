@@ -9,7 +9,7 @@ static vec3 blowing(const settings* now) {
     return v3(cosf(turn), 0.0f, -sinf(turn));
 }
 
-/* Sources of no speed stay in the world, so that a slider only updates them. */
+/* Sources of speed 0 stay in the world, so that a slider only updates them. */
 static lr_gusts_desc gusts_of(const settings* now) {
     lr_gusts_desc desc;
     check(lr_gusts_desc_init(&desc, sizeof desc), "lr_gusts_desc_init", NULL);
@@ -34,7 +34,7 @@ static float eddies(const scene* s) {
 }
 
 void scene_wind_create(scene* s) {
-    /* Air is slow near the ground: nought at it, and all of the wind at the height of the births. */
+    /* Air is slow near the ground: 0 at the ground, and the full wind at the height of the emitters. */
     lr_ground_wind_desc ground;
     check(lr_ground_wind_desc_init(&ground, sizeof ground), "lr_ground_wind_desc_init", NULL);
     ground.position[1] = s->plan->water ? 0.0f : s->plan->ground_level - 0.5f * s->plan->relief;

@@ -7,7 +7,7 @@
 /* Adds the sources, with the values of the scene's sliders. */
 void scene_wind_create(scene* s);
 
-/* Sets wind and sources to what the sliders are now. */
+/* Updates wind and sources from the sliders. */
 void scene_wind_update(scene* s);
 
 #endif

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-/* A quarter of the planes, thrown from a box at x, z of half sides half_x, half_z, along dx, dz. */
+/* A quarter of the planes, thrown from a box at x, z with half sides half_x, half_z, along dx, dz. */
 #define PLANES(x, z, half_x, half_z, dx, dz)                                                                           \
     {                                                                                                                  \
         .asset = "paper_plane", .look = look_paper, .share = 0.25f, .at = {x, 2.0f, z},                                \

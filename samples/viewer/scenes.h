@@ -1,4 +1,4 @@
-/* What there is to see: bodies, where they are spawned, ground, wind, camera.    SPDX-License-Identifier: MIT */
+/* Plans of scenes: bodies, emitters, ground, wind, camera.    SPDX-License-Identifier: MIT */
 #ifndef VIEWER_SCENES_H
 #define VIEWER_SCENES_H
 
@@ -7,7 +7,7 @@
 #include "camera.h"
 #include "settings.h"
 
-/* How bodies and grounds are coloured; the numbers are those of the shaders. */
+/* Colouring of bodies and grounds; the numbers are those of the shaders. */
 enum look { look_leaf, look_petal, look_paper, look_confetti, look_rubber };
 enum ground_look { ground_lawn, ground_paving, ground_boards, ground_sand };
 
@@ -15,17 +15,17 @@ enum { scene_kinds = 4, scene_solids = 6 };
 
 /* Bodies of one asset from one emitter. */
 typedef struct scene_kind {
-    const char* asset; /* NAME.lrb of the baked assets, and NAME.obj of the meshes; null: no more kinds */
+    const char* asset; /* NAME.lrb of the baked assets and NAME.obj of the meshes; null: no more kinds */
     enum look look;
     float share;          /* of the scene's bodies */
-    float at[3], half[3]; /* m: middle and half sides of the box where they are spawned */
+    float at[3], half[3]; /* m: middle and half sides of the spawn box */
     float direction[3], spread, speed_min, speed_max, spin;
     float scale_min, scale_max;
-    int thrown;  /* flat, nose ahead along the direction; else in any pose */
+    int thrown;  /* flat, nose along the direction; otherwise in any pose */
     float burst; /* s between bursts; 0: a steady stream */
 } scene_kind;
 
-/* Something to land on. */
+/* A solid to land on. */
 typedef struct scene_solid {
     int32_t kind; /* LR_COLLIDER_BOX or LR_COLLIDER_SPHERE; 0: no more */
     int wood;
@@ -41,8 +41,8 @@ typedef struct scene_plan {
     float relief;       /* m: height of the ground's waves; 0: a plane */
     float ground_level; /* m */
     int water;          /* at y = 0 */
-    float life;         /* s from birth to rebirth */
-    float ready;        /* part of a life that has passed for bodies in the air at the start: 0: an empty sky */
+    float life;         /* s from spawn to respawn */
+    float ready;        /* elapsed part of a life of bodies in the air at the start; 0: an empty sky */
     float ground_effect;
     float lift; /* gain of the loads; 0: 1 */
     settings initially;
@@ -52,7 +52,7 @@ typedef struct scene_plan {
 enum { scene_plan_count = 6 };
 extern const scene_plan scene_plans[scene_plan_count];
 
-/* By name; null if there is none. */
+/* Finds a plan by name; null if there is none. */
 const scene_plan* scene_find(const char* name);
 
 #endif

@@ -35,7 +35,7 @@ int setting_change(settings* s, enum setting which, float steps) {
     if (which == setting_direction) after -= 360.0f * floorf(after / 360.0f);
     after = rounded(which, after);
     if (after == before && kind->geometric)
-        after = rounded(which, before + (steps > 0.0f ? 1.0f : -1.0f)); /* small counts */
+        after = rounded(which, before + (steps > 0.0f ? 1.0f : -1.0f)); /* needed for small counts */
     s->value[which] = after;
     return after != before;
 }

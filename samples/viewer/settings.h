@@ -1,4 +1,4 @@
-/* What the sliders set.    SPDX-License-Identifier: MIT */
+/* Values of the sliders.    SPDX-License-Identifier: MIT */
 #ifndef VIEWER_SETTINGS_H
 #define VIEWER_SETTINGS_H
 
@@ -6,14 +6,14 @@
 
 enum setting {
     setting_wind,       /* m/s */
-    setting_direction,  /* degrees: where it blows to, from +x towards -z */
+    setting_direction,  /* degrees: direction to which it blows, from +x towards -z */
     setting_gusts,      /* m/s, root mean square */
     setting_turbulence, /* m/s, root mean square of each component */
     setting_count,
     setting_time, /* s of the world per second of the clock */
     setting_substeps,
-    setting_model, /* place in load_models */
-    setting_meet,  /* bodies meet each other: 0 or 1 */
+    setting_model, /* index in load_models */
+    setting_meet,  /* contact between bodies: 0 or 1 */
     setting_number
 };
 
@@ -40,10 +40,10 @@ typedef struct load_model {
 enum { load_model_count = 3 };
 extern const load_model load_models[load_model_count];
 
-/* Moves a value by so many steps, within its range. Returns 1 if it has changed. */
+/* Moves a value by a number of steps, within its range. Returns 1 if it has changed. */
 int setting_change(settings* s, enum setting which, float steps);
 
-/* The value at a place of its slider, 0 to 1, and the other way round. */
+/* The value at a position of its slider, 0 to 1, and the other way round. */
 float setting_at(enum setting which, float place);
 float setting_place(enum setting which, float value);
 

@@ -40,11 +40,11 @@ void shadow_free(shadow* s) {
 void shadow_begin(const shadow* s, const camera* c, pass* p) {
     const vec3 back = from_array(sun_direction), right = unit(cross(v3(0.0f, 1.0f, 0.0f), back)),
                up = cross(back, right);
-    /* Most of what is looked at lies behind the target as much as before it, and near the ground. */
+    /* The visible part lies about equally behind and before the target, near the ground. */
     p->light_half = clamped(1.15f * c->distance, 0.3f, 12.0f);
     p->light_depth = 2.0f * p->light_half + 6.0f;
     p->texel = 2.0f * p->light_half / map_side;
-    /* The box moves by whole texels, so that edges of shadows stand still while the camera moves. */
+    /* The box moves by whole texels, so that shadow edges stay still while the camera moves. */
     const vec3 ahead = v3(-p->view.back.x, 0.0f, -p->view.back.z);
     vec3 middle = add(v3(c->target.x, 0.0f, c->target.z), scaled(ahead, 0.15f * c->distance));
     const float x = roundf(dot(middle, right) / p->texel) * p->texel, y = roundf(dot(middle, up) / p->texel) * p->texel;

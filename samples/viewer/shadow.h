@@ -1,4 +1,4 @@
-/* The shadow map: what the sun sees around the camera's target.    SPDX-License-Identifier: MIT */
+/* The shadow map: depths from the sun around the camera's target.    SPDX-License-Identifier: MIT */
 #ifndef VIEWER_SHADOW_H
 #define VIEWER_SHADOW_H
 
@@ -14,7 +14,7 @@ void shadow_free(shadow* s);
 /* Sets the light's box of a pass, and begins to draw into the map. */
 void shadow_begin(const shadow* s, const camera* c, pass* p);
 
-/* Whether a sphere may throw a shadow into the map. */
+/* Whether a sphere can cast a shadow into the map. */
 int shadow_holds(const pass* p, vec3 middle, float radius);
 
 #endif

@@ -1,4 +1,4 @@
-/* Triangles of what stands on the ground.    SPDX-License-Identifier: MIT */
+/* Triangles of objects on the ground.    SPDX-License-Identifier: MIT */
 #ifndef VIEWER_SOLIDS_H
 #define VIEWER_SOLIDS_H
 
@@ -13,7 +13,7 @@ typedef struct solid_vertex {
 } solid_vertex;
 
 typedef struct solid_list {
-    solid_vertex* vertices; /* three a triangle */
+    solid_vertex* vertices; /* three per triangle */
     size_t count;
 } solid_list;
 

@@ -10,7 +10,7 @@
 #include "image/glyphs.h"
 #include "shaders.h"
 
-/* A cell of the atlas holds a letter's grid with a margin, in units of an eighth of a digit's height. */
+/* A cell of the atlas holds a letter's grid with a margin, in eighths of a digit's height. */
 enum { columns = 16, rows = 6, first_letter = 32, cell_units_x = 12, cell_units_y = 14 };
 static const float margin = 1.5f, gap = 2.4f, space = 4.4f; /* units */
 
@@ -40,7 +40,7 @@ typedef struct cell {
     float unit, half; /* px: of the grid, and half of a stroke */
 } cell;
 
-/* A stroke from a to b, in units, with round ends. */
+/* Draws a stroke from a to b, in units, with round ends. */
 static void draw_segment(const cell* c, const float* a, const float* b) {
     const float ax = (a[0] + margin) * c->unit, ay = (a[1] + margin) * c->unit;
     const float dx = (b[0] - a[0]) * c->unit, dy = (b[1] - a[1]) * c->unit, squared = dx * dx + dy * dy;
@@ -168,7 +168,7 @@ float text_write(text* t, float x, float baseline, shade colour, const char* str
         const char letter = (char)tolower((unsigned char)*string);
         const int i = letter - first_letter;
         if (*glyph(letter) && i >= 0 && i < columns * rows) {
-            /* Whole pixels, or the letters would be blurred. */
+            /* Whole pixels keep the letters sharp. */
             const float at[4] = {roundf(x - margin * unit), roundf(baseline - (8.0f + margin) * unit), (float)width,
                                  (float)tall};
             const float place[4] = {(float)(i % columns * width), (float)(i / columns * tall), (float)width,

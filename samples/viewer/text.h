@@ -23,17 +23,17 @@ typedef struct shade {
 void text_create(text* t);
 void text_free(text* t);
 
-/* Letters of this height, px, from now on. */
+/* Sets the height of the next letters, px. */
 void text_set_height(text* t, float height);
 
 /* px from the top left of the picture. */
 void text_box(text* t, float x, float y, float width, float height, shade colour);
 
-/* baseline: y of the letters' feet. Returns the width, which text_width says without drawing. */
+/* baseline: y of the letters' feet. Returns the width; text_width gives it without drawing. */
 float text_write(text* t, float x, float baseline, shade colour, const char* string);
 float text_width(const text* t, const char* string);
 
-/* Draws all since the last time into a picture of this size. */
+/* Draws everything since the last call into a picture of this size. */
 void text_draw(text* t, int width, int height);
 
 #endif

@@ -8,7 +8,7 @@
 #include "shaders.h"
 
 static const double interval = 1.0 / 60.0; /* s of the world between samples */
-static const float jump = 0.6f;            /* m: who goes so far between samples was spawned anew */
+static const float jump = 0.6f;            /* m: a body that moves farther between samples has respawned */
 
 void trails_create(trails* t) {
     memset(t, 0, sizeof *t);
@@ -42,7 +42,7 @@ void trails_rename(trails* t, const scene* s) {
         if (t->list[k].body.id) t->list[k].body = scene_renamed(s, t->list[k].body);
 }
 
-/* Half of the extent along body y of the batch that a body is of, by its scale. */
+/* Half of the batch's extent along body y, times the body's scale. */
 static float half_width_of(const scene* s, lr_body body, float scale) {
     for (int k = 0; k < s->batch_count; ++k) {
         lr_batch_view view;
@@ -59,7 +59,7 @@ static float half_width_of(const scene* s, lr_body body, float scale) {
     return 0.01f;
 }
 
-/* Some body that is high and moves: the one after a number of others, so that they come from everywhere. */
+/* Picks a body that is high and moves. It skips a number of bodies each time, so that trails come from everywhere. */
 static lr_body pick(trails* t, const scene* s) {
     for (int tries = 0; tries < 24; ++tries) {
         const uint32_t turn = t->picked++;
@@ -106,7 +106,7 @@ void trails_sample(trails* t, const scene* s, lr_body followed) {
     t->last = time;
     for (int k = 0; k < trail_number; ++k) {
         trail* one = &t->list[k];
-        /* What has lain for two seconds has been seen: another one's turn. */
+        /* After two seconds of lying, another body is followed. */
         if (k > 0 && (!one->body.id || one->resting > 120)) follow(one, s, pick(t, s));
         lr_body_state state;
         check(lr_body_state_init(&state, sizeof state), "lr_body_state_init", NULL);

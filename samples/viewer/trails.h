@@ -1,4 +1,4 @@
-/* Where some bodies have been: ribbons as wide as they are, which show how they turned.    SPDX-License-Identifier: MIT */
+/* Paths of some bodies: ribbons of the bodies' width, which show their rotation.    SPDX-License-Identifier: MIT */
 #ifndef VIEWER_TRAILS_H
 #define VIEWER_TRAILS_H
 
@@ -8,37 +8,37 @@
 enum { trail_number = 12, trail_points = 300 };
 
 typedef struct trail_point {
-    vec3 at, across; /* of the centre of mass; half the body's width to one side */
+    vec3 at, across; /* the centre of mass; half the body's width to one side */
 } trail_point;
 
 typedef struct trail {
-    lr_body body; /* id 0: none yet */
+    lr_body body; /* id 0: none */
     float half_width;
-    uint32_t resting; /* samples for which it has lain still */
+    uint32_t resting; /* number of samples without motion */
     uint32_t count, first;
     trail_point points[trail_points];
 } trail;
 
 typedef struct trails {
     GLuint program, array, vertices;
-    trail list[trail_number]; /* the first is that of the followed body, if there is one */
-    uint32_t picked;          /* bodies chosen so far */
-    double last;              /* s of the world, of the last sample */
+    trail list[trail_number]; /* the first is that of the followed body, if any */
+    uint32_t picked;          /* number of picked bodies */
+    double last;              /* s of the world, time of the last sample */
 } trails;
 
 void trails_create(trails* t);
 void trails_free(trails* t);
 
-/* Forgets all. */
+/* Removes all trails. */
 void trails_clear(trails* t);
 
-/* After scene_apply: bodies have other ids, or have ended. */
+/* After scene_apply: bodies have new ids, or have ended. */
 void trails_rename(trails* t, const scene* s);
 
-/* Adds where the bodies are now. followed: id 0 for none. */
+/* Adds the bodies' present positions. followed: id 0 for none. */
 void trails_sample(trails* t, const scene* s, lr_body followed);
 
-/* all: also those of bodies that nobody follows. */
+/* all: also the trails of bodies that the user does not follow. */
 void trails_draw(const trails* t, const pass* p, int all);
 
 #endif

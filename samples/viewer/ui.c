@@ -4,7 +4,7 @@
 #include "failure.h"
 #include "viewer.h"
 
-static const float click_reach = 5.0f; /* px: a hand that moves less has clicked */
+static const float click_reach = 5.0f; /* px: a smaller motion of the mouse is a click */
 
 static void change(viewer* v, float steps) {
     setting_change(&v->wanted, (enum setting)v->row, steps);
@@ -83,7 +83,7 @@ static int batch_of(const viewer* v, lr_body body) {
     return 0;
 }
 
-/* The body under the pointer, or next to it: rays through rings of points around it, of which the innermost that hits counts. */
+/* Picks the body under the pointer or next to it: casts rays through rings of points around it; the innermost hit counts. */
 static void pick(viewer* v, float x, float y) {
     enum { rings = 4, around = 8, ray_count = 1 + rings * around };
     const float w = (float)v->picture.width, h = (float)v->picture.height;

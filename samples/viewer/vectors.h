@@ -1,4 +1,4 @@
-/* Vectors and matrices of single precision. Matrices are column-major, as OpenGL has them.    SPDX-License-Identifier: MIT */
+/* Vectors and matrices of single precision. Matrices are column-major, as in OpenGL.    SPDX-License-Identifier: MIT */
 #ifndef VIEWER_VECTORS_H
 #define VIEWER_VECTORS_H
 
@@ -57,7 +57,7 @@ static inline float smooth(float low, float high, float x) {
     return t * t * (3.0f - 2.0f * t);
 }
 
-/* v turned by the unit quaternion x y z w. */
+/* v rotated by the unit quaternion x y z w. */
 static inline vec3 turned(const float* q, vec3 v) {
     const vec3 axis = v3(q[0], q[1], q[2]);
     const vec3 t = scaled(cross(axis, v), 2.0f);
@@ -76,7 +76,7 @@ static inline mat4 product(const mat4* a, const mat4* b) {
     return c;
 }
 
-/* World to eye: `back` points from what is looked at to the eye. */
+/* World to eye: `back` points from the target to the eye. */
 static inline mat4 view_matrix(vec3 right, vec3 up, vec3 back, vec3 eye) {
     const mat4 m = {{right.x, up.x, back.x, 0.0f, right.y, up.y, back.y, 0.0f, right.z, up.z, back.z, 0.0f,
                      -dot(right, eye), -dot(up, eye), -dot(back, eye), 1.0f}};
@@ -89,7 +89,7 @@ static inline mat4 perspective(float tan_half, float aspect, float near, float f
     return m;
 }
 
-/* A box of half width `half` across and from -half_depth to half_depth along. */
+/* A box of half width `half`, and from -half_depth to half_depth along the view. */
 static inline mat4 orthographic(float half, float half_depth) {
     const mat4 m = {{1.0f / half, 0.0f, 0.0f, 0.0f, 0.0f, 1.0f / half, 0.0f, 0.0f, 0.0f, 0.0f, -1.0f / half_depth, 0.0f,
                      0.0f, 0.0f, 0.0f, 1.0f}};

@@ -31,7 +31,7 @@ void viewer_free(viewer* v) {
 }
 
 void viewer_show_plan(viewer* v, const scene_plan* plan, const settings* initially, const camera* place) {
-    const settings begin = *initially; /* may be the old scene's */
+    const settings begin = *initially; /* can be an alias of the old scene's */
     if (v->scene) free_scene(v);
     v->scene = scene_create(plan, &v->options.source, &begin);
     v->wanted = begin;
@@ -48,7 +48,7 @@ static void follow(viewer* v, double dt) {
     if (!v->followed.id) return;
     check(lr_body_get_state(v->scene->world, v->followed, &state), "state", NULL);
     const vec3 at = from_array(state.position);
-    if (length(sub(at, v->followed_at)) > 0.6f) v->camera.target = at; /* it has begun anew elsewhere */
+    if (length(sub(at, v->followed_at)) > 0.6f) v->camera.target = at; /* it has respawned elsewhere */
     v->followed_at = at;
     v->camera.target = mixed(v->camera.target, at, 1.0f - expf(-8.0f * (float)dt));
 }
@@ -59,7 +59,7 @@ void viewer_tick(viewer* v, double dt) {
         trails_rename(&v->trails, v->scene);
     }
     if (!v->paused || v->single) {
-        /* A single step is one of a sixtieth of a second, whatever the window's pace. */
+        /* A single step is a sixtieth of a second, whatever the window's frame rate. */
         const double clock = v->single ? 1.0 / ticks_a_second : dt;
         scene_step(v->scene, (float)clock * v->wanted.value[setting_time]);
         v->single = 0;

@@ -1,26 +1,26 @@
-/* Where OpenGL draws: a window, or nowhere.    SPDX-License-Identifier: MIT */
+/* The OpenGL context: in a window, or without a display.    SPDX-License-Identifier: MIT */
 #ifndef VIEWER_WINDOW_H
 #define VIEWER_WINDOW_H
 
 #include "event.h"
 #include "gl.h"
 
-/* A context of OpenGL 3.3 core without window or display, current until the program ends. Fails with a message. */
+/* Creates an OpenGL 3.3 core context without window or display, current until the program ends. Fails with a message. */
 void window_without_display(void);
 
-/* Whether this program has been built with GLFW. */
+/* Whether this program was built with GLFW. */
 int window_possible(void);
 
 typedef struct window window;
 
-/* One window at a time. Fails with a message. */
+/* Opens the only window. Fails with a message. */
 window* window_open(int width, int height, const char* title);
 void window_close(window* w);
 
-/* Size of its picture, px: on some displays more than was asked for. */
+/* Size of its picture, px; on some displays more than requested. */
 void window_size(const window* w, int* width, int* height);
 
-/* The next thing that the user has done; event_none when there is nothing more. Returns 0 when the window is to close. */
+/* The next user input; event_none if there is no more. Returns 0 if the window is to close. */
 int window_event(window* w, event* e);
 
 /* Shows a framebuffer's colours. */

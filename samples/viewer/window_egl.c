@@ -13,7 +13,7 @@ static _Noreturn void fail_egl(const char* what) {
 }
 
 void window_without_display(void) {
-    /* Mesa's surfaceless platform needs neither display nor device; elsewhere the default display may do. */
+    /* Mesa's surfaceless platform needs neither display nor device; on other systems the default display can work. */
     const PFNEGLGETPLATFORMDISPLAYEXTPROC platform_display =
         (PFNEGLGETPLATFORMDISPLAYEXTPROC)eglGetProcAddress("eglGetPlatformDisplayEXT");
     if (platform_display) display = platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);

@@ -14,8 +14,8 @@ struct window {
     GLFWwindow* handle;
     event queue[queue_room];
     int first, count;
-    float scale_x, scale_y; /* px of the picture to a unit of the pointer's place */
-    double x, y;            /* of the pointer by the last event: GLFW would say where it is by now */
+    float scale_x, scale_y; /* px of the picture per unit of the pointer's position */
+    double x, y;            /* pointer position at the last event: GLFW only gives the present position */
 };
 
 static window the_window;
@@ -27,7 +27,7 @@ static void on_error(int code, const char* text) {
 }
 
 static void enqueue(window* w, event e) {
-    if (w->count == queue_room) return; /* nobody types as fast */
+    if (w->count == queue_room) return; /* no user types as fast */
     w->queue[(w->first + w->count++) % queue_room] = e;
 }
 

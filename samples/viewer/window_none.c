@@ -1,4 +1,4 @@
-/* In place of window_glfw.c where GLFW is missing.    SPDX-License-Identifier: MIT */
+/* Replaces window_glfw.c if GLFW is missing.    SPDX-License-Identifier: MIT */
 #include <time.h>
 
 #include "failure.h"

@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""The gate of the ABI: a built library and the header against every released version that they must serve. docs/maintainers/releases.md
+"""The ABI gate: checks a built library and the header against every released version that they must serve. docs/maintainers/releases.md
 
     tests/abi/check.py LIBRARY [--header FILE] [--exports FILE] [--baselines DIR]
     tests/abi/check.py --renew VERSION     at a release: freezes the present header as that version's baseline
 
-Growth is reported, breaks are refused: unless the library has another soname than the version that they break, so that no
-program of that one can load it. Needs abigail-tools and python3-clang-14 (scripts/setup.sh test)."""
+Growth is reported, breaks are refused, unless the library has another soname than the broken version, so that its programs
+cannot load it. Needs abigail-tools and python3-clang-14 (scripts/setup.sh test)."""
 import argparse
 import pathlib
 import re
@@ -41,7 +41,7 @@ def soname_of(library):
 
 
 def exported(library, faults):
-    """Names that programs can bind to, each a function, in the one version that the library has."""
+    """Function names that programs can bind to, under the library's only version."""
     names, nodes = set(), set()
     for line in read("nm", "-D", "--defined-only", "--with-symbol-versions", library).splitlines():
         kind, symbol = line.split()[-2:]
@@ -70,7 +70,7 @@ def check_exports(library, header_names, allowed_file, faults):
 
 
 def abidiff(baseline, library, header, grown, folder):
-    """What libabigail says, but of structs that have grown as they may. Empty: nothing."""
+    """The differences found by libabigail, except permitted growth of structs. Empty: none."""
     suppressions = folder / "growth.ini"
     suppressions.write_text("".join(f"[suppress_type]\n  type_kind = struct\n  name_regexp = ^{name}$\n  has_size_change = yes\n"
                                     "  has_data_member_inserted_at = end\n" for name in grown))
@@ -78,7 +78,7 @@ def abidiff(baseline, library, header, grown, folder):
     if ".debug_info" not in read("readelf", "-SW", library):
         library = debug_stub.build(header, folder / "stub", soname_of(library))
     read(*ABIDW, "--headers-dir", pathlib.Path(header).parent, "--out-file", typed, library)
-    # Functions that were added are reported by the header.
+    # The header's check reports added functions.
     done = run("abidiff", "--no-added-syms", "--suppressions", suppressions, baseline / "langevin_rigid.abi", typed)
     if done.returncode & 3:
         raise SystemExit(f"abidiff: {done.stdout}{done.stderr}")
@@ -86,7 +86,7 @@ def abidiff(baseline, library, header, grown, folder):
 
 
 def check(library, header, allowed, baselines):
-    """Faults, and notes of what has grown."""
+    """Faults, and notes on growth."""
     faults, notes = [], []
     new = surface.Surface(header)
     found = check_exports(library, set(new.functions), allowed, faults)
@@ -115,7 +115,7 @@ def check(library, header, allowed, baselines):
 
 
 def renew(version, header=HEADER, baselines=HERE):
-    """The header as a version's baseline: itself, its types for libabigail, its layout for C."""
+    """A version's baseline: the header, its types for libabigail, its layout for C."""
     folder = pathlib.Path(baselines) / version
     folder.mkdir(parents=True, exist_ok=True)
     for file in api_model.files_of(header):

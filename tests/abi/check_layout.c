@@ -1,8 +1,8 @@
 /*
  * SPDX-License-Identifier: MIT
  *
- * Compiling this is the test, on any target: the header has every struct of a released version, of the size that it had or grown
- * at its end, with all fields where they were.
+ * Compiling this is the test, on any target: the header has every struct of a released version, with the same size or larger,
+ * and with all its fields at the same offsets.
  *   cc -std=c99 -fsyntax-only -I include '-DLR_LAYOUT="VERSION/layout.txt"' tests/abi/check_layout.c
  */
 #include "langevin_rigid_research.h"
@@ -17,7 +17,7 @@
             type second;                                                                                               \
         },                                                                                                             \
         second)
-/* The name of what is wrong is in the compiler's message: an array of negative size. */
+/* The compiler's message names the broken field: an array of negative size. */
 #define CHECK(name, condition) extern char name[(condition) ? 1 : -1]
 
 #define GROWS(type, size, alignment, narrow, narrow_alignment)                                                         \

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""A shared library with the functions of a header, empty, and debug information: what libabigail reads types from when the library
-itself was built without. The compiler holds the library's own functions to the same header."""
+"""Builds a shared library with empty functions of a header and debug information. libabigail reads types from it if the library
+itself was built without. The compiler checks the library's own functions against the same header."""
 import pathlib
 import re
 import shutil
@@ -13,7 +13,7 @@ DECLARATION = re.compile(r"^LR_API ([^;]*?\)\s*);", re.S | re.M)
 
 
 def build(header, folder, soname="liblangevin_rigid.so.0", extra="", version_script=ROOT / "src/api/exports.map"):
-    """extra: C to be compiled along. Returns the library; beside it are its source and a copy of the header."""
+    """extra: additional C code. Returns the library; its source and a copy of the header lie beside it."""
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     headers = api_model.files_of(header)

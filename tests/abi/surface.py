@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a header promises to programs that are compiled with it, and what of it another header keeps: docs/maintainers/releases.md."""
+"""Compares a header's promises to compiled programs with another header: docs/maintainers/releases.md."""
 import pathlib
 import sys
 
@@ -11,7 +11,7 @@ WIDE, NARROW = "x86_64-unknown-linux-gnu", "wasm32-unknown-unknown"
 
 
 def text(type_):
-    """A type as the header has it."""
+    """A type as written in the header."""
     kind = type_["kind"]
     if kind == "pointer":
         return ("const " if type_["const"] else "") + text(type_["to"]) + "*"
@@ -27,7 +27,7 @@ def signature(function):
 
 
 class Surface:
-    """A header as tables: names to what must not change."""
+    """A header as tables from names to unchangeable properties."""
 
     def __init__(self, header):
         wide, narrow = (api_model.read(header, target) for target in (WIDE, NARROW))
@@ -48,7 +48,7 @@ class Surface:
                 "init": struct["init"]}
         inside = " ".join(type_ for s in self.structs.values() for _, type_, _ in s["fields"] if "*" not in type_)
         for name, struct in self.structs.items():
-            # One that lies in another, or in an array of those, has its size from that.
+            # A struct within another struct, or within its arrays, gives that struct its size.
             struct["grows"] = struct["sized"] and name not in inside.replace("[", " ").split()
 
 
@@ -69,7 +69,7 @@ def compare_constants(old, new, breaks, growth):
         now, scalar_now = new[name]
         if (now, scalar_now) == (value, scalar):
             continue
-        # A program keeps the value that it was compiled with, which such a change leaves meaning the same.
+        # Compiled programs keep the old value, which must keep its meaning.
         wider = name.endswith("_ALL") and scalar_now == scalar == "u32" and now & value == value
         higher = name.startswith("LR_MAX_") and scalar_now == scalar and now > value
         (growth if wider or higher else breaks).append(
@@ -89,7 +89,7 @@ def compare_struct(name, old, new, breaks, growth):
                           f"{place_now[0]}, {place_now[1]} bytes): compiled programs read and write the old places")
             return
         if (field_now, type_now) != (field, type_):
-            taken = field.startswith("reserved") and field_now != field  # programs have given 0, as they had to
+            taken = field.startswith("reserved") and field_now != field  # programs had to pass 0 before
             (growth if taken else breaks).append(f"struct {name}: field {field} ({type_}) has become {field_now} ({type_now})")
     more = new["fields"][len(old["fields"]):]
     for field, _, (offset, _, narrow, _) in more:
@@ -111,7 +111,7 @@ def compare_struct(name, old, new, breaks, growth):
 
 
 def compare(old, new):
-    """Two lists of sentences: what programs that were compiled with the old header would break of, and what they don't see."""
+    """Two lists of sentences: changes that break programs compiled with the old header, and harmless changes."""
     breaks, growth = [], []
     compare_names("function", old.functions, new.functions, breaks, growth, "programs that call it no longer start")
     compare_names("callback", old.callbacks, new.callbacks, breaks, growth, "programs that name it no longer compile")
@@ -128,7 +128,7 @@ def compare(old, new):
 
 
 def grown(old, new):
-    """Structs that have fields behind what they had, and no other difference."""
+    """Structs whose only difference is additional fields at the end."""
     names = []
     for name, struct in old.structs.items():
         breaks, growth = [], []
@@ -140,7 +140,7 @@ def grown(old, new):
 
 
 def layout_text(surface):
-    """The table that check_layout.c includes."""
+    """The table for check_layout.c."""
     lines = ["/* Made by tests/abi/check.py --renew. Numbers are those of 64-bit targets, then of wasm32.",
              " * GROWS(struct, size, alignment): callers size it. OURS: the library does, for callbacks. FIXED: has that size for ever.",
              " * FIELD(struct, field, offset, size) */"]

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""The gate of the ABI lets growth through and nothing else: libraries of edited headers, against the present header frozen."""
+"""Tests that the ABI gate permits growth only: libraries of edited headers against the frozen present header."""
 import pathlib
 import re
 import subprocess
@@ -56,7 +56,7 @@ def grown_headers():
     structs = {name: struct for name, struct in surface.Surface(check.HEADER).structs.items() if struct["grows"]}
     text = HEADER + SEAM + RESEARCH
     for name, struct in structs.items():
-        # Of the struct's own alignment: a smaller field behind a pointer would lie in what is padding on 32 bits.
+        # With the struct's own alignment: a smaller field behind a pointer would lie in padding on 32 bits.
         field = "uint64_t grown" if min(struct["alignments"]) == 8 else "float grown[2]"
         text, count = re.subn(rf"^\}} {name};$", f"    {field};\n}} {name};", text, flags=re.M)
         assert count == 1, name
@@ -64,7 +64,7 @@ def grown_headers():
 
 
 class Libraries(unittest.TestCase):
-    """As a whole: a library is built with the header's functions."""
+    """The whole gate, with a library built from the header."""
 
     @classmethod
     def setUpClass(cls):
@@ -131,7 +131,7 @@ class Libraries(unittest.TestCase):
 
 
 class Headers(unittest.TestCase):
-    """By the header alone."""
+    """The header's check alone."""
 
     @classmethod
     def setUpClass(cls):

@@ -1,4 +1,4 @@
-// Memory that fails, at any allocation of a scenario of every call that may take some: docs/maintainers/testing.md.
+// Failing allocations, at any point of a scenario with every call that can allocate: docs/maintainers/testing.md.
 #include "support/allocating_scenario.h"
 #include "support/counting_memory.h"
 
@@ -8,10 +8,10 @@ using namespace test;
 
 namespace {
 
-// Sanitizers look at some of them: each run takes them a tenth of a second.
+// Sanitizers test only some of them: each run takes them a tenth of a second.
 constexpr uint64_t thinned = counts_global ? 1 : 5;
 
-// All that can be seen of a world.
+// The observable state of a world.
 struct Seen {
     uint64_t hash = 0;
     lr_world_info info{};
@@ -50,11 +50,11 @@ void check_same(const Seen& a, const Seen& b) {
     CHECK(a.events == b.events);
     CHECK(a.events_lost == b.events_lost);
     lr_world_info i = a.info;
-    i.memory_bytes = b.info.memory_bytes; // room that was made before the one that failed is kept for the next try
+    i.memory_bytes = b.info.memory_bytes; // memory allocated before the failure is kept for the next try
     CHECK(std::memcmp(&i, &b.info, sizeof i) == 0);
 }
 
-// Of a run without faults: how many allocations there had been before each call, and the worlds' hashes after it.
+// From a run without faults: the number of allocations before each call, and the worlds' hashes after it.
 struct Golden {
     std::vector<uint64_t> begins, taken; // before and in each call
     std::vector<uint64_t> hashes[2];
@@ -88,7 +88,7 @@ template <class Count> Golden golden_run(const WholeScenario::Kit& kit, Counting
     return g;
 }
 
-// A call that has met a fault. Runs it again, with memory, and holds it against the run without faults.
+// A call with a failed allocation. Runs it again with memory, and compares with the run without faults.
 void after_fault(WholeScenario& s, size_t call, lr_status status, const std::optional<Seen> (&before)[2]) {
     CHECK_MESSAGE(status == LR_ERROR_OUT_OF_MEMORY, lr_status_string(status));
     for (uint32_t w : {0u, 1u})
@@ -131,7 +131,7 @@ TEST_CASE("memory that fails at the n-th allocation of all, for every n: out of 
             const lr_status status = s.run(call);
             memory.fail_at = CountingAllocator::never;
             CHECK(memory.calls > n);
-            const bool taken = s.steps(call); // all the same
+            const bool taken = s.steps(call); // the step was taken nevertheless
             if (taken) {
                 CHECK(status == LR_ERROR_OUT_OF_MEMORY);
                 ++weaker_steps;
@@ -173,7 +173,7 @@ TEST_CASE("memory that fails one time in ten: each call succeeds in the end, and
                 CAPTURE(s.name(call));
                 lr_status status = LR_ERROR_OUT_OF_MEMORY;
                 for (int tries = 0; tries < 10000 && status == LR_ERROR_OUT_OF_MEMORY; ++tries) {
-                    // Steps have all they want here: without it they would end elsewhere.
+                    // Steps have enough memory here: otherwise they would end in another state.
                     uint64_t next = memory.calls;
                     while (small(state) % 10 != 0) ++next;
                     memory.fail_at = s.steps(call) ? CountingAllocator::never : next;
@@ -194,8 +194,8 @@ TEST_CASE("memory that fails one time in ten: each call succeeds in the end, and
     }
 }
 
-// Hulls, meshes and shapes of bodies are made with the C++ library's memory.
-// A hull takes thousands of pieces: of those of a call the first ones are tried each, later ones ever more thinly.
+// Hulls, meshes and shapes of bodies use the C++ library's memory. A hull takes thousands of allocations: each of a call's first
+// allocations fails in turn, later ones ever more rarely.
 TEST_CASE("operator new that throws at its n-th call: the same" * doctest::test_suite("long") *
           doctest::skip(!counts_global)) {
     const WholeScenario::Kit kit;

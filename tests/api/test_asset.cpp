@@ -1,4 +1,4 @@
-// Loading: good files, every prefix of one, every byte of one changed, foreign and newer ones.
+// Loading: valid files, every prefix of a file, every byte changed, foreign and newer files.
 #include "support/random.h"
 #include "support/scene.h"
 
@@ -81,12 +81,12 @@ TEST_CASE("a file and its bytes at any alignment are the same asset") {
         std::vector<unsigned char> moved(bytes.size() + shift);
         std::copy(bytes.begin(), bytes.end(), moved.begin() + static_cast<std::ptrdiff_t>(shift));
         REQUIRE(lr_asset_load_memory(moved.data() + shift, bytes.size(), &raw) == LR_OK);
-        std::fill(moved.begin(), moved.end(), static_cast<unsigned char>(0)); // the bytes are not kept
+        std::fill(moved.begin(), moved.end(), static_cast<unsigned char>(0)); // the library has copied the bytes
         const Asset again(raw);
         CHECK(info_of(again).content_hash == info.content_hash);
         CHECK(info_of(again).mass == info.mass);
     }
-    // The same shape without a file weighs and floats the same.
+    // The same shape without a file has the same weight and buoyancy.
     lr_ellipsoid_desc d = ellipsoid(0.04, 0.01, 0.0005, 800.0);
     d.center_of_mass[0] = 0.002;
     CHECK(info_of(make(d)).content_hash == info.content_hash);
@@ -218,7 +218,7 @@ TEST_CASE("equal ellipsoids are equal assets, others are not") {
     }
 }
 
-TEST_CASE("what an ellipsoid asset says of itself") {
+TEST_CASE("info of an ellipsoid asset") {
     const lr_asset_info info = info_of(make(in_water(ellipsoid(0.04, 0.02, 0.01, 1200.0))));
     const double volume = 4.0 / 3.0 * 3.141592653589793 * 8e-6;
     CHECK(info.volume == doctest::Approx(volume));
@@ -261,7 +261,7 @@ TEST_CASE("an asset has the coefficients of its loads: a sphere's by hand, a lea
     d.center_of_mass[0] = 0.002;
     const lr_aerodynamics made = aerodynamics_of(make(d));
     CHECK(std::memcmp(&from_file, &made, sizeof made) == 0);
-    // Thin along z: most drag that way, and lift away from it.
+    // Thin along z: the largest drag along z, and lift perpendicular to it.
     CHECK((made.drag[2] > 5.0 * made.drag[0] && made.lift[0] > 0.0 && made.lift[1] < 0.0));
 }
 
@@ -311,6 +311,6 @@ TEST_CASE("added mass that a solver's error left below zero is zero, and does no
     REQUIRE(lr_world_set_water(world.get(), &sea) == LR_OK);
     steps(world, 300, 1.0f / 60.0f, 1);
     const lr_body_state s = state_of(world, body);
-    CHECK(s.sleep_state != LR_SLEEP_HELD); // it has not left physics
+    CHECK(s.sleep_state != LR_SLEEP_HELD); // it has not diverged
     for (float w : s.angular_velocity) CHECK(std::abs(w) < 1e5f);
 }

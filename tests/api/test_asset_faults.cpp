@@ -1,4 +1,4 @@
-// Damaged assets, one for each fault of the loader, through the public API: refused with their numbers.
+// Damaged assets through the public API: one for each fault of the loader, refused with its number.
 #include "support/scene.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Which batches' bodies meet each other, through the public API: arguments, what is kept, ends of batches, snapshots.
+// Body contact between batches through the public API: arguments, getters, ends of batches, snapshots.
 #include "support/contact.h"
 #include "support/counting_memory.h"
 #include "support/random.h"
@@ -31,7 +31,7 @@ lr_status restore(const World& w, const std::vector<unsigned char>& bytes) {
     return lr_world_snapshot_restore(w.get(), bytes.data(), bytes.size());
 }
 
-// Four batches, of which the second is gone.
+// Four batches; the second has been destroyed.
 struct Scene {
     Asset asset = leaf();
     World world = make(world_desc());
@@ -58,7 +58,7 @@ TEST_CASE("bodies meet where it was switched on, in either order, and initially 
             for (uint32_t b = 0; b < 4; ++b)
                 equal = equal &&
                         meet(w, scene.batch[a], scene.batch[b]) == (model.count({std::min(a, b), std::max(a, b)}) != 0);
-        // Equal for equal pairs, however these came about, and no others.
+        // Equal if and only if the pairs are equal, in any order of calls.
         const uint64_t hash = hash_of(w);
         for (const auto& [pairs, before] : seen) hashes = hashes && (pairs == model) == (before == hash);
         seen.emplace_back(model, hash);
@@ -126,12 +126,12 @@ TEST_CASE("a change wakes the bodies of both batches and no others, and so does 
         };
         for (int i = 0; i < 4; ++i) body[i] = add_body(w, batch[i], body_desc());
         lay_down();
-        set_meet(w, batch[2], batch[0], false); // as it is
+        set_meet(w, batch[2], batch[0], false); // no change
         resting(true, true, true, true);
         set_meet(w, batch[2], batch[0]);
         resting(false, true, false, true);
         lay_down();
-        set_meet(w, batch[0], batch[2]); // as it is
+        set_meet(w, batch[0], batch[2]); // no change
         resting(true, true, true, true);
         set_meet(w, batch[1], batch[1]);
         resting(true, false, true, true);
@@ -162,7 +162,7 @@ TEST_CASE("pairs go through snapshots") {
     CHECK(snapshot_of(second.world) == with);
     for (lr_batch a : {batch[0], batch[2], batch[3]})
         for (lr_batch b : {batch[0], batch[2], batch[3]}) CHECK(meet(second.world, a, b) == meet(first.world, a, b));
-    // The same pairs switched on in another order are the same bytes.
+    // The same pairs in another order of calls give the same bytes.
     const Scene third;
     set_meet(third.world, batch[2], batch[0]);
     set_meet(third.world, batch[0], batch[3]);
@@ -171,7 +171,7 @@ TEST_CASE("pairs go through snapshots") {
     REQUIRE(restore(second.world, without) == LR_OK);
     CHECK(hash_of(second.world) == plain);
     for (lr_batch a : {batch[0], batch[2], batch[3]}) CHECK(!meet(second.world, a, batch[0]));
-    // Of a world with other batches.
+    // From a world with other batches.
     const Scene whole(false);
     CHECK(restore(whole.world, with) == LR_ERROR_SNAPSHOT_MISMATCH);
     CHECK(restore(second.world, snapshot_of(whole.world)) == LR_ERROR_SNAPSHOT_MISMATCH);
@@ -182,7 +182,7 @@ TEST_CASE("damaged pairs in a snapshot are refused, and nothing changes") {
     set_meet(scene.world, scene.batch[0], scene.batch[2]);
     set_meet(scene.world, scene.batch[2], scene.batch[3]);
     const std::vector<unsigned char> good = snapshot_of(scene.world);
-    // The world's 112 bytes, of which the last four count links; 296 of the wind, 320 of the surface, 16 of no colliders.
+    // The world's 112 bytes, whose last four count links; 296 of the wind, 320 of the water, 16 for no colliders.
     constexpr size_t count_at = 108, links_at = 744;
     const auto word = [&](size_t at) {
         uint32_t w = 0;
@@ -205,12 +205,12 @@ TEST_CASE("damaged pairs in a snapshot are refused, and nothing changes") {
     const std::vector<std::vector<std::pair<size_t, uint32_t>>> damages = {
         {{links_at + 8, links[1]}},                                // twice
         {{links_at, links[1]}, {links_at + 4, links[0]}},          // out of order
-        {{links_at, link(0, 1)}},                                  // a slot without a batch, and one way
-        {{links_at, link(0, 1)}, {links_at + 4, link(1, 0)}},      // both ways
-        {{links_at + 12, link(3, 3)}},                             // one way
-        {{links_at + 8, link(2, 4)}, {links_at + 12, link(4, 2)}}, // no slot at all
+        {{links_at, link(0, 1)}},                                  // a slot without a batch, in one direction only
+        {{links_at, link(0, 1)}, {links_at + 4, link(1, 0)}},      // both directions
+        {{links_at + 12, link(3, 3)}},                             // one direction only
+        {{links_at + 8, link(2, 4)}, {links_at + 12, link(4, 2)}}, // no slot
         {{links_at + 12, 0xffffffffu}},
-        {{links_at + 12, links[3] | 1u << 28}}, // what is above a slot's bits is seen
+        {{links_at + 12, links[3] | 1u << 28}}, // bits above a slot's are checked
         {{count_at, 1}},
         {{count_at, 3}},
         {{count_at, 5}},
@@ -225,7 +225,7 @@ TEST_CASE("damaged pairs in a snapshot are refused, and nothing changes") {
         CHECK(snapshot_of(other.world) == before);
     }
     CHECK(restore(other.world, changed({{links_at + 8, link(2, 2)}, {count_at, 3}})) ==
-          LR_OK); // the third among themselves
+          LR_OK); // contact within the third
     CHECK((meet(other.world, other.batch[2], other.batch[2]) && !meet(other.world, other.batch[2], other.batch[3])));
     CHECK(!meet(other.world, other.batch[3], other.batch[3]));
 }
@@ -262,7 +262,7 @@ TEST_CASE("a pair or a snapshot for which there is no memory changes nothing") {
             CHECK((rests(world, body) && !meet(world, a, b)));
         }
     }
-    // Both batches have arrays of their own for what is noted of their bodies.
+    // Both batches have arrays for notes on their bodies.
     CHECK(refused[0] > 8);
     CHECK(refused[1] > 8);
     CHECK(memory.live() == 0);

@@ -1,4 +1,4 @@
-// Bodies that meet at the ends of what can be asked: all at one point, every size at once, no memory, no finite numbers.
+// Extreme body contact: all bodies at one point, all sizes at once, no memory, non-finite numbers.
 #include "support/body_contact.h"
 #include "support/counting_memory.h"
 
@@ -17,7 +17,7 @@ bool finite(const World& w, lr_batch batch) {
                    std::isfinite(v.spin[k][i]) && std::isfinite(v.orientation[k][i]);
     return good;
 }
-// The mean distance from the middle.
+// Mean distance from the centre.
 double spread(const World& w, lr_batch batch) {
     const lr_batch_view v = view_of(w, batch);
     Vec middle{};
@@ -87,7 +87,7 @@ TEST_CASE("bodies of all sizes meet" * doctest::test_suite("native")) {
     CHECK(view_of(world, batch).count == 100);
 }
 
-// Ten small ones fall on a box a thousand times their size.
+// Ten small bodies fall on a box of a thousand times their size.
 TEST_CASE("small bodies land on large ones" * doctest::test_suite("native")) {
     for (double scale : {0.01, 1.0, 100.0}) {
 #ifdef LR_TEST_QUICK
@@ -189,7 +189,7 @@ TEST_CASE("a step without memory lets bodies through each other, says so, and lo
         refused += failed;
         // The ground still holds them.
         for (lr_body b : ids) CHECK(state_of(world, b).position[1] > 0.045f);
-        // The next steps have memory again, and part them.
+        // The next steps have memory again, and separate them.
         steps(world, 10, 1.0f / 60.0f, 2);
         CHECK(log.lines.size() == (failed ? 1u : 0u));
         CHECK(wide(state_of(world, ids[1]).position[1] - state_of(world, ids[0]).position[1]) > 0.098);

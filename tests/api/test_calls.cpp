@@ -1,5 +1,5 @@
-// Every call of the header with each of its pointers null, and each of its structs in every size: 0, too small, exact, larger with a tail of
-// zeros, larger with another tail, absurd.
+// Every call of the header, with each pointer null and each struct in every size: 0, too small, exact, larger with a tail of zeros,
+// larger with another tail, absurd.
 #include "support/every_call.h"
 
 #include <algorithm>
@@ -8,20 +8,20 @@ using namespace test;
 
 namespace {
 
-// What callers give who were built with this header, or with a newer one whose structs are larger.
+// Sizes from callers built with this header, or with a newer one whose structs are larger.
 template <class T> std::vector<uint32_t> good_sizes() {
     constexpr auto size = static_cast<uint32_t>(sizeof(T));
     return {size, size + 4, size + 64};
 }
 
-// No caller has these.
+// No caller has these sizes.
 template <class T> std::vector<uint32_t> bad_sizes() {
     std::vector<uint32_t> sizes = {65537, 0x7fffffff, 0xffffffff};
     for (uint32_t size = 0; size < sizeof(T); ++size) sizes.push_back(size);
     return sizes;
 }
 
-// A caller's struct of some size, at the end of what is the caller's: bytes behind it are somebody else's.
+// A caller's struct of a given size, at the end of the caller's memory: the library must not touch bytes behind it.
 class Caller {
 public:
     template <class T>
@@ -61,7 +61,7 @@ template <class T> void check_init(lr_status (*function)(T*, uint32_t)) {
         CHECK(function(caller.as<T>(), size) == LR_ERROR_STRUCT_SIZE);
         CHECK(caller.unchanged());
     }
-    // The part that this library does not know becomes zero.
+    // The part unknown to this library becomes zero.
     for (uint32_t size : good_sizes<T>()) {
         CAPTURE(size);
         Caller caller(garbage, size, 0x5a);
@@ -79,7 +79,7 @@ void check_sizes(Function function, Arguments (*arguments)(Stage&)) {
     const Arguments given = arguments(stage);
     const T good = *std::get<K>(given).pointer;
     for (uint32_t size : bad_sizes<T>()) {
-        // On the heap and no larger than it is: a read past its end is a fault under AddressSanitizer.
+        // On the heap, of exactly its size: AddressSanitizer detects reads past the end.
         const auto bad = std::make_unique<T>(good);
         bad->struct_size = size;
         const T before = *bad;

@@ -19,7 +19,7 @@ lr_status try_move(const World& w, const lr_collider_motion& m) {
     return lr_collider_move(w.get(), &m, 1);
 }
 
-// One of each kind, with the arrays that they point to.
+// A collider of each kind, with its arrays.
 struct EachKind {
     Triangles sheet = bumpy_sheet(5, 1);
     std::vector<float> corners = tetrahedron(0.5f), heights = std::vector<float>(35, 0.25f);
@@ -255,7 +255,7 @@ TEST_CASE("the three ways of moving") {
     CHECK(s.position[0] == doctest::Approx(0.2));
     CHECK(s.orientation[1] == doctest::Approx(std::sin(0.05)));
     CHECK(s.linear_velocity[0] == 2.0f);
-    // To a pose, over one step; then it stands still.
+    // To a pose, over one step; then it stops.
     lr_collider_motion m = motion_of(id, LR_MOVE_TO);
     m.position[0] = 5.0f, m.position[2] = -1.0f;
     m.orientation[0] = 3.0f, m.orientation[3] = -4.0f;
@@ -268,9 +268,9 @@ TEST_CASE("the three ways of moving") {
         s = state_of_collider(world, id);
         CHECK((s.position[0] == 5.0f && s.position[2] == -1.0f && s.linear_velocity[0] == 0.0f));
         CHECK(std::abs(s.orientation[0]) == 0.6f);
-        CHECK(s.orientation[0] * s.orientation[3] == doctest::Approx(-0.48)); // one of both quaternions
+        CHECK(s.orientation[0] * s.orientation[3] == doctest::Approx(-0.48)); // a quaternion or its negative
     }
-    // Placed, with velocities from now on; the last of several motions holds.
+    // Placed, with velocities; the last of several motions counts.
     const lr_collider_motion first = m;
     m.mode = LR_MOVE_PLACE;
     m.position[0] = 7.0f;
@@ -281,7 +281,7 @@ TEST_CASE("the three ways of moving") {
     steps(world, 4, 0.25f);
     s = state_of_collider(world, id);
     CHECK((s.position[0] == 7.0f && s.position[1] == 3.0f && s.linear_velocity[1] == 3.0f));
-    // Velocities alone, which also end what is pending.
+    // Velocities alone, which also cancel a pending motion.
     REQUIRE(try_move(world, first) == LR_OK);
     m = motion_of(id, LR_MOVE_VELOCITY);
     m.position[0] = std::numeric_limits<float>::max(); // not used
@@ -364,7 +364,7 @@ TEST_CASE("steps with colliders that move allocate nothing, nor does destroying"
             motions.back().angular_velocity[i % 2] = 1.0f;
         }
     const auto count = static_cast<uint32_t>(ids.size());
-    REQUIRE(lr_collider_move(world.get(), motions.data(), count) == LR_OK); // the most that ever move at once
+    REQUIRE(lr_collider_move(world.get(), motions.data(), count) == LR_OK); // the largest number that moves at once
     const uint64_t own = memory.calls, global = global_allocations;
     bool ok = true;
     for (int i = 0; i < 60; ++i) {
@@ -373,7 +373,7 @@ TEST_CASE("steps with colliders that move allocate nothing, nor does destroying"
         if (i % 10 == 7) {
             ok = ok && lr_collider_destroy(world.get(), ids.data() + count - 100, 100) == LR_OK;
             ok = ok && lr_world_step(world.get(), 0.01f, 1) == LR_OK;
-            std::rotate(ids.begin(), ids.end() - 100, ids.end()); // gone, and out of the way
+            std::rotate(ids.begin(), ids.end() - 100, ids.end()); // destroyed colliders come last
             std::rotate(motions.begin(), motions.end() - 100, motions.end());
             ids.erase(ids.begin(), ids.begin() + 100);
             motions.erase(motions.begin(), motions.begin() + 100);
@@ -421,7 +421,7 @@ TEST_CASE("running out of memory at any allocation leaves colliders as they were
         CHECK_FALSE(memory.mismatch);
     }
     CHECK(refused > 15);
-    // Many that begin to move: more room in the grid of those that do.
+    // Many colliders start to move: the grid of moving ones grows.
     CountingAllocator memory;
     lr_world_desc d = world_desc();
     d.allocator = memory.callbacks();
@@ -458,7 +458,7 @@ TEST_CASE("operator new fails anywhere while geometry is built: a status, and no
             break;
         }
         ++failures;
-        // A library function may do without the memory that it did not get.
+        // Functions of the C++ library can continue without memory that they did not get.
         CHECK((status == LR_ERROR_OUT_OF_MEMORY || status == LR_OK));
         if (status == LR_OK) CHECK(lr_collider_destroy(world.get(), ids.data(), 7) == LR_OK);
         CHECK(info_of(world).collider_count == 0);
@@ -495,13 +495,13 @@ TEST_CASE("a world without colliders has the hash that it had, each property of 
     other(each.descs[4]);
     const std::vector<float> larger = tetrahedron(0.6f);
     other(hull_collider(larger));
-    // What a kind does not use is not in it.
+    // Hashes and snapshots leave out unused fields.
     lr_collider_desc ball = sphere_collider(1.0f);
     ball.size[2] = 9.0f, ball.counts[0] = 4;
     const World w = make(world_desc());
     const lr_collider id = add_collider(w, ball);
     CHECK(seen.count(hash_of(w)) == 1);
-    // What is pending is.
+    // They include pending motions.
     lr_collider_motion m = motion_of(id, LR_MOVE_TO);
     REQUIRE(try_move(w, m) == LR_OK);
     CHECK(seen.insert(hash_of(w)).second);
@@ -536,7 +536,7 @@ TEST_CASE("colliders come back with a snapshot: ids, motion, what is pending, an
     const std::vector<unsigned char> saved = snapshot_of(world);
     const uint64_t hash = hash_of(world);
 
-    // Another world that has the data, of others.
+    // Another world that has the same data from other colliders.
     const World second = make(world_desc());
     for (int i = 0; i < 3; ++i) each.add(second);
     steps(second, 3, 0.01f);
@@ -553,14 +553,14 @@ TEST_CASE("colliders come back with a snapshot: ids, motion, what is pending, an
     for (lr_collider id : ids) CHECK(same_bits(state_of_collider(world, id), state_of_collider(second, id)));
     CHECK(each.add(world) == each.add(second)); // the same slots next
 
-    // Back into the world itself; and one without the data cannot have it.
+    // Back into the world itself. A world without the data refuses it.
     REQUIRE(lr_world_snapshot_restore(world.get(), saved.data(), saved.size()) == LR_OK);
     CHECK(snapshot_of(world) == saved);
     const World empty = make(world_desc());
     const uint64_t before = hash_of(empty);
     CHECK(lr_world_snapshot_restore(empty.get(), saved.data(), saved.size()) == LR_ERROR_SNAPSHOT_MISMATCH);
     CHECK(hash_of(empty) == before);
-    // None come back from a snapshot of none.
+    // A snapshot without colliders restores none.
     const std::vector<unsigned char> nothing = snapshot_of(empty);
     REQUIRE(lr_world_snapshot_restore(second.get(), nothing.data(), nothing.size()) == LR_OK);
     CHECK(info_of(second).collider_count == 0);

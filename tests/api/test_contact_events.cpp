@@ -1,4 +1,4 @@
-// What touched, left, landed, woke and ended: of scripted falls, in order, bounded, whoever computes it.
+// Hits, lifts, landings, wakes and ends of scripted falls: in order, bounded, the same with any number of threads.
 #include "support/contact_events.h"
 #include "support/counting_memory.h"
 #include "support/vector.h"
@@ -15,7 +15,7 @@ lr_body_desc at(float x, float y, float z) {
     return d;
 }
 
-// A heavy ball of 1 cm, for which air is nothing.
+// A heavy ball of 1 cm, hardly affected by air.
 Asset ball() {
     return make(ellipsoid(0.01, 0.01, 0.01, 5000.0));
 }
@@ -38,7 +38,7 @@ TEST_CASE("a ball that falls on a plane begins to touch it once, lands, and is w
     CHECK(begin.batch == batch);
     CHECK(begin.body == body);
     CHECK(begin.collider == plane);
-    // v = sqrt(2 g h) but for the drag and a substep; the impulse takes all of it, and restitution adds some.
+    // v = sqrt(2 g h) except for drag and a substep; the impulse stops it, and restitution adds a little.
     const double speed = std::sqrt(2.0 * 9.81 * 0.49), mass = 5000.0 * 4.0 / 3.0 * 3.14159265 * 1e-6;
     CHECK(wide(begin.speed) == doctest::Approx(speed).epsilon(0.01));
     CHECK(wide(begin.impulse) > 0.99 * mass * wide(begin.speed));
@@ -48,7 +48,7 @@ TEST_CASE("a ball that falls on a plane begins to touch it once, lands, and is w
     CHECK((begin.normal[0] == 0.0f && begin.normal[1] == 1.0f && begin.normal[2] == 0.0f));
     CHECK(begin.user == 77);
 
-    // Bounces are told as well, and then it lies: as many contacts have begun as have ended, and one.
+    // Bounces are reported too. At the end it lies: one more contact has begun than ended.
     const std::vector<lr_event> rest = step_until(world, LR_EVENT_LANDED, 2000, 1.0f / 240.0f, 4);
     CHECK(count_of(rest, LR_EVENT_LANDED) == 1);
     CHECK(count_of(rest, LR_EVENT_HIT) == count_of(rest, LR_EVENT_LIFTED));
@@ -69,7 +69,7 @@ TEST_CASE("a ball that falls on a plane begins to touch it once, lands, and is w
     CHECK((woken[1].kind == LR_EVENT_WOKE && woken[1].collider.id == 0 && woken[1].body == body));
 }
 
-TEST_CASE("what touches and leaves within a step begins and ends in it") {
+TEST_CASE("a contact that begins and ends within a step is reported in it") {
     const Asset asset = ball();
     const World world = make(world_desc());
     const lr_batch batch = add_batch(world, asset, 4);
@@ -99,7 +99,7 @@ TEST_CASE("a collider that comes wakes what lies there, and one that goes ends i
     REQUIRE(count_of(rest, LR_EVENT_LANDED) == 1);
 
     lr_collider_desc ball_beside = sphere_collider(0.02f);
-    ball_beside.position[0] = 0.0295f; // its box reaches the body's, and it does not
+    ball_beside.position[0] = 0.0295f; // its box reaches the body's, but the ball does not touch it
     ball_beside.position[1] = 0.035f;
     add_collider(world, ball_beside);
     steps(world, 1, 1.0f / 60.0f, 4);
@@ -119,7 +119,7 @@ TEST_CASE("a collider that comes wakes what lies there, and one that goes ends i
     SUBCASE("and another takes its slot") {
         REQUIRE(lr_collider_destroy(world.get(), &plane, 1) == LR_OK);
         const lr_collider next = add_collider(world, collider_desc(LR_COLLIDER_PLANE));
-        REQUIRE(static_cast<uint32_t>(next.id) == static_cast<uint32_t>(plane.id)); // the slot
+        REQUIRE(static_cast<uint32_t>(next.id) == static_cast<uint32_t>(plane.id)); // the same slot
         REQUIRE(next != plane);
         steps(world, 1, 1.0f / 60.0f, 4);
         const std::vector<lr_event> events = events_of(world);
@@ -140,7 +140,7 @@ TEST_CASE("the last collider of a world goes: contacts end although nothing is h
     keep_events(world);
     add_body(world, batch, at(0.0f, 0.0101f, 0.0f));
     step_until(world, LR_EVENT_HIT, 20);
-    steps(world, 1, 1.0f / 60.0f, 4); // and before it comes to rest
+    steps(world, 1, 1.0f / 60.0f, 4); // before it falls asleep
     REQUIRE(lr_collider_destroy(world.get(), &plane, 1) == LR_OK);
     steps(world, 1, 1.0f / 60.0f, 4);
     const std::vector<lr_event> events = events_of(world);
@@ -214,7 +214,7 @@ TEST_CASE("bodies that rules end are told as killed, once, and nothing of those 
 
 namespace {
 
-// A crowd that lands, is shaken, and ends; by `order` the bodies' slots differ.
+// Many bodies land, are shaken, and end; `order` changes the bodies' slots.
 struct Crowd {
     uint32_t workers = 0;
     int32_t simd = LR_SIMD_AUTO;
@@ -267,7 +267,7 @@ std::vector<lr_event> play(const Crowd& crowd, uint64_t* hash = nullptr, uint64_
     }
     if (hash) *hash = hash_of(world);
     if (lost) *lost = event_list(world).total_lost;
-    // Slots are where they were made: what is compared is the noise seed.
+    // Slots depend on the order of creation: compare noise seeds.
     for (lr_event& e : all) {
         lr_body_state s = body_state();
         if (crowd.reversed && lr_body_get_state(world.get(), e.body, &s) == LR_OK) e.body = {s.noise_seed};
@@ -295,7 +295,7 @@ TEST_CASE("the same events in the same order with any workers, instruction sets 
         const std::vector<lr_event> expected = play({.windy = windy}, &hash);
         for (int32_t kind = LR_EVENT_HIT; kind <= LR_EVENT_KILLED; ++kind) {
             CAPTURE(kind);
-            // Gusts let nothing lie.
+            // Gusts keep all bodies awake.
             if (!windy || (kind != LR_EVENT_LANDED && kind != LR_EVENT_WOKE)) CHECK(count_of(expected, kind) > 5);
         }
         CHECK(same(play({.workers = 4, .windy = windy}), expected));
@@ -306,7 +306,7 @@ TEST_CASE("the same events in the same order with any workers, instruction sets 
 #endif
         CHECK(same(play({.workers = 3, .simd = simd_targets().back(), .reversed = true, .windy = windy}), expected,
                    false));
-        // And keeping them changes nothing.
+        // Keeping events changes no motion.
         play({.capacity = 0, .windy = windy}, &other);
         CHECK(other == hash);
     }
@@ -319,7 +319,7 @@ TEST_CASE("events without room are counted, and it is the last ones that are los
     CHECK(lost > 100);
     const std::vector<lr_event> again = play({.workers = 4, .capacity = 7});
     CHECK(same(some, again));
-    size_t at = 0; // each of the few is in the full list, in the same order
+    size_t at = 0; // each event of the short list is in the full list, in the same order
     for (const lr_event& e : some) {
         while (at < all.size() && std::memcmp(&all[at], &e, sizeof e) != 0) ++at;
         ++at;
@@ -343,7 +343,7 @@ TEST_CASE("only the kinds that are asked for are kept, and none after they are t
     keep_events(world, 10);
     CHECK(events_of(world).empty());
     steps(world, 3, 0.01f, 2);
-    CHECK(events_of(world).empty()); // it touched before
+    CHECK(events_of(world).empty()); // it already touched
 }
 
 TEST_CASE("after a restore there are no events, and contacts that were there do not begin again") {
@@ -382,7 +382,7 @@ TEST_CASE("memory for events is taken when they are asked for, by later batches,
         CHECK(memory.bytes <= before + 100 * 233 + 50 * 64 + 200);
         keep_events(world, 0, 0);
         CHECK(memory.bytes == before);
-        // Each of the allocations fails: nothing has changed.
+        // Each allocation fails in turn: nothing changes.
         for (uint64_t n = 0; n < 7; ++n) {
             CAPTURE(n);
             memory.fail_at = memory.calls + n;

@@ -1,4 +1,4 @@
-// How batches meet colliders, through the public API: arguments, what is kept, snapshots.
+// Settings for contact with colliders through the public API: arguments, getters, snapshots.
 #include "support/contact.h"
 #include "support/reseal_snapshot.h"
 
@@ -81,7 +81,7 @@ TEST_CASE("contact is part of the hash and of snapshots, and a damaged one is re
     REQUIRE(lr_world_snapshot_restore(b.get(), good.data(), good.size()) == LR_OK);
     CHECK(equal(contact_of(b, batch), c));
     CHECK(hash_of(b) == hash_of(a));
-    // Every word with every kind of damage: taken or refused, but what is there afterwards is in its range.
+    // Damages every word in every way: refused or accepted, the restored values are in range.
     uint32_t refused = 0;
     const float values[] = {std::nanf(""), -1.0f, 1e9f, std::numeric_limits<float>::infinity()};
     for (size_t at = 0; at + 4 <= good.size(); at += 4) {

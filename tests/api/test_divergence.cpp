@@ -1,4 +1,4 @@
-// Bodies that leave physics: docs/reference/bodies.md.
+// Diverged bodies: docs/reference/bodies.md.
 #include "support/contact_events.h"
 #include "support/counting_memory.h"
 #include "support/lifecycle.h"
@@ -18,7 +18,7 @@ constexpr float step_time = 1.0f / 60.0f;
 
 lr_batch_desc free_fall() {
     lr_batch_desc d = batch_desc();
-    d.load_model = LR_LOADS_NONE; // nothing brakes it
+    d.load_model = LR_LOADS_NONE; // no drag
     return d;
 }
 std::vector<lr_body> some_bodies(const World& world, lr_batch batch, uint32_t count, float apart = 1.0f) {
@@ -33,7 +33,7 @@ std::vector<lr_body> some_bodies(const World& world, lr_batch batch, uint32_t co
     }
     return ids;
 }
-// Over a step of 1/60 s 1e30 m/s, less what brakes it; no single force may give as much.
+// 1e30 m/s over a step of 1/60 s, minus drag; a single force is limited to less.
 void carry_off(const World& world, lr_body body) {
     lr_body_force f = initialised(lr_body_force_init);
     f.body = body;
@@ -65,7 +65,7 @@ TEST_CASE("one of 10,000 bodies leaves physics: it is held, told of once, and th
     Log log;
     lr_world_desc wd = world_desc();
     wd.log = Log::write, wd.log_user = &log;
-    const World worlds[] = {make(wd), make(world_desc())}; // the second is left in peace
+    const World worlds[] = {make(wd), make(world_desc())}; // the second has no faults
     std::vector<lr_body> ids[2];
     lr_batch batches[2];
     for (size_t w = 0; w < 2; ++w) {
@@ -120,7 +120,7 @@ TEST_CASE("one of 10,000 bodies leaves physics: it is held, told of once, and th
     CHECK(log.lines.size() == 1);
 }
 
-TEST_CASE("what becomes of a body is the batch's policy") {
+TEST_CASE("the batch's policy decides about diverged bodies") {
     const Asset asset = leaf();
     struct Case {
         int32_t policy;
@@ -245,7 +245,7 @@ TEST_CASE("in wind, in water, over colliders, beside others and at other rates a
             }
             const lr_body_state before = state_of(worlds[0], ids[0][33]);
             carry_off(worlds[0], ids[0][33]);
-            if (place.divisor != 1) { // the force ends the waiting of its batch
+            if (place.divisor != 1) { // the force ends its batch's wait
                 lr_body_force nudge = initialised(lr_body_force_init);
                 nudge.body = ids[1][2], nudge.force[0] = 1e-30f;
                 REQUIRE(lr_body_add_force(worlds[1].get(), &nudge, 1) == LR_OK);
@@ -344,7 +344,7 @@ TEST_CASE("a body at rest that a force throws out of the world is held, and what
 TEST_CASE("policy, totals and bodies that are held go through snapshots and are in the hash, a step takes no memory "
           "for them") {
     const Asset asset = leaf();
-    lr_batch real{}; // the same in all of them
+    lr_batch real{}; // the same handle in all of them
     const auto fresh = [&] {
         World made = make(world_desc());
         real = add_batch(made, free_fall(), asset, 100);
@@ -378,14 +378,14 @@ TEST_CASE("policy, totals and bodies that are held go through snapshots and are 
         CHECK(counts_of(*w, real).total_diverged == 3);
     }
     CHECK(hash_of(world) == hash_of(other));
-    // A world without goes back to none.
+    // A world without diverged bodies restores to none.
     const std::vector<unsigned char> empty = snapshot_of(fresh());
     REQUIRE(lr_world_snapshot_restore(other.get(), empty.data(), empty.size()) == LR_OK);
     REQUIRE(lr_batch_get_divergence_policy(other.get(), real, &policy) == LR_OK);
     CHECK(policy == LR_DIVERGENCE_AUTO);
     CHECK(counts_of(other, real).total_diverged == 0);
 
-    // One float of a snapshot that is no body's: of whatever field it is, it is refused, or the next step deals with it.
+    // Damages a float of a snapshot outside the bodies: restoring refuses it, or the next step survives it.
     const lr_body_state first = state_of(world, ids[0]);
     bytes = snapshot_of(world);
     size_t found = 0;

@@ -1,4 +1,4 @@
-// Where, when and how bodies are spawned.
+// Places, times and poses of spawned bodies.
 #include "support/contact_events.h"
 #include "support/lifecycle.h"
 #include "support/random.h"
@@ -31,7 +31,7 @@ struct Source {
 
 constexpr uint32_t many = 20000;
 
-// Mean and mean square of a quantity that lies evenly between low and high, to five standard errors.
+// Mean and mean square of a uniform variable between low and high, to five standard errors.
 void check_even(const std::vector<double>& values, double low, double high) {
     double sum = 0.0, square = 0.0;
     for (double v : values) {
@@ -176,7 +176,7 @@ TEST_CASE("orientations are all alike, or the one that is given") {
     }
 }
 
-TEST_CASE("a body's birth depends on seed and noise seed, not on who was spawned before it") {
+TEST_CASE("a spawn depends on seed and noise seed, not on earlier spawns") {
     lr_emitter_desc d = emitter_desc();
     d.shape = LR_EMIT_SPHERE;
     d.size[0] = d.size[1] = d.size[2] = 1.0f;
@@ -215,7 +215,7 @@ TEST_CASE("bodies are spawned at their rate and in bursts, up to the capacity") 
         REQUIRE(told.size() == e.spawned);
         for (const lr_event& event : told)
             CHECK((event.kind == LR_EVENT_SPAWNED && state_of(s.world, event.body).age == 0.0f));
-        // Another emitter carries on with the half body that is due.
+        // Another emitter continues with the half body that is due.
         if (i % 2 == 0) set_emitter(s.world, s.batch, d);
     }
     d.rate = 0.0f;
@@ -226,7 +226,7 @@ TEST_CASE("bodies are spawned at their rate and in bursts, up to the capacity") 
     CHECK(info_of(s.world).body_count == spawned);
     steps(s.world, 1, 0.015625f);
     CHECK(info_of(s.world).body_count == spawned + 300);
-    steps(s.world, 1, 0.5f, 8); // two bursts, for which there is no room
+    steps(s.world, 1, 0.5f, 8); // two bursts, without room
     const lr_batch_counts e = counts_of(s.world, s.batch);
     CHECK(e.spawned == 1000 - spawned - 300);
     CHECK(e.missed == 600 - e.spawned);

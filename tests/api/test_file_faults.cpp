@@ -1,4 +1,4 @@
-// The one file that the runtime reads, and threads that cannot be had: docs/maintainers/testing.md.
+// The only file that the runtime reads, and threads that cannot be created: docs/maintainers/testing.md.
 #include "support/counting_memory.h"
 #include "support/scene.h"
 #include "support/system_faults.h"
@@ -37,7 +37,7 @@ lr_status load(const std::string& path, uint64_t* hash = nullptr) {
     return status;
 }
 
-// What `body` returns, as another user without rights, in a process of its own; -1 where that is not possible.
+// The result of `body` as another user without rights, in its own process; -1 if that is impossible.
 int as_nobody(const std::function<int()>& body) {
     std::fflush(nullptr);
     const pid_t child = fork();
@@ -86,7 +86,7 @@ TEST_CASE("an asset file that is read in pieces, and interrupted, is the same as
                 const WithFaults armed(faults);
                 CHECK(load(fixture, &hash) == LR_OK);
             }
-            if (interrupted) CHECK(faults.reads > 2); // they went through here
+            if (interrupted) CHECK(faults.reads > 2); // the reads were interrupted
             CHECK(hash == expected);
         }
 }
@@ -114,7 +114,7 @@ TEST_CASE("an asset file that ends or breaks while it is read is a status") {
     }
 }
 
-TEST_CASE("what is not an asset file, or may not be read, is a status, and nothing is waited for") {
+TEST_CASE("an unreadable or invalid asset file gives a status without waiting") {
     const Folder folder;
     const std::string pipe = folder.path + "/pipe", secret = folder.path + "/secret.lrb", loop = folder.path + "/loop";
     REQUIRE(mkfifo(pipe.c_str(), 0666) == 0);
@@ -131,11 +131,11 @@ TEST_CASE("what is not an asset file, or may not be read, is a status, and nothi
     CHECK(load(pipe) == LR_ERROR_FILE_READ);
     CHECK(load("/dev/zero") == LR_ERROR_FILE_READ);
     CHECK(load("/dev/null") == LR_ERROR_FILE_READ);
-    CHECK(load("/proc/self/stat") == LR_ERROR_ASSET_FORMAT); // a file of size 0 that has bytes
-    const std::string huge = folder.path + "/huge.lrb";      // a hole, but for the asset at its start
+    CHECK(load("/proc/self/stat") == LR_ERROR_ASSET_FORMAT); // size 0, but with contents
+    const std::string huge = folder.path + "/huge.lrb";      // a hole, except the asset at its start
     std::filesystem::copy_file(fixture, huge);
     for (off_t size : {(off_t{1} << 30) + 1, off_t{1} << 40}) {
-        if (truncate(huge.c_str(), size) != 0) continue; // not every file system has holes, or files so large
+        if (truncate(huge.c_str(), size) != 0) continue; // not every file system has holes or such large files
         SystemFaults none_read;
         none_read.ends_after = 0;
         const WithFaults armed(none_read);
@@ -178,8 +178,8 @@ TEST_CASE("no file handles left: a status, and none is kept by a call that fails
 
 TEST_CASE(
     "worker threads that cannot be started: LR_ERROR_THREADS, those that were have ended, and all memory is back") {
-    std::thread([] {}).join(); // with the first one sanitizers start one of their own
-    // A thread that has been joined is listed for a moment longer.
+    std::thread([] {}).join(); // with the first thread, sanitizers start their own
+    // A joined thread stays listed for a moment.
     const auto are_running = [](int count) {
         for (int tries = 0; tries < 2000 && running_threads() != count; ++tries)
             std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -1,4 +1,4 @@
-// What the functions of forces refuse.
+// Refused arguments of the force functions.
 #include "support/counting_memory.h"
 #include "support/scene.h"
 
@@ -159,7 +159,7 @@ TEST_CASE("the first force takes memory, none left is a status, and steps take n
     CHECK(lr_body_add_force(world.get(), &f, 1) == LR_ERROR_OUT_OF_MEMORY);
     CHECK(lr_batch_add_forces(world.get(), batch, &a) == LR_ERROR_OUT_OF_MEMORY);
     CHECK(snapshot_of(world) == before);
-    // These keep nothing.
+    // These calls have no lasting effect.
     f.mode = LR_FORCE_MODE_IMPULSE;
     CHECK(lr_body_add_force(world.get(), &f, 1) == LR_OK);
     memory.fail_at = CountingAllocator::never;

@@ -1,4 +1,4 @@
-// What the fuzzers of docs/maintainers/testing.md have found: one test each.
+// Regression tests for the fuzzers' finds (docs/maintainers/testing.md).
 #include "support/colliders.h"
 #include "support/contact.h"
 #include "support/lifecycle.h"
@@ -67,7 +67,7 @@ TEST_CASE("a step under the least float notes nothing of contacts that a snapsho
     const auto [other, same] = filled();
     std::mt19937 random(5);
     std::normal_distribution<float> normal;
-    std::uniform_real_distribution<float> above(0.02f, 0.08f); // of the plane, most of them near it
+    std::uniform_real_distribution<float> above(0.02f, 0.08f); // above the plane, mostly near it
     for (int i = 0; i < 400; ++i) {
         const auto [world, batch] = filled();
         lr_body_desc d = body_desc();

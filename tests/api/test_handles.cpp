@@ -1,4 +1,4 @@
-// Ids of what is gone, never was, or is half right: a status, never a crash, never another body.
+// Ids that are stale, invented or half right: a status, never a crash, never another body.
 #include "support/colliders.h"
 #include "support/random.h"
 #include "support/scene.h"
@@ -45,7 +45,7 @@ std::vector<lr_body> add_row(const World& world, lr_batch batch, uint32_t count)
 TEST_CASE("a destroyed body is stale, and its slot's next tenant is another body") {
     const Asset asset = leaf();
     const World world = make(world_desc());
-    const lr_batch batch = add_batch(world, asset, 1); // one slot: it is used again at once
+    const lr_batch batch = add_batch(world, asset, 1); // one slot, which is reused at once
     std::set<lr_body> seen;
     for (int life = 0; life < 1000; ++life) {
         const lr_body body = add_body(world, batch, body_desc());
@@ -69,7 +69,7 @@ TEST_CASE("destroying a batch ends its bodies, also when another takes its place
         const lr_batch batch = add_batch(world, asset, 4);
         CHECK(batch.id != 0);
         for (lr_body body : add_row(world, batch, 4)) old.push_back(body);
-        // Lives of slots before the batch ends must not be lived again by the next one.
+        // The next batch must not reuse generations of slots of the destroyed one.
         CHECK(lr_body_destroy(world.get(), &old.back(), 1) == LR_OK);
         old.push_back(add_body(world, batch, body_desc()));
         old_batches.push_back(batch);
@@ -106,7 +106,7 @@ TEST_CASE("forged ids are stale") {
     lr_body_state state = body_state();
     uint32_t found = 0;
     for (int i = 0; i < 100000; ++i) {
-        // Random in all bits, or only in those of slots and small generations, where it might well hit.
+        // Random in all bits, or only in those of slots and small generations, which hit more often.
         lr_body forged{random.bits()};
         if (i % 2) forged.id &= 0x00040000040000ffull;
         if (alive.count(forged) != 0) {
@@ -117,7 +117,7 @@ TEST_CASE("forged ids are stale") {
         if (lr_body_set_state(world.get(), forged, &state) != LR_ERROR_STALE_BODY) FAIL("a forged id found a body");
         if (lr_body_destroy(world.get(), &forged, 1) != LR_ERROR_STALE_BODY) FAIL("a forged id found a body");
     }
-    CHECK(found > 100); // else the second kind is not near the mark
+    CHECK(found > 100); // otherwise the second kind misses too much
 
     check_stale_batch(world, {});
     check_stale_batch(world, lr_batch{~0u});
@@ -130,7 +130,7 @@ TEST_CASE("forged ids are stale") {
         if (forged != batch && forged != second) check_stale_batch(world, forged);
     }
     CHECK(hash_of(world) == before);
-    // Ids of another world are not ours to find, or they name one of our bodies; nothing worse.
+    // Ids of another world are unknown here, or name one of our bodies; nothing worse.
     const World other = make(world_desc());
     check_stale(other, ids[0]);
     check_stale_batch(other, batch);
@@ -181,7 +181,7 @@ TEST_CASE("bodies beyond the capacity: all or none") {
         CHECK(lr_body_create(world.get(), batch, descs.data(), count, out) == LR_ERROR_CAPACITY);
         CHECK(out[0].id == 0);
     }
-    // No desc is read when there is no room: a count beyond all memory is refused like any other.
+    // Without room, no desc is read: a count beyond all memory is refused like any other.
     CHECK(lr_body_create(world.get(), batch, descs.data(), UINT32_MAX, out) == LR_ERROR_CAPACITY);
     CHECK(hash_of(world) == before);
     CHECK(lr_body_create(world.get(), batch, descs.data(), 3, out) == LR_OK);
@@ -210,7 +210,7 @@ TEST_CASE("destroying many: all or none, over several batches, and none twice") 
     }
     CHECK(hash_of(world) == before);
     CHECK(info_of(world).body_count == 39);
-    // All are alive and well after the refusals.
+    // All still work after the refusals.
     for (uint32_t i = 0; i < 20; ++i) CHECK(state_of(world, in_a[i]).position[0] == static_cast<float>(i));
 
     const std::vector<lr_body> list = {in_a[0], in_b[0], in_a[19], in_b[7], in_a[5]};
@@ -221,14 +221,14 @@ TEST_CASE("destroying many: all or none, over several batches, and none twice") 
     CHECK(state_of(world, in_b[18]).position[0] == 18.0f);
 }
 
-TEST_CASE("any order of births and deaths keeps each id with its body") {
+TEST_CASE("any order of creation and destruction keeps each id with its body") {
     const Asset asset = leaf();
     lr_world_desc wd = world_desc();
     wd.gravity[1] = 0.0f;
     const World world = make(wd);
     const lr_batch batch = add_batch(world, asset, 300);
     Random random(7);
-    std::vector<std::pair<lr_body, float>> model; // id and the mark it was spawned with
+    std::vector<std::pair<lr_body, float>> model; // id and mark from its creation
     std::vector<lr_body> dead;
     float mark = 0.0f;
     for (int round = 0; round < 400; ++round) {
@@ -253,7 +253,7 @@ TEST_CASE("any order of births and deaths keeps each id with its body") {
     lr_body_state state = body_state();
     for (lr_body id : dead)
         if (lr_body_get_state(world.get(), id, &state) != LR_ERROR_STALE_BODY) FAIL("a dead id found a body");
-    // The view is dense and names the same bodies.
+    // The view has no gaps and lists the same bodies.
     const lr_batch_view view = view_of(world, batch);
     REQUIRE(view.count == model.size());
     const std::set<lr_body> listed(view.ids, view.ids + view.count);
@@ -277,7 +277,7 @@ TEST_CASE("bodies of one call and of many calls get the same noise seeds") {
     CHECK(hash_of(one) == hash_of(many));
     const lr_batch_view view = view_of(one, a);
     CHECK(std::set<uint32_t>(view.noise_seed, view.noise_seed + 50).size() == 50);
-    // A refused call uses up no noise seeds.
+    // A refused call uses no noise seeds.
     lr_body_desc bad[2] = {body_desc(), body_desc()};
     bad[1].scale = -1.0f;
     const lr_batch more = add_batch(one, asset, 3);

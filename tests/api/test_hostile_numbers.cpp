@@ -1,5 +1,5 @@
-// Everything as extreme as the API takes it: whatever comes of it, bodies are bodies, or have been told of and held.
-// docs/reference/bodies.md; LR_HOSTILE_WORLDS=from:to plays these seeds.
+// All values at the API's limits: bodies stay finite, or are reported as diverged and held.
+// docs/reference/bodies.md; LR_HOSTILE_WORLDS=from:to runs these seeds.
 #include "support/hostile_world.h"
 #include "support/threads.h"
 
@@ -39,7 +39,7 @@ uint64_t played(uint64_t seed, const HostileWorld::How& how, uint64_t& faults) {
 
 } // namespace
 
-TEST_CASE("whatever a world is given, its bodies are within limits, on every instruction set alike, also through a "
+TEST_CASE("in a world of extreme values bodies are within limits, on every instruction set alike, also through a "
           "snapshot" *
           doctest::test_suite("native")) {
     const std::vector<int32_t> targets = simd_targets();

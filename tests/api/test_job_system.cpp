@@ -1,4 +1,4 @@
-// Job systems of every temper: the same bits, nothing missed, nothing asked of them for small worlds.
+// All kinds of job systems: the same bits, every task run, none used for small worlds.
 #include "support/counting_memory.h"
 #include "support/determinism_scenes.h"
 
@@ -13,26 +13,26 @@ using namespace test;
 
 namespace {
 
-// The rounding mode of arithmetic. std::fegetround may tell that of the other unit of an x86 processor.
+// The rounding mode of arithmetic. std::fegetround can return that of the other unit of an x86 processor.
 int rounding() {
     volatile float one = 1.0f, minus_one = -1.0f, three = 3.0f;
     const bool up = one / three > 0x1.555554p-2f, down = minus_one / three < -0x1.555554p-2f;
     return up ? (down ? FE_TONEAREST : FE_UPWARD) : (down ? FE_DOWNWARD : FE_TOWARDZERO);
 }
 
-// Counts, checks what every job system may rely on, and leaves the rest to how it is made.
+// Counts, checks the guarantees for job systems, and leaves the rest to its kind.
 class JobSystem {
 public:
     enum Temper {
-        whole,     // one call, right away
-        reversed,  // one index after the other, from the last, right away
+        whole,     // one call, immediately
+        reversed,  // one index after the other, from the last, immediately
         late,      // in finish, in reverse
         halves,    // two ranges, and an empty one, in finish
         threads,   // one for each index
-        sleepers,  // the same, but they begin when the caller has long done everything
-        strangers, // threads with another floating-point mode, which is to be theirs afterwards
-        crowd,     // twice as many threads as indices, half of them with nothing to do
-        starving,  // one thread for the last index, the others get none until that is done, in finish
+        sleepers,  // the same, but they begin long after the caller has done everything
+        strangers, // threads with another floating-point mode, which they must have afterwards
+        crowd,     // twice as many threads as indices, half of them without work
+        starving,  // one thread for the last index; in finish the others get threads only after that
         tempers
     };
 
@@ -122,25 +122,25 @@ TEST_CASE("every scene ends in the same bits with any job system" * doctest::tes
     [[maybe_unused]] uint32_t at = 0;
     for (PlayedScene& scene : scenes) {
 #ifdef LR_TEST_QUICK
-        if (at++ % 4 != 1) continue; // workers go through all of them elsewhere
+        if (at++ % 4 != 1) continue; // other tests run all of them with workers
 #endif
-        // Among so many bodies a few are more than Runge-Kutta can follow, and what is not finite has no promise.
+        // Among so many bodies Runge-Kutta diverges for a few, and non-finite values have no guarantee.
         if (scene.integrator == LR_INTEGRATOR_RK4) continue;
-        // Two such batches are work for several threads.
+        // Two such batches give work to several threads.
         scene.bodies = scene.meeting ? 300 : scene.resting ? 10000 : 2500;
         if (scene.budget != 0) scene.budget = 5000;
 #ifdef LR_TEST_QUICK
-        scene.frames = 12; // the first landings are among them
+        scene.frames = 12; // includes the first landings
 #endif
         const bool waits = scene.budget != 0 || scene.divisors[1] > scene.substeps || scene.resting ||
                            scene.solids != Solids::none; // not every step has work
         CAPTURE(scene.name);
         const uint64_t expected = outcome(scene);
-        // Two for each scene, one of them with threads; over all scenes each of them several times.
+        // Two kinds for each scene, one of them with threads; over all scenes each kind occurs several times.
         const int threaded = JobSystem::threads + number % (JobSystem::tempers - JobSystem::threads);
         for (int temper : {number % JobSystem::threads, threaded}) {
 #ifdef LR_TEST_QUICK
-            if (temper != threaded) continue; // the test of wind and rules has all
+            if (temper != threaded) continue; // the test of wind and rules covers all kinds
 #endif
             CAPTURE(temper);
             JobSystem jobs(static_cast<JobSystem::Temper>(temper));
@@ -283,7 +283,7 @@ TEST_CASE("half a job system is refused") {
     lr_world* world = nullptr;
     CHECK(lr_world_create(&d, &world) == LR_ERROR_INVALID_ARGUMENT);
     d.worker_count = 64;
-    d.jobs.user = nullptr; // is the caller's business
+    d.jobs.user = nullptr; // belongs to the caller
     CHECK(lr_world_create(&d, &world) == LR_OK);
     lr_world_destroy(world);
 }

@@ -1,4 +1,4 @@
-// Which bodies end, when, and what is told of it.
+// Which bodies rules end, at which time, and with which events.
 #include "support/contact_events.h"
 #include "support/counting_memory.h"
 #include "support/lifecycle.h"
@@ -14,7 +14,7 @@ using namespace test;
 
 namespace {
 
-// Bodies at rest all over a cube of 4 m, without weight: they stay where they are.
+// Bodies fill a cube of 4 m without gravity, at rest: they stay in place.
 struct Cloud {
     Asset asset = leaf();
     World world;
@@ -100,7 +100,7 @@ TEST_CASE("the first cause that holds is the one that is told") {
     lr_batch_rules r = rules_desc();
     r.max_age = 0.015f;
     r.volume_count = 8;
-    for (uint32_t k = 0; k < 8; ++k) // spheres that grow: each takes what the one before has left
+    for (uint32_t k = 0; k < 8; ++k) // growing spheres: each ends the bodies that the one before left
         r.volumes[k] = {LR_VOLUME_SPHERE, LR_KILL_INSIDE, {0.0f, 0.0f, 0.0f}, {0.4f * narrow(k + 1.0), 0.0f, 0.0f}};
     set_rules(c.world, c.batch, r);
     uint32_t shell[8] = {};
@@ -245,7 +245,7 @@ TEST_CASE("impossible rules are refused and change nothing") {
         CHECK(refused([&](lr_batch_rules& r) { r.volumes[0].center[2] = bad; }) == LR_ERROR_NOT_FINITE);
     }
     CHECK(lr_batch_set_rules(c.world.get(), {}, &good) == LR_ERROR_STALE_BATCH);
-    // What lies behind the used volumes does not matter.
+    // Values behind the used volumes do not matter.
     good.volumes[5].shape = 77;
     set_rules(c.world, c.batch, good);
     CHECK(snapshot_of(c.world) == before);

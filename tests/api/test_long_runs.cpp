@@ -1,5 +1,5 @@
-// Worlds that have run for very long: counters past 32 bits, and times at which a float would no longer do. They are put there
-// through a snapshot in which a number has been replaced. docs/maintainers/testing.md
+// Very old worlds: counters past 32 bits, and times beyond a float's precision. A snapshot with a replaced number sets them.
+// docs/maintainers/testing.md
 #include "support/lifecycle.h"
 #include "support/reseal_snapshot.h"
 #include "support/water.h"
@@ -13,7 +13,7 @@ using namespace test;
 
 namespace {
 
-// Replaces the one place of a snapshot that holds `from`.
+// Replaces `from`, which must occur once in a snapshot.
 template <class T> void replace(std::vector<unsigned char>& bytes, T from, T to) {
     size_t found = 0;
     std::vector<size_t> places;
@@ -33,19 +33,19 @@ void restore(const World& w, const std::vector<unsigned char>& bytes) {
 constexpr uint32_t many = 4096;
 constexpr uint64_t wrap = uint64_t{1} << 32;
 
-// Velocities that noise alone has given to bodies in so many substeps, from the one numbered `begin` on.
+// Velocities from noise alone over a number of substeps, from substep `begin` on.
 std::vector<double> noise_from(uint64_t begin, uint32_t substeps, int32_t loads) {
     const World w = weightless(3);
     const Asset asset = leaf();
     lr_batch_desc d = batch_desc();
     d.load_model = loads;
     const lr_batch batch = add_batch(w, d, asset, many);
-    constexpr uint32_t before = 9973; // a number that is nowhere else
+    constexpr uint32_t before = 9973; // a number that occurs nowhere else
     steps(w, 1, 0.5f, before);
     std::vector<unsigned char> bytes = snapshot_of(w);
     replace<uint64_t>(bytes, before, begin);
     restore(w, bytes);
-    set_wind(w, 1.0f, 0.0f, 0.0f); // what turbulence there is comes with speed
+    set_wind(w, 1.0f, 0.0f, 0.0f); // turbulence grows with speed
     const std::vector<lr_body_desc> bodies(many, body_desc());
     REQUIRE(lr_body_create(w.get(), batch, bodies.data(), many, nullptr) == LR_OK);
     steps(w, 1, 0.01f * static_cast<float>(substeps), substeps);
@@ -66,7 +66,7 @@ double mean_of(const std::vector<double>& a, const std::vector<double>& b) {
 // A second of samples at 60 Hz: the largest step, and the largest change from one step to the next.
 struct Smoothness {
     double step = 0.0, bend = 0.0;
-    int still = 0; // steps without any
+    int still = 0; // steps without motion
 };
 Smoothness smoothness(const std::function<double()>& next) {
     Smoothness s;
@@ -82,7 +82,7 @@ Smoothness smoothness(const std::function<double()>& next) {
     return s;
 }
 
-// A world at this time with what `add` has given it at its beginning.
+// A world at this time, with the sources that `add` created at its beginning.
 World at_time(double time, const std::function<void(const World&)>& add) {
     World w = make(world_desc());
     add(w);
@@ -137,7 +137,7 @@ TEST_CASE("a world goes through its 2^32nd substep within a step, on every instr
     for (uint64_t hash : hashes) CHECK(hash == hashes[0]);
 }
 
-TEST_CASE("totals of births and ends go past 2^32") {
+TEST_CASE("totals of spawns and ends go past 2^32") {
     const World w = make(world_desc());
     const Asset asset = leaf();
     const lr_batch batch = add_batch(w, asset, 8);
@@ -147,7 +147,7 @@ TEST_CASE("totals of births and ends go past 2^32") {
     r.action = LR_END_RESPAWN;
     set_rules(w, batch, r);
     emit(w, batch, 7);
-    steps(w, 202, 0.01f); // 7 in every other step
+    steps(w, 202, 0.01f); // 7 in every second step
     const uint64_t respawned = counts_of(w, batch).total_respawned;
     REQUIRE(respawned == 707);
     std::vector<unsigned char> bytes = snapshot_of(w);
@@ -160,7 +160,7 @@ TEST_CASE("totals of births and ends go past 2^32") {
     CHECK(counts_of(w, batch).total_respawned == wrap + 4);
 }
 
-TEST_CASE("after 2^32 births noise seeds begin again, without the 0 that none has") {
+TEST_CASE("after 2^32 bodies noise seeds begin again, without the 0 that no body has") {
     const World w = make(world_desc());
     const Asset asset = leaf();
     const lr_batch batch = add_batch(w, asset, 1000);
@@ -168,7 +168,7 @@ TEST_CASE("after 2^32 births noise seeds begin again, without the 0 that none ha
     const std::vector<lr_body> first = emit(w, batch, 775);
     REQUIRE(lr_body_destroy(w.get(), first.data(), 775) == LR_OK);
     std::vector<unsigned char> bytes = snapshot_of(w);
-    // In the slots' queue each number of a slot is there with its highest bit set, in the header the next noise seed without.
+    // The slots' queue has each slot's number with its highest bit set; the header has the next noise seed without.
     replace<uint32_t>(bytes, 776, UINT32_MAX - 1);
     restore(w, bytes);
     std::vector<uint32_t> noise_seeds;
@@ -206,7 +206,7 @@ TEST_CASE("wind is as smooth after a day, after months and after decades as at f
             CAPTURE(source.index());
             CAPTURE(time);
             const Smoothness late = run(time);
-            // Other pieces of the same random function; of a grid the corners between its frames are the same.
+            // Other parts of the same random function; a grid's corners between its frames are the same.
             CHECK(late.bend < 2.0 * first.bend);
             CHECK(late.step < 2.5 * first.step);
             CHECK(late.step > 0.3 * first.step);
@@ -217,7 +217,7 @@ TEST_CASE("wind is as smooth after a day, after months and after decades as at f
 
 namespace {
 
-// The height of the waves at one place, as a surface callback is told.
+// The height of the waves at a point, as a water callback receives it.
 struct Told {
     double height = 0.0;
     static void tell(void* user, const lr_water_query* query) {

@@ -1,4 +1,4 @@
-// As many colliders as anybody has: time and memory.
+// The largest number of colliders in practice: time and memory.
 #include "support/colliders.h"
 
 #include <chrono>

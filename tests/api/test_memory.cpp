@@ -8,10 +8,10 @@ using namespace test;
 
 namespace {
 
-// Calls nearly everything that can allocate, and stops at the first error.
+// Makes nearly every call that can allocate, and stops at the first error.
 struct Scenario {
     lr_world* world = nullptr;
-    std::vector<unsigned char> snapshot; // taken before it starts, so that only the library allocates
+    std::vector<unsigned char> snapshot; // taken in advance, so that only the library allocates
 
     lr_status run(const lr_world_desc& desc, const lr_asset* asset) {
         lr_status status = lr_world_create(&desc, &world);
@@ -66,7 +66,7 @@ TEST_CASE("a world takes all its memory from its allocator and gives all of it b
     Scenario s;
     const uint64_t before = global_allocations;
     CHECK(s.run(d, asset.get()) == LR_OK);
-    // Our own: two vectors of descs and ids and the snapshot. None for the library.
+    // The test's own: two vectors of descs and ids and the snapshot. The library makes none.
     if (counts_global) CHECK(global_allocations - before == 3);
     CHECK(memory.live() > 50);
     {
@@ -103,7 +103,7 @@ TEST_CASE("the n-th allocation fails, for every n: out of memory, nothing leaks,
             Scenario s;
             CHECK(s.run(d, asset.get()) == LR_ERROR_OUT_OF_MEMORY);
             if (s.world) {
-                // Still a world: it can be asked, stepped and, with memory again, filled.
+                // Still usable: queries, steps and, with memory again, creation work.
                 memory.fail_at = CountingAllocator::never;
                 CHECK(lr_world_step(s.world, 0.01f, 1) == LR_OK);
                 lr_batch_desc bd = batch_desc();
@@ -251,7 +251,7 @@ TEST_CASE("a body takes 84 bytes with LANGEVIN loads, 64 of them its state, and 
             d.load_model = loads;
             const lr_batch batch = add_batch(world, d, asset, capacity);
             bytes[capacity == large] = info_of(world).memory_bytes;
-            // Nor more when it is full and has been stepped.
+            // A full and stepped batch allocates no more either.
             const std::vector<lr_body_desc> bodies(capacity, body_desc());
             REQUIRE(lr_body_create(world.get(), batch, bodies.data(), capacity, nullptr) == LR_OK);
             steps(world, 1, 0.01f);

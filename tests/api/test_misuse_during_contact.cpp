@@ -1,4 +1,4 @@
-// Callers that do wrong in the middle of a scene: what they are told, and that the scene goes on as if they had not.
+// Wrong calls in the middle of a scene: their statuses, and that the scene continues unaffected.
 #include "support/contact.h"
 #include "support/contact_events.h"
 
@@ -45,7 +45,7 @@ double lowest_corner(const lr_body_state& s) {
     return least;
 }
 
-// Two triangles a face.
+// Two triangles per face.
 Triangles cube(float half) {
     Triangles t;
     for (int i = 0; i < 8; ++i)
@@ -59,7 +59,7 @@ Triangles cube(float half) {
 
 TEST_CASE("colliders that are told to go where nothing is stay where they are, and so does all that lies on them") {
     const Asset asset = chip();
-    const World worlds[] = {make(world_desc()), make(world_desc())}; // the second is left in peace
+    const World worlds[] = {make(world_desc()), make(world_desc())}; // the second receives no wrong calls
     lr_collider decks[2], sleds[2];
     for (size_t w = 0; w < 2; ++w) {
         const lr_batch batch = chips(worlds[w], asset, 60);
@@ -140,7 +140,7 @@ TEST_CASE("meshes that are inside out, and those with triangles that are none, h
         std::swap(inside_out.indices[t], inside_out.indices[t + 1]);
         if (t % 2 == 0) std::swap(mixed.indices[t], mixed.indices[t + 2]);
     }
-    // Points, lines and slivers, on its top and in its corners.
+    // Points, lines and slivers, on top of it and in its corners.
     for (uint32_t i = 0; i < 8; ++i) crumbs.indices.insert(crumbs.indices.end(), {i, i, i, i, (i + 1) % 8, i});
     const auto more = static_cast<uint32_t>(crumbs.vertices.size() / 3);
     crumbs.vertices.insert(crumbs.vertices.end(), {-0.5f, 0.6f, 0.0f, 0.5f, 0.6f, 0.0f, 0.0f, 0.6f, 0.0f});
@@ -170,7 +170,7 @@ TEST_CASE("meshes that are inside out, and those with triangles that are none, h
             if (mesh == &right) first.push_back(s);
             if (length(vec(s.position) - vec(first[i].position)) < 1e-3) ++alike;
         }
-        // Corners in another order round otherwise.
+        // Corners in another order, with the other orientation.
         CHECK(alike > 40);
     }
 }
@@ -184,7 +184,7 @@ TEST_CASE("hulls that are as good as flat: refused, or something to land on") {
     const float thickness[] = {0.0f, 1e-7f, 5e-5f, 3e-4f, 1e-3f, 1e-2f};
     for (size_t i = 0; i < 6; ++i) {
         const float t = thickness[i], x = 3.0f * static_cast<float>(i);
-        // Corners twice, points on edges and faces.
+        // Repeated corners, points on edges and faces.
         std::vector<float> points;
         for (float u : {-1.0f, 0.0f, 1.0f, 1.0f})
             for (float v : {0.0f, -t})
@@ -230,9 +230,9 @@ TEST_CASE("bodies and colliders that are destroyed as their events are read: con
         }
         if (info_of(world).body_count + 4 <= most) drop(world, batch, 4, random.bits());
         steps(world, 1, step, 2);
-        // A copy: what is destroyed below is another call.
+        // A copy: the call below destroys what the first list names.
         for (const lr_event& e : events_of(world)) {
-            REQUIRE(std::find(gone.begin(), gone.end(), e.body) == gone.end()); // nothing of the dead in later steps
+            REQUIRE(std::find(gone.begin(), gone.end(), e.body) == gone.end()); // destroyed bodies never occur later
             if (e.kind == LR_EVENT_HIT) REQUIRE(++touching[{e.body, e.collider}] == 1);
             if (e.kind == LR_EVENT_LIFTED) REQUIRE(--touching[{e.body, e.collider}] == 0);
         }
@@ -256,7 +256,7 @@ TEST_CASE("bodies and colliders that are destroyed as their events are read: con
     }
     CHECK(ended_by_us > 10);
     CHECK(bodies_destroyed > 50);
-    // What touches still ends when all colliders go.
+    // Contacts end when all colliders are destroyed.
     for (lr_collider pad : pads) REQUIRE(lr_collider_destroy(world.get(), &pad, 1) == LR_OK);
     steps(world, 1, step, 2);
     for (const lr_event& e : events_of(world)) {

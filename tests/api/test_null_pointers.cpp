@@ -3,7 +3,7 @@
 
 using namespace test;
 
-TEST_CASE("what comes out of a refused call is no handle") {
+TEST_CASE("a refused call returns no handle") {
     const Asset asset = leaf();
     const World world = make(world_desc());
     lr_world* const w = world.get();
@@ -122,7 +122,7 @@ TEST_CASE("bodies, colliders and wind sources may be made without asking for the
         if (ask) CHECK((bodies[0].id != 0 && bodies[1].id != 0 && collider.id != 0 && source.id != 0));
         steps(world, 4, 0.01f);
         hashes[ask] = hash_of(world);
-        // A refusal is one with and without.
+        // A refusal stays a refusal, with and without the optional pointer.
         blower.nozzle_radius = -1.0f;
         CHECK(lr_world_add_blower(w, &blower, ask ? &source : nullptr) == LR_ERROR_INVALID_ARGUMENT);
         CHECK(source.id == 0);

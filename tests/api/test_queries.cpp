@@ -1,4 +1,4 @@
-// Rays and overlaps through the API: closed forms of spheres, every body by itself, order, arguments.
+// Rays and overlaps through the API: closed forms of spheres, brute force over bodies, order, arguments.
 #include "support/colliders.h"
 #include "support/vector.h"
 
@@ -40,7 +40,7 @@ std::vector<lr_body> overlaps(const World& world, const lr_overlap_desc& d) {
     return ids;
 }
 
-// Balls of two batches, of sizes from millimetres to a metre, some at rest.
+// Balls of two batches, from millimetres to a metre, some asleep.
 struct Balls {
     Asset asset = make(ellipsoid(0.1, 0.1, 0.1, 100.0));
     World world = make(world_desc());
@@ -184,7 +184,7 @@ TEST_CASE("rays meet colliders where these stand, moved and turned, by their lay
     CHECK((hit.distance == 3.0f && hit.normal[1] == 1.0f && hit.position[1] == -2.0f));
     hit = cast(world, ray_of({20.5, 5.0, 0.5}, {0.0, -1.0, 0.0}));
     CHECK(hit.collider == ids[3]);
-    // Bodies come first where both are as near.
+    // At equal distance, bodies come first.
     const Asset asset = make(ellipsoid(0.5, 0.5, 0.5, 100.0));
     const lr_batch batch = add_batch(world, asset, 2);
     lr_body_desc d = body_desc();
@@ -192,7 +192,7 @@ TEST_CASE("rays meet colliders where these stand, moved and turned, by their lay
     const lr_body body = add_body(world, batch, d);
     hit = cast(world, ray_of({6.0, 9.0, 0.0}, {0.0, -1.0, 0.0}));
     CHECK((hit.body == body && hit.collider.id == 0));
-    // They are where they have been moved.
+    // After a move they are at the new place.
     lr_collider_motion m = initialised(lr_collider_motion_init);
     m.mode = LR_MOVE_PLACE;
     m.collider = ids[0];
@@ -226,7 +226,7 @@ TEST_CASE("overlaps of balls with spheres and boxes are those of closed forms, i
                 square += out * out;
             }
             const double gap = (round % 2 ? std::sqrt(square) : length(p) - wide(d.size[0])) - b.radius;
-            REQUIRE(std::abs(gap) > 1e-6); // no case that rounding could turn
+            REQUIRE(std::abs(gap) > 1e-6); // far from rounding
             if (gap < 0.0) expected.push_back(&b);
         }
         std::stable_sort(expected.begin(), expected.end(), [&](const Ball* a, const Ball* b) {
@@ -279,7 +279,7 @@ TEST_CASE("overlaps of flat bodies with boxes are those that points of them say"
         if (in) CHECK(told);
         undecided += told && !in ? 1 : 0;
     }
-    CHECK(undecided <= 8); // by less than the points are apart
+    CHECK(undecided <= 8); // closer than the distance of the sample points
     CHECK(got.size() > 40);
     CHECK(got.size() < 360);
 }

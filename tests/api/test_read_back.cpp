@@ -1,4 +1,4 @@
-// What is set is read back: users of bodies, settings. Bounds, timings, and the text of the last failed call.
+// Getters return what setters set: users of bodies, settings. Bounds, timings, and the last error's text.
 #include "support/colliders.h"
 #include "support/contact_events.h"
 #include "support/lifecycle.h"
@@ -29,7 +29,7 @@ Bounds bounds_of(const World& world, lr_batch batch) {
     return b;
 }
 
-// Of the ends of each ellipsoid's axes, as it is drawn.
+// Bounds from the ends of each ellipsoid's axes.
 Bounds drawn(const World& world, lr_batch batch, double x, double y, double z) {
     const uint32_t count = view_of(world, batch).count;
     std::vector<float> rows(size_t{12} * count);
@@ -151,7 +151,7 @@ TEST_CASE("rays and events name the user of a body, respawned bodies keep it, sp
     const std::vector<lr_body> asked = emit(world, batch, 1);
     CHECK(events_of(world).empty());
     steps(world, 1, 0.05f);
-    // It was spawned and ended within a step; the burst comes after the rules.
+    // It spawned and ended within a step; the burst comes after the rules.
     const std::vector<lr_event> told = events_of(world);
     REQUIRE(told.size() == 5);
     CHECK((told[0].kind == LR_EVENT_RESPAWNED && told[0].body == body && told[0].user == 1ull << 40));
@@ -164,7 +164,7 @@ TEST_CASE("rays and events name the user of a body, respawned bodies keep it, sp
     CHECK((list.capacity == 1000 && list.kinds == LR_EVENTS_ALL));
     const lr_batch_counts counts = counts_of(world, batch);
     CHECK((counts.spawned == 2 && counts.respawned == 2 && counts.total_spawned == 3 && counts.destroyed == 0));
-    // Kinds that nobody wants are not listed; bodies that are made or destroyed by hand are not told.
+    // Unselected kinds are not listed, nor are bodies created or destroyed by calls.
     keep_events(world, 10, LR_EVENTS_SPAWNED);
     add_body(world, batch, body_desc());
     const lr_body gone = emit(world, batch, 1)[0];
@@ -206,7 +206,7 @@ TEST_CASE("bounds contain all that is drawn, asleep, large, far away or behind, 
         steps(world, 2, 0.01f);
         REQUIRE(lr_body_set_sleep(world.get(), ids.data(), count / 2, LR_SLEEP_ASLEEP) == LR_OK);
         check(0.0);
-        // Behind by a step, bodies are drawn where they would have come to.
+        // One step behind, bodies are drawn at their extrapolated places.
         REQUIRE(lr_batch_set_rate(world.get(), batch, 2) == LR_OK);
         bool waited = false;
         for (int i = 0; i < 2; ++i) {
@@ -217,7 +217,7 @@ TEST_CASE("bounds contain all that is drawn, asleep, large, far away or behind, 
             check(pace.behind * 30.0);
         }
         CHECK((waited || count == 1));
-        // The same again, and by any order of bodies.
+        // The same again in any order of bodies.
         CHECK(bounds_of(world, batch) == bounds_of(world, batch));
         const std::vector<unsigned char> saved = snapshot_of(world);
         const Bounds before = bounds_of(world, batch);
@@ -305,7 +305,7 @@ TEST_CASE("settings are read back as they were set, and as initial values where 
     check(
         rules_desc(), rules, [&](lr_batch_rules* d) { return lr_batch_get_rules(w, batch, d, &present); },
         [&](const lr_batch_rules* d) { return lr_batch_set_rules(w, batch, d); });
-    // These are always there.
+    // These always exist.
     present = -1;
     lr_load_gains gains = initialised(lr_load_gains_init);
     gains.drag = 0.1f, gains.lift = 2.0f, gains.spin_drag = 0.0f, gains.turbulence = 33.3f;
@@ -340,7 +340,7 @@ TEST_CASE("the last failed call of a thread says what and why, with a world and 
     CHECK(lr_world_step(world.get(), -1.0f, 1) == LR_ERROR_TIMESTEP_NEGATIVE);
     CHECK(last() == "lr_world_step: dt is negative");
     CHECK(last() == logged);
-    // What succeeds leaves it as it is, and other threads have their own.
+    // Success does not change it, and other threads have their own.
     CHECK(lr_world_step(world.get(), 0.01f, 1) == LR_OK);
     std::thread([&] {
         CHECK(last().empty());

@@ -1,5 +1,5 @@
-// NaN, infinities and values out of range in every field of every struct: each refused with its own status, and the
-// world is as it was.
+// NaN, infinities and values out of range in every field of every struct: each is refused with its status, and the world does
+// not change.
 #include "support/scene.h"
 
 #include <cmath>
@@ -114,7 +114,7 @@ TEST_CASE("a body is not created from or set to impossible values") {
         pose_fields<lr_body_desc>() +
             std::vector<Field>{{"reserved", offsetof(lr_body_desc, reserved), Field::u32, {1.0, 4294967295.0}, {0.0}}},
         [&](const lr_body_desc* d) {
-            // With a good one before it: neither is made.
+            // After a valid one: neither is created.
             lr_body_desc pair[2] = {body_desc(), *d};
             lr_body ids[2] = {77, 77};
             const lr_status status = lr_body_create(world.get(), batch, pair, 2, ids);
@@ -129,7 +129,7 @@ TEST_CASE("a body is not created from or set to impossible values") {
     lr_body_state zero = good;
     for (float& q : zero.orientation) q = 0.0f;
     CHECK(lr_body_set_state(world.get(), body, &zero) == LR_ERROR_INVALID_ARGUMENT);
-    zero.orientation[2] = 1e-30f; // its square is no float
+    zero.orientation[2] = 1e-30f; // its square underflows
     CHECK(lr_body_set_state(world.get(), body, &zero) == LR_ERROR_INVALID_ARGUMENT);
     steps(world, 3, 0.01f, 4);
 }
@@ -198,7 +198,7 @@ TEST_CASE("a rigid body is not made from impossible numbers") {
         return status;
     };
     check_fields<lr_rigid_desc>(rigid_plate(), fields, create, [] { return uint64_t{0}; });
-    // Its loads are checked as those of a batch are.
+    // Its loads are checked like a batch's.
     lr_aerodynamics a = initialised(lr_aerodynamics_init);
     lr_rigid_desc d = rigid_plate();
     d.aerodynamics = &a;
@@ -356,7 +356,7 @@ TEST_CASE("gravity, wind, batches and tables refuse impossible values and leave 
         }
     CHECK(snapshot_of(world) == with_table);
     REQUIRE(lr_batch_set_turbulence_table(w, batch, nullptr) == LR_OK);
-    CHECK(snapshot_of(world) == before); // the asset's own table is back, bit for bit
+    CHECK(snapshot_of(world) == before); // the asset's own table is restored, bit for bit
 
     lr_load_gains g = initialised(lr_load_gains_init);
     fields.clear();

@@ -1,4 +1,4 @@
-// Bodies at rest: they stay, cost nothing, grow older, end by rules, and wake when something is done to them.
+// Sleeping bodies: they stay, cost nothing, age, end by rules, and wake when a call acts on them.
 #include "support/lifecycle.h"
 #include "support/random.h"
 #include "support/water.h"
@@ -71,7 +71,7 @@ TEST_CASE("bodies at rest stay where they are, on every instruction set, and the
                     }
                     if (kind == 2) set_water(c->world, sea());
                 }
-                // In the other world those that would lie were never there.
+                // The other world never had the sleeping bodies.
                 for (uint32_t i = 0; i < count; i += 3)
                     REQUIRE(lr_body_destroy(alone.world.get(), &alone.ids[i], 1) == LR_OK);
                 crowd.set(lying, LR_SLEEP_ASLEEP);
@@ -161,7 +161,7 @@ TEST_CASE("a body wakes when something is done to it, and others sleep on") {
             f.torque[1] = zero ? 0.0f : 1e-9f;
             CHECK(wakes([&] { REQUIRE(lr_body_add_force(w, &f, 1) == LR_OK); }) == !zero);
         }
-    // A force at once, and what it does is what it does to a body that moves.
+    // A force wakes at once, and acts as on an awake body.
     crowd.set(crowd.ids, LR_SLEEP_ASLEEP);
     lr_body_force f = initialised(lr_body_force_init);
     f.body = body, f.mode = LR_FORCE_MODE_VELOCITY, f.force[0] = 2.0f;
@@ -246,7 +246,7 @@ TEST_CASE("a force on a body that is put to rest is gone, and its velocities are
     REQUIRE(lr_world_set_gravity(crowd.world.get(), none) == LR_OK);
     const lr_body_state before = state_of(crowd.world, f.body);
     for (float v : before.linear_velocity) CHECK(v == 0.0f);
-    f.body = crowd.ids[0]; // forces are pending again: those of others with them
+    f.body = crowd.ids[0]; // forces are pending again, among them those on others
     REQUIRE(lr_body_add_force(crowd.world.get(), &f, 1) == LR_OK);
     steps(crowd.world, 1, 0.01f);
     CHECK(std::abs(state_of(crowd.world, crowd.ids[1]).linear_velocity[1]) < 0.1f); // 1 N would give a thousand
@@ -259,7 +259,7 @@ TEST_CASE("ages go on at rest as they do in motion, at any rate of the batch") {
         Random random(divisor);
         std::set<lr_body> lying;
         for (int step = 0; step < 400; ++step) {
-            // The first always moves and the last one rests as soon as it can; at times all rest but for nobody.
+            // The first body always moves, the last sleeps as soon as it can; at times all the others sleep.
             const lr_body id = crowd.ids[1 + random.below(49)];
             crowd.set({id}, random.below(2) ? LR_SLEEP_ASLEEP : LR_SLEEP_AWAKE);
             if (step == 150) crowd.set(crowd.ids, LR_SLEEP_ASLEEP);

@@ -1,4 +1,4 @@
-// Bodies that lie on bodies: what wakes them, what a hit wakes, and what bodies at rest cost.
+// Piles: events that wake sleeping bodies, hits among them, and the cost of sleeping bodies.
 #include "support/body_contact.h"
 #include "support/lifecycle.h"
 
@@ -17,7 +17,7 @@ lr_batch_contact resting_contact() {
     return c;
 }
 
-// A box on a box on a plane, all at rest, and one far away.
+// A box on a box on a plane, all asleep, and a distant box.
 struct Tower {
     World world = make(world_desc());
     Asset box = make(rigid_box(0.1, 0.1, 0.1, 300.0));
@@ -62,7 +62,7 @@ TEST_CASE("a body that lies on another falls when that goes, however it goes") {
             lr_body_force f = initialised(lr_body_force_init);
             f.body = t.below;
             f.mode = LR_FORCE_MODE_VELOCITY;
-            f.force[0] = -8.0f; // not towards the one that is far
+            f.force[0] = -8.0f; // away from the distant box
             REQUIRE(lr_body_add_force(w, &f, 1) == LR_OK);
         } else if (how == 4) {
             REQUIRE(lr_batch_destroy(w, t.low) == LR_OK);
@@ -72,7 +72,7 @@ TEST_CASE("a body that lies on another falls when that goes, however it goes") {
         steps(t.world, 60, frame, 2);
         CHECK(t.height() < 0.06);
         CHECK(t.height() > 0.045);
-        if (how != 4) CHECK(rests(t.world, t.far)); // of a batch that is not asked
+        if (how != 4) CHECK(rests(t.world, t.far)); // of a batch without the call
         steps(t.world, 60, frame, 2);
         CHECK(rests(t.world, t.above));
     }
@@ -157,7 +157,7 @@ TEST_CASE("wind below lift-off leaves a pile at rest, and a stronger one takes i
     CHECK(gone == 20);
 }
 
-TEST_CASE("whatever wakes bodies of a batch that is at rest as a whole, their age is the time that has passed") {
+TEST_CASE("however a batch that sleeps as a whole wakes, its bodies' age is the time that has passed") {
     for (uint32_t divisor : {1u, 3u})
         for (int how = 0; how < 3; ++how) {
             CAPTURE(divisor);
@@ -192,7 +192,7 @@ TEST_CASE("whatever wakes bodies of a batch that is at rest as a whole, their ag
             };
             run(180);
             REQUIRE(view_of(world, batch).awake_count == 0);
-            if (how == 0) { // comes down onto one of them
+            if (how == 0) { // falls onto one of them
                 lr_collider_motion down = motion_of(collider, LR_MOVE_TO);
                 down.position[0] = 0.31f, down.position[1] = 0.055f;
                 REQUIRE(lr_collider_move(world.get(), &down, 1) == LR_OK);

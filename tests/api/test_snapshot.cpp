@@ -7,7 +7,7 @@ using namespace test;
 
 namespace {
 
-// Two batches on both tensor paths, births, deaths and time behind them.
+// Two batches on both tensor paths, after spawns, ends and some time.
 struct Lived {
     World world;
     lr_batch leaves{}, curled{};
@@ -82,7 +82,7 @@ TEST_CASE("a restored world has the same ids, the same hash and the same future"
         }
         std::vector<lr_body> again;
         live_on(*world, lived.leaves, again);
-        CHECK(again == spawned); // the same ids for the same births
+        CHECK(again == spawned); // the same spawns give the same ids
         CHECK(hash_of(*world) == later);
     }
 }

@@ -178,7 +178,7 @@ TEST_CASE("instruction sets are listed best first, named, and can be forced" * d
         CHECK(names.insert(lr_simd_target_name(target)).second);
     for (int32_t unknown : {-1, 7, 1000}) CHECK(std::string(lr_simd_target_name(unknown)) == "unknown");
 
-    // Short buffers: what fits is written, the count is whole.
+    // Short buffers: written as far as they go; the count is complete.
     uint32_t count = 0;
     int32_t first[2] = {-7, -7};
     if (targets.size() > 1) {

@@ -1,4 +1,4 @@
-// The longest steps that are taken: what they cost is bounded by bodies, substeps and what is near, however far anything may come in them.
+// The longest steps: their cost depends on bodies, substeps and neighbours only, however far bodies move.
 #include "support/colliders.h"
 
 #include <chrono>
@@ -56,7 +56,7 @@ TEST_CASE("a body that flies far among very many colliders meets each of them on
     for (uint32_t i = 0; i < rows * columns; ++i) {
         const uint32_t x = i % columns, z = i / columns, aside = x > z ? x - z : z - x;
         balls[i].position[0] = static_cast<float>(x);
-        balls[i].position[1] = aside < 10 ? -100.0f : 0.0f; // not in its way
+        balls[i].position[1] = aside < 10 ? -100.0f : 0.0f; // out of its way
         balls[i].position[2] = static_cast<float>(z);
     }
     REQUIRE(lr_collider_create(scene.world.get(), balls.data(), rows * columns, nullptr) == LR_OK);
@@ -65,9 +65,9 @@ TEST_CASE("a body that flies far among very many colliders meets each of them on
     fast.linear_velocity[0] = fast.linear_velocity[2] = 3e4f;
     fast.linear_velocity[1] = -3000.0f;
     lr_batch_desc free = batch_desc();
-    free.load_model = LR_LOADS_NONE; // air would stop it
+    free.load_model = LR_LOADS_NONE; // drag would stop it
     const lr_body body = add_body(scene.world, add_batch(scene.world, free, scene.asset, 1), fast);
-    seconds_of(scene.world, 1e-4f, 1); // the grid is made
+    seconds_of(scene.world, 1e-4f, 1); // builds the grid
     CHECK(seconds_of(scene.world, 0.02f, 1) < 5.0);
     CHECK(state_of(scene.world, body).position[0] > 300.0f);
 }

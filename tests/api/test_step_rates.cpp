@@ -1,4 +1,4 @@
-// Rates of batches and budgets of worlds: what is stepped when, over which time, and what is told of it.
+// Rates of batches and budgets of worlds: which batches step, over which time, and what the reports say.
 #include "support/lifecycle.h"
 #include "support/random.h"
 #include "support/water.h"
@@ -44,7 +44,7 @@ std::vector<lr_body> populate(const World& w, lr_batch batch, uint32_t count) {
     return ids;
 }
 
-// A world with batches of these many bodies.
+// A world with batches of these sizes.
 struct Crowd {
     Asset asset = leaf();
     World world;
@@ -103,7 +103,7 @@ TEST_CASE("a divisor takes fewer substeps, and waits for some steps where that i
     for (const auto& k : cases) {
         CAPTURE(k.divisor);
         set_rate(c.world, c.batches[0], k.divisor);
-        // Up to the next step that is one of its own.
+        // Steps until the next step of the batch itself.
         do c.step(k.substeps);
         while (pace_of(c.world, c.batches[0]).substeps == 0);
         const uint64_t before = pace_of(c.world, c.batches[0]).body_substeps;
@@ -136,8 +136,8 @@ TEST_CASE("batches of the same divisor take different steps") {
     }
 }
 
-// Without noise a batch that waited is a world with longer steps, to the last bit: in a uniform wind, in a field, at a surface.
-TEST_CASE("what a batch makes up for is one longer step") {
+// Without noise a batch with a divisor equals a world with longer steps, to the last bit: in uniform wind, in a field, at a water surface.
+TEST_CASE("a batch that waited takes one longer step") {
     for (int setting = 0; setting < 4; ++setting)
         for (int32_t loads : {LR_LOADS_NONE, LR_LOADS_AERODYNAMIC}) {
             CAPTURE(setting);
@@ -167,7 +167,7 @@ TEST_CASE("what a batch makes up for is one longer step") {
                 REQUIRE(lr_batch_set_force(worlds[i].get(), batches[i], &pull) == LR_OK);
             }
             set_rate(worlds[1], batches[1], 12); // with 4 substeps: one of three steps takes one
-            // Its phase is that of the world's steps: the first is by itself.
+            // Its phase follows the world's steps: the first step is a separate one.
             steps(worlds[0], 1, frame, 1);
             steps(worlds[0], 4, 3.0f * frame, 1);
             steps(worlds[1], 13, frame, 4);
@@ -191,7 +191,7 @@ TEST_CASE("a divisor has no effect beyond the longest substep") {
         CHECK(pace_of(world, small).substeps == 3); // 3.8 of 8 fit into its longest
         CHECK(report_of(world).lost == 0.0);
     }
-    // A world whose own substeps are longer than that has its own way.
+    // A world with longer substeps than that steps as usual.
     const uint64_t before = pace_of(world, large).body_substeps;
     steps(world, 5, 0.1f, 2);
     CHECK(pace_of(world, large).body_substeps - before >= 100);
@@ -202,7 +202,7 @@ TEST_CASE("transforms of a batch that waits are moved on with its bodies") {
     lr_world_desc d = world_desc();
     d.gravity[1] = 0.0f;
     const World world = make(d);
-    const Asset asset = make(ellipsoid(0.05, 0.05, 0.05, 1000.0)); // a ball: nothing turns its spin
+    const Asset asset = make(ellipsoid(0.05, 0.05, 0.05, 1000.0)); // a ball: nothing changes its spin's direction
     lr_batch_desc bd = batch_desc();
     bd.load_model = LR_LOADS_NONE;
     const lr_batch batch = add_batch(world, bd, asset, 300);
@@ -210,7 +210,7 @@ TEST_CASE("transforms of a batch that waits are moved on with its bodies") {
     std::vector<lr_body_state> start;
     for (lr_body id : ids) start.push_back(state_of(world, id));
     set_rate(world, batch, 1024);
-    steps(world, 1, frame, 1); // its first step: there is one of this number
+    steps(world, 1, frame, 1); // its first step
     if (pace_of(world, batch).waited == 0) steps(world, 7, frame, 1);
     const double behind = pace_of(world, batch).behind;
     REQUIRE(behind > 0.0);
@@ -319,7 +319,7 @@ TEST_CASE("a budget is kept in each step, and shared alike") {
     CHECK(summed);
     CHECK(total == 700 * frames);
     for (lr_batch b : c.batches) CHECK(pace_of(c.world, b).body_substeps == 175 * frames);
-    // And it ends.
+    // The series ends.
     set_budget(c.world, 0);
     c.step();
     CHECK(report_of(c.world).body_substeps == 1600);
@@ -374,7 +374,7 @@ TEST_CASE(
 TEST_CASE("bodies go in slow motion rather than wrong where a budget does not reach for their longest substeps") {
     const Crowd c({1000});
     const float slow = 1.0f / 120.0f; // s: a half of the longest substep
-    set_budget(c.world, 250);         // a substep in four steps, which makes up for two
+    set_budget(c.world, 250);         // a substep in four steps, which covers two of them
     double lost = 0.0;
     for (int i = 0; i < 100; ++i) {
         steps(c.world, 1, slow, 4);
@@ -415,7 +415,7 @@ TEST_CASE("waiting is part of hashes and snapshots") {
     steps(c.world, 37, frame, 4);
     steps(other.world, 37, frame, 4);
     CHECK(hash_of(other.world) == hash_of(c.world));
-    // Each setting is told apart.
+    // Each setting is reported separately.
     std::vector<uint64_t> hashes = {hash_of(c.world)};
     set_rate(c.world, c.batches[1], 2);
     hashes.push_back(hash_of(c.world));

@@ -1,4 +1,4 @@
-// Structs: their initial values, their stride in arrays, and larger ones of later headers. Every size of each: test_calls.cpp.
+// Structs: initial values, strides in arrays, and larger structs of later headers. All sizes of each: test_calls.cpp.
 #include "support/colliders.h"
 #include "support/wind.h"
 
@@ -6,7 +6,7 @@ using namespace test;
 
 namespace {
 
-// The struct at the front of a buffer of zeros, which a newer and larger one would fill.
+// The struct at the front of a buffer of zeros, for the fields of a newer, larger struct.
 template <class T> struct Grown {
     explicit Grown(const T& from) { std::memcpy(static_cast<void*>(&value), &from, sizeof(T)); }
     T value;

@@ -1,4 +1,4 @@
-// LR_CHECK_THREADS: every function that takes a world refuses to be called while another call is inside it.
+// LR_CHECK_THREADS: every function that takes a world refuses calls during another call on it.
 #include "support/counting_memory.h"
 #include "support/determinism_scenes.h"
 #include "support/threads.h"
@@ -13,7 +13,7 @@ using namespace test;
 
 namespace {
 
-// Arguments are null and 0: what is refused looks at none of them, and what is not says something else than is expected.
+// Arguments are null and 0: a refused call does not read them, any other call returns another status.
 template <class Result, class... Rest> lr_status call(Result (*function)(lr_world*, Rest...), lr_world* w) {
     return function(w, Rest{}...);
 }
@@ -38,7 +38,7 @@ struct Function {
      !std::is_same_v<decltype(&(name)), decltype(&lr_world_destroy)> &&                                                \
          !std::is_same_v<decltype(&(name)), decltype(&lr_world_snapshot_size)> &&                                      \
          !std::string_view(#name).ends_with("_is_valid")},
-// All that the header declares, in its order: tests/CMakeLists.txt.
+// All declarations of the header, in its order: tests/CMakeLists.txt.
 const Function functions[] = {
 #include "world_functions.inc"
 };
@@ -50,7 +50,7 @@ struct Messages {
     }
 };
 
-// Calls all functions and says which did not refuse.
+// Calls all functions and lists those that did not refuse.
 std::string accepted(lr_world* w, lr_status expected) {
     std::string names;
     for (const Function& f : functions)
@@ -152,7 +152,7 @@ TEST_CASE("a call from inside a callback is refused, whatever callback and funct
         const bool in_memory = which == 2 || which == 3;
         intruder.armed = !in_memory && which < 6;
         steps(world, 2, 0.01f, 2);
-        if (in_memory) { // a batch is made, or ended, with functions called from inside
+        if (in_memory) { // creates or destroys a batch while callbacks call functions
             intruder.armed = which == 2;
             lr_batch_desc bd = batch_desc();
             bd.asset = asset.get();
@@ -205,13 +205,13 @@ TEST_CASE("a log that calls the library is refused once for each message, withou
     log.world = world.get();
     CHECK(lr_batch_destroy(world.get(), {77}) == LR_ERROR_STALE_BATCH);
     CHECK(log.names == "");
-    // That of the failed call, one for each function that is called from it, and none of those that these call again.
+    // Messages: that of the failed call, one for each function called inside it, none for calls inside those.
     CHECK(log.calls == 1 + static_cast<int>(std::size(functions)));
     CHECK(lr_batch_destroy(world.get(), {77}) == LR_ERROR_STALE_BATCH);
     CHECK(log.calls == 2 * (1 + static_cast<int>(std::size(functions))));
 }
 
-TEST_CASE("what is inside is left by every function, also where it fails") {
+TEST_CASE("every function leaves the world's guard, also if it fails") {
     Messages messages;
     const World world = make(checked(messages));
     for (const Function& f : functions) {
@@ -286,7 +286,7 @@ TEST_CASE("another thread is refused, and told, while a step goes on: also with 
         }
         stepper.join();
         CHECK(stepped == LR_OK);
-        CHECK(state_of(world, body).linear_velocity[0] > 0.0f); // alive, in order, and this thread's again
+        CHECK(state_of(world, body).linear_velocity[0] > 0.0f); // intact, and usable by this thread again
         return hash_of(world);
     };
     CHECK(play(true) == play(false));

@@ -1,4 +1,4 @@
-// What the header allows threads to do at the same time: worlds of their own, assets of all. For ThreadSanitizer, and for bits.
+// Concurrency that the header permits: separate worlds, shared assets. For ThreadSanitizer, and for bits.
 #include "support/counting_memory.h"
 #include "support/determinism_scenes.h"
 #include "support/threads.h"
@@ -27,7 +27,7 @@ template <class Work> void side_by_side(uint32_t count, Work&& work) {
     for (std::thread& t : threads) t.join();
 }
 
-// An engine's: jobs of many worlds in one queue, taken by its own threads in an order that nobody can rely on.
+// An engine's queue: jobs of many worlds, run by its threads in no particular order.
 class Engine {
 public:
     explicit Engine(uint32_t threads) {
@@ -62,14 +62,14 @@ private:
         {
             const std::lock_guard lock(mutex_);
             for (uint32_t i = 0; i < count; ++i) {
-                // To both ends, so that jobs of several worlds get between each other.
+                // At both ends, so that jobs of several worlds mix.
                 if ((i + jobs_.size()) % 2 == 0)
                     jobs_.push_back({run, task, i, left});
                 else
                     jobs_.push_front({run, task, i, left});
             }
         }
-        more_.notify_one(); // not all: some of them starve
+        more_.notify_one(); // not all: some threads starve
         return left;
     }
     void finish(uint32_t& left) {
@@ -78,7 +78,7 @@ private:
             if (jobs_.empty())
                 done_.wait(lock, [&] { return left == 0 || !jobs_.empty(); });
             else
-                one(lock); // perhaps of another world, as an engine's waiting thread would
+                one(lock); // perhaps of another world, as a waiting engine thread would
         }
         lock.unlock();
         delete &left;
@@ -110,7 +110,7 @@ private:
 std::vector<PlayedScene> some_scenes() {
     std::vector<PlayedScene> some;
     for (PlayedScene& scene : played_scenes()) {
-        if (scene.faulty) continue; // they count on their length
+        if (scene.faulty) continue; // these depend on their length
         scene.frames = 6;
         if (scene.called_back || scene.meeting || scene.governed || scene.afloat) some.push_back(scene);
     }
@@ -132,7 +132,7 @@ TEST_CASE("worlds on threads of their own, with workers and callbacks, each as i
 
 TEST_CASE("worlds of several threads share one job system, which runs their tasks in any order") {
     std::vector<PlayedScene> scenes = some_scenes();
-    for (PlayedScene& scene : scenes) scene.bodies = scene.meeting ? 150 : 1500; // work for more than one
+    for (PlayedScene& scene : scenes) scene.bodies = scene.meeting ? 150 : 1500; // work for more than one thread
     std::vector<uint64_t> expected, got(scenes.size());
     for (const PlayedScene& scene : scenes) expected.push_back(outcome(scene));
     for (uint32_t threads : {1u, 4u}) {
@@ -170,7 +170,7 @@ TEST_CASE("an asset is shared, asked and released by many threads, the last of w
             wrong += lr_world_create(&wd, &world) != LR_OK || lr_batch_create(world, &bd, &batch) != LR_OK;
             for (int k = 0; k < 20; ++k) lr_asset_release(asset);
             wrong += lr_asset_get_info(asset, &info) != LR_OK;
-            lr_asset_release(asset); // from here on it is the batch that holds it
+            lr_asset_release(asset); // from here on the batch holds it
             for (int k = 0; k < 60; ++k) wrong += lr_body_create(world, batch, &body, 1, nullptr) != LR_OK;
             for (int k = 0; k < 5; ++k) wrong += lr_world_step(world, 0.01f, 2) != LR_OK;
             wrong += lr_world_hash(world, &hashes[i]) != LR_OK;

@@ -1,4 +1,4 @@
-// State as it is read: views, states and transforms say the same.
+// Views, states and transforms agree.
 #include "support/random.h"
 #include "support/scene.h"
 #include "support/vector.h"
@@ -70,7 +70,7 @@ TEST_CASE("a view holds what get_state says, in aligned arrays") {
     }
 }
 
-TEST_CASE("what a body is created with is what it has") {
+TEST_CASE("a body has the values of its desc") {
     Crowd crowd(64);
     Random random(64);
     for (lr_body id : crowd.ids) {

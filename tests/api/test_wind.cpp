@@ -27,7 +27,7 @@ template <class D> lr_status try_add(const World& w, const D& d) {
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN(),
                 infinity = std::numeric_limits<float>::infinity();
 
-// A good source of one kind, and what becomes of it with a wrong value: as a new one, and as an update.
+// A valid source of a kind; each wrong value is tried in a new source and in an update.
 template <class D> struct Spoilt {
     const World& world;
     const D& good;
@@ -43,7 +43,7 @@ template <class D> struct Spoilt {
         if constexpr (requires { held.samples; }) held.samples = good.samples;
         CHECK(std::memcmp(&held, &good, sizeof good) == 0);
     }
-    // A float or three.
+    // A float or three floats.
     template <class M> void numbers(M D::*member, std::initializer_list<float> wrong) const {
         for (size_t i = 0; i < sizeof(M) / sizeof(float); ++i) {
             const auto set = [&](D& d, float value) { (&reinterpret_cast<float&>(d.*member))[i] = value; };
@@ -95,7 +95,7 @@ void spoil(const Spoilt<lr_blower_desc>& s) {
         s.refused(LR_ERROR_INVALID_ARGUMENT, no_side);
         s.refused(LR_ERROR_INVALID_ARGUMENT, along);
     } else {
-        lr_blower_desc round = s.good; // does not use it
+        lr_blower_desc round = s.good; // a round nozzle does not use it
         no_side(round);
         CHECK(try_add(s.world, round) == LR_OK);
     }
@@ -195,7 +195,7 @@ TEST_CASE("an updated source is the new one from its new place on") {
     REQUIRE(lr_world_update_blower(world.get(), source, &d) == LR_OK);
     CHECK(length(wind_at(world, {0.25, 0.0, 0.0})) > 0.9);
 
-    // A grid keeps its samples when none are given, unless they would not fit.
+    // An update without samples keeps a grid's samples, unless they would not fit.
     const std::vector<float> samples(3 * 8, 2.0f);
     lr_wind_grid_desc grid = initialised(lr_wind_grid_desc_init);
     for (uint32_t& n : grid.counts) n = 2;
@@ -242,7 +242,7 @@ TEST_CASE("a source is read back as it was set, and is of its kind for good") {
                 CHECK(get_wind(world.get(), {}, &got) == LR_ERROR_STALE_WIND_SOURCE);
             },
             all[i]);
-    // A vortex may change its core, a blower its nozzle.
+    // A vortex can change its core, a blower its nozzle.
     CHECK(update_wind(world.get(), ids[1], &all[2]) == LR_OK);
     CHECK(update_wind(world.get(), ids[3], &all[4]) == LR_OK);
 }
@@ -264,7 +264,7 @@ TEST_CASE("impossible wind sources are refused, and the world is as it was") {
                 CHECK(lr_world_remove_wind(world.get(), spoilt.kept) == LR_OK);
             },
             any);
-    // Adding and removing has worn the handles of places, and nothing else.
+    // Adding and removing changed only the handles' generations.
     CHECK(snapshot_of(world).size() == before.size());
     float positions[6] = {0.0f, 1.0f, 2.0f, 3.0f, not_a_number, 4.0f},
           velocities[6] = {7.0f, 7.0f, 7.0f, 7.0f, 7.0f, 7.0f};
@@ -366,11 +366,11 @@ TEST_CASE("wind takes memory when it is added, none in a step, and gives all of 
         CHECK(ok);
         CHECK(memory.calls == calls);
         CHECK(global_allocations == global);
-        CHECK(memory.live() <= empty + 1); // what is prepared in a step stays
+        CHECK(memory.live() <= empty + 1); // memory allocated in a step is kept
     }
     CHECK(memory.live() == 0);
     CHECK_FALSE(memory.mismatch);
-    // Every allocation fails once: nothing is added, nothing leaks.
+    // Every allocation fails once: no source is added, no memory leaks.
     for (const AnySource& s : sources)
         for (uint64_t n = 0; n < 6; ++n) {
             {

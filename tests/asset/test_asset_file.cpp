@@ -1,4 +1,4 @@
-// Writing, reading back, and every number that a file must not have: each by its own fault, named by its field.
+// Writing, reading back, and every invalid number: each with its own fault, named by its field.
 #include "asset/asset_file.h"
 #include "baker/fault_text.h"
 
@@ -49,7 +49,7 @@ bool same(const AssetData& a, const AssetData& b) {
 
 } // namespace
 
-TEST_CASE("what is written is read back, the same bytes for the same data") {
+TEST_CASE("written data is read back, the same bytes for the same data") {
     AssetData d = test::leaf_data();
     d.turbulence.stationary = 3;
     d.turbulence.cells = {32, 32, 16};
@@ -157,7 +157,7 @@ TEST_CASE("each impossible number has its fault, at its field") {
          [](AssetData& a) { a.inertia[8] = 1.001 * (a.inertia[0] + a.inertia[4]); }},
         {FaultId::asset_inconsistent, "inertia",
          [](AssetData& a) {
-             a.length_b = a.length_d; // a ball, all of whose mass is in a wire
+             a.length_b = a.length_d; // a ball with all its mass in a wire
              a.u0 *= 3.0;
              a.inertia[0] = 9e-5 * a.mass * a.length_b * a.length_b;
              a.inertia[8] = a.inertia[4];
@@ -270,7 +270,7 @@ TEST_CASE("a hull may be empty") {
 
 TEST_CASE("every field of the root is required") {
     const std::vector<uint8_t> good = write_asset(test::leaf_data());
-    // Tables, strings and vectors; of numbers those without which there is no file.
+    // Tables, strings and vectors, and the required numbers.
     for (size_t id : {0u, 1u, 2u, 6u, 7u, 8u, 9u, 10u, 11u, 12u, 15u, 16u, 17u, 18u}) {
         CAPTURE(id);
         std::vector<uint8_t> bytes = good;
@@ -283,7 +283,7 @@ TEST_CASE("every field of the root is required") {
     }
 }
 
-// Sealed with a right checksum, so that every change reaches the checks behind it; AddressSanitizer watches.
+// Resealed with a correct checksum, so that every change reaches the later checks under AddressSanitizer.
 TEST_CASE("a file that was changed and sealed again is refused or holds possible numbers") {
     const std::vector<uint8_t> good = write_asset(test::leaf_data());
     const size_t sum = test::root_field(good, 1);
@@ -301,7 +301,7 @@ TEST_CASE("a file that was changed and sealed again is refused or holds possible
             return static_cast<uint32_t>(state >> 33);
         };
         for (uint32_t n = 1 + random() % 3; n > 0; --n) bytes[random() % bytes.size()] = static_cast<uint8_t>(random());
-        // The root, its table and the way to the checksum stay: else there is nothing to seal.
+        // The root, its table and the path to the checksum stay intact: otherwise it cannot be resealed.
         std::memcpy(bytes.data(), good.data(), 8);
         if (test::root_field(bytes, 1) != sum) continue;
         test::seal(bytes);

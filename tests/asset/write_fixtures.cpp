@@ -1,4 +1,4 @@
-// Writes the asset files that tests load: write_fixtures FOLDER
+// Writes the asset files of the tests: write_fixtures FOLDER
 #include "support/asset_bytes.h"
 
 #include "asset/asset_file.h"

@@ -1,4 +1,4 @@
-// Parsed JSON for assertions. The library itself takes seconds to compile, so that only json.cpp includes it.
+// Parsed JSON for assertions. Only json.cpp includes the JSON library, which takes seconds to compile.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -16,11 +16,11 @@ namespace lr::test {
 
 class Json {
 public:
-    // What is no JSON fails the test.
+    // Invalid JSON fails the test.
     static Json parse(std::string_view text);
     static bool is_json(std::string_view text);
 
-    // A key or index that is not there fails the test, as does a value of another kind.
+    // A missing key or index fails the test, as does a value of another kind.
     Json operator[](std::string_view key) const;
     Json operator[](std::size_t index) const;
     double number() const;
@@ -35,7 +35,7 @@ public:
     bool is_array() const;
     bool is_number() const;
 
-    // A value of another kind differs.
+    // Values of different kinds differ.
     bool operator==(const Json& other) const;
     bool operator==(double value) const;
     bool operator==(std::same_as<bool> auto value) const { return is(value); }
@@ -48,7 +48,7 @@ private:
     explicit Json(std::shared_ptr<const nlohmann::json> value) : value_(std::move(value)) {}
     bool is(bool value) const;
 
-    std::shared_ptr<const nlohmann::json> value_; // owns all that it was parsed with
+    std::shared_ptr<const nlohmann::json> value_; // owns the parsed document
 };
 
 } // namespace lr::test

@@ -15,7 +15,7 @@ namespace lr::test {
 using baker::Face;
 using baker::Mesh;
 
-// Accuracy is for release builds: with sanitizers the same code runs on smaller bodies in the other cases.
+// Accuracy is tested in release builds; with sanitizers other cases run the same code on smaller bodies.
 #ifdef LR_TEST_QUICK
 constexpr bool sanitized = true;
 #else
@@ -117,7 +117,7 @@ inline Mesh box(const Eigen::Vector3d& size, const std::array<int, 3>& n, double
                     const auto corner = [&](int di, int dj) {
                         return base + static_cast<uint32_t>((i + di) * (nv + 1) + j + dj);
                     };
-                    // Diagonals alternate: one direction throughout would favour a handedness.
+                    // Alternating diagonals: a single direction would add a handedness.
                     std::array<Face, 2> pair = {
                         {{corner(0, 0), corner(1, 0), corner(1, 1)}, {corner(0, 0), corner(1, 1), corner(0, 1)}}};
                     if ((i + j) % 2)
@@ -159,7 +159,7 @@ inline Mesh leaf(int along, int across, double thickness, double camber) {
                                                  {at(0, i, j), at(0, i + 1, j + 1), at(0, i + 1, j)},
                                                  {at(0, i, j), at(0, i, j + 1), at(0, i + 1, j + 1)}});
         }
-    const auto wall = [&](int i0, int j0, int i1, int j1) { // the solid lies to the left of the walk
+    const auto wall = [&](int i0, int j0, int i1, int j1) { // the solid lies to the left
         mesh.faces.push_back({at(0, i0, j0), at(0, i1, j1), at(1, i1, j1)});
         mesh.faces.push_back({at(0, i0, j0), at(1, i1, j1), at(1, i0, j0)});
     };

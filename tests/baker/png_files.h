@@ -23,7 +23,7 @@ struct Opacity {
     double at(std::size_t x, std::size_t y) const { return value[y * width + x]; }
 };
 
-// Part of each pixel that lies inside, by n x n samples; y down, from the top left corner of the image.
+// Covered part of each pixel, by n x n samples; y down, from the top left corner of the image.
 inline Opacity draw(std::size_t width, std::size_t height, const std::function<bool(double, double)>& inside,
                     int n = 8) {
     Opacity mask{width, height, std::vector<double>(width * height, 0.0)};
@@ -56,7 +56,7 @@ struct PngKind {
     bool transparency = true; // tRNS of palettes
 };
 
-// The opacity goes into the alpha channel, into a palette of 256 opacities, or, without either, into the colour.
+// Writes opacity to the alpha channel, to a palette of 256 opacities, or, without either, to the colour.
 inline std::string png_file(const Opacity& mask, const PngKind& kind = {}) {
     std::string bytes;
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);

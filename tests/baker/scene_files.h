@@ -1,4 +1,4 @@
-// The same small scene in every format that has scenes: two nested nodes, of which the inner one mirrors.
+// The same small scene in every scene format: two nested nodes, the inner one mirrored.
 #pragma once
 
 #include "baker/mesh/mesh.h"
@@ -56,7 +56,7 @@ inline std::string triple(const Eigen::Vector3d& v, const char* between) {
     return text.str();
 }
 
-// asset: what the element of that name holds, such as <unit>.
+// asset: contents of that element, such as <unit>.
 inline std::string collada(const baker::Mesh& mesh, const SceneNodes& nodes, const std::string& asset) {
     std::ostringstream text;
     text << R"(<?xml version="1.0" encoding="utf-8"?>
@@ -161,7 +161,7 @@ inline std::string glb(const baker::Mesh& mesh, const SceneNodes& nodes) {
             }
         json << (has_children ? "]}" : "}");
     }
-    // Two primitives, as a mesh of two materials has.
+    // Two primitives, as in a mesh of two materials.
     json << R"(],"meshes":[{"name":"Geo","primitives":[{"attributes":{"POSITION":0},"indices":1},)"
          << R"({"attributes":{"POSITION":0},"indices":2}]}],"buffers":[{"byteLength":)" << bytes.size()
          << R"(}],"bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":)" << positions

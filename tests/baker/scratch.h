@@ -1,4 +1,4 @@
-// A folder that lasts as long as the test, files in it, and programs run in it.
+// A temporary folder for the duration of a test, with its files and programs run in it.
 #pragma once
 
 #include "baker/mesh/mesh.h"
@@ -79,7 +79,7 @@ struct Outcome {
 };
 
 struct RunOptions {
-    std::string standard_output;      // instead of being read into the outcome
+    std::string standard_output;      // replaces the captured output
     int kill_after_microseconds = -1; // with SIGTERM
     long file_size_limit = -1;        // bytes
 };

@@ -1,4 +1,4 @@
-// The tables of docs/maintainers/physics.md sections 2.1 and 2.2, printed and held.
+// Prints and checks the tables of docs/maintainers/physics.md sections 2.1 and 2.2.
 #include "asset/closed_forms/ellipsoid_formulas.h"
 #include "baker/added_mass/added_mass.h"
 #include "sheet_shapes.h"
@@ -34,7 +34,7 @@ TEST_CASE("accuracy table: ellipsoids of 320, 1280 and 5120 triangles against La
           doctest::skip(lr::test::sanitized)) {
     struct Row {
         std::array<double, 3> axes;
-        std::array<double, 3> limits; // a fifth above what was measured, never over the promised 1.5 % at 1280
+        std::array<double, 3> limits; // a fifth above the measured errors, at most the promised 1.5 % at 1280
     };
     for (const Row& row : {Row{{4, 2, 1}, {0.007, 0.0013, 0.0005}}, Row{{1, 1, 1}, {0.001, 0.001, 0.0005}},
                            Row{{1, 1, 0.1}, {0.027, 0.004, 0.0015}}, Row{{1, 0.5, 0.05}, {0.04, 0.0085, 0.0025}},

@@ -187,7 +187,7 @@ TEST_CASE("ellipsoids of 1280 triangles: every entry within 1 % of Lamb, and ins
         CHECK(worst_error(m.value, exact, a.maxCoeff(), 1e-4) < 0.0075);
         for (int i = 0; i < 6; ++i)
             CHECK(std::abs(m.value(i, i) - exact(i, i)) < 1.5 * m.error(i, i) + 1e-12 * exact.norm());
-        CHECK(m.error(2, 2) < 0.01 * m.value(2, 2)); // an estimate that says nothing is no estimate
+        CHECK(m.error(2, 2) < 0.01 * m.value(2, 2)); // an estimate must be small enough to mean something
     }
 }
 
@@ -249,7 +249,7 @@ TEST_CASE("thin closed solids: disc and rectangle" * doctest::skip(test::sanitiz
 
 TEST_CASE("cube: converges to A/V = 0.638 from below, isotropic, from two triangles a side on" *
           doctest::skip(test::sanitized)) {
-    constexpr double limit = 0.6383; // 0.638 is published; the fourth digit from strips at creases and finer panels
+    constexpr double limit = 0.6383; // published: 0.638; the fourth digit from strips at creases and finer panels
     double last = 0.0;
     for (const int n : {1, 4, 14}) {
         const AddedMass m = solve(test::cube(n));
@@ -276,7 +276,7 @@ TEST_CASE("a leaf blade 8 cm long and 0.3 mm thick converges, with its coupling 
     CHECK(a.value(4, 4) == doctest::Approx(b.value(4, 4)).epsilon(0.02));
     CHECK(a.value(3, 3) == doctest::Approx(b.value(3, 3)).epsilon(0.05));
     CHECK(std::abs(a.value(2, 2) - b.value(2, 2)) < a.error(2, 2));
-    // mirror planes x and y leave the coupling of sway and roll, surge and pitch, of opposite sign by the camber
+    // the mirror planes x and y leave sway-roll and surge-pitch coupling, of opposite sign because of the camber
     CHECK(b.value(0, 4) > 0.0);
     CHECK(b.value(1, 3) < 0.0);
     CHECK(a.value(0, 4) == doctest::Approx(b.value(0, 4)).epsilon(0.05));
@@ -351,7 +351,7 @@ TEST_CASE("a plate that single precision cannot solve is solved in double") {
     const SurfaceBasis basis = closed_basis(mesh);
     const BoundaryOperators op = assemble_boundary_operators(mesh, basis, [](double) {});
     Eigen::MatrixXd matrix = op.hypersingular.selfadjointView<Eigen::Lower>();
-    Eigen::VectorXd share = Eigen::VectorXd::Zero(matrix.rows()); // with the constant fixed as there
+    Eigen::VectorXd share = Eigen::VectorXd::Zero(matrix.rows()); // with the constant fixed like there
     for (std::size_t t = 0; t < mesh.faces.size(); ++t)
         for (const uint32_t v : mesh.faces[t]) share[v] += op.panels[t].area;
     matrix += 0.1 * matrix.trace() * share.normalized() * share.normalized().transpose();
@@ -359,7 +359,7 @@ TEST_CASE("a plate that single precision cannot solve is solved in double") {
     matrix = scaling.asDiagonal() * matrix * scaling.asDiagonal();
     REQUIRE(Eigen::LLT<Eigen::MatrixXd>(matrix).info() == Eigen::Success);
     SingleCholesky single;
-    if (single.factorise(matrix)) { // then refinement must not get anywhere
+    if (single.factorise(matrix)) { // then refinement must fail
         const Eigen::MatrixXd right = Eigen::MatrixXd::Random(matrix.rows(), 1);
         Eigen::MatrixXd x = Eigen::MatrixXd::Zero(matrix.rows(), 1);
         for (int round = 0; round < 8; ++round) {

@@ -1,4 +1,4 @@
-// Surfaces without thickness: their unknowns, their refinement, their added mass.
+// Surfaces without thickness: unknowns, refinement, added mass.
 #include "baker/added_mass/added_mass.h"
 #include "baker/added_mass/rim_refinement.h"
 #include "baker/added_mass/surface_basis.h"
@@ -43,7 +43,7 @@ Refinement coarse() {
     return r;
 }
 
-// Half plates that meet at a right angle over the middle of a plate: nothing flows across its plane of symmetry.
+// Half plates at a right angle above the middle of a plate: no flow crosses its plane of symmetry.
 Mesh fin(int cells, double from, double to) {
     return patch(cells, cells, [&](double u, double v) { return Vec(u - 0.5, 0.0, from + v * (to - from)); });
 }
@@ -126,7 +126,7 @@ TEST_CASE("sheet unknowns: where panels meet, one less than the spaces between t
     const Mesh chambers = joined(box, rectangle(1, 1, 4, 4));
     CHECK(sheet_basis(chambers).constants.size() == 2);
     CHECK(sheet_basis(chambers).unknowns == box.vertices.size() + 16 + 9);
-    // Two sheets that touch at one vertex know nothing of each other.
+    // Two sheets with a common vertex are independent.
     Mesh corner = rectangle(1, 1, 2, 2);
     Mesh other = corner;
     for (Vec& v : other.vertices) v += Vec(1, 1, 0);
@@ -146,7 +146,7 @@ TEST_CASE("refinement keeps the surface and its rim, and leaves no gap") {
             CHECK(fine.faces.size() >= how.panels);
             CHECK(area(fine) == doctest::Approx(area(mesh)).epsilon(1e-12));
             CHECK(rim_length(fine) == doctest::Approx(rim_length(mesh)).epsilon(1e-12));
-            // the same winding as the panel they come from: the vector area stays
+            // the same winding as the original panel: the vector area stays
             Vec vector_area = Vec::Zero();
             for (const auto& [part, sign] : {std::pair{&fine, 1.0}, std::pair{&mesh, -1.0}})
                 for (const Face& f : part->faces)
@@ -211,7 +211,7 @@ TEST_CASE("winding, place, unit and axes do not matter") {
     const AddedMass m = solve(mesh, coarse());
     Mesh flipped = mesh;
     for (std::size_t i = 0; i < flipped.faces.size(); i += 3) std::swap(flipped.faces[i][1], flipped.faces[i][2]);
-    // The order of panels decides which pairs get more points of the outer rule than they need.
+    // The order of panels decides which pairs get more points of the outer rule than necessary.
     CHECK((solve(flipped, coarse()).value - m.value).norm() < 5e-5 * m.value.norm());
     const Eigen::Matrix3d rotation = test::some_rotation();
     Mesh moved = mesh;
@@ -270,7 +270,7 @@ TEST_CASE("a shell carries the fluid that it encloses") {
     AddedMass outside;
     Faults faults;
     REQUIRE(compute_added_mass(test::cube(6), Vec::Zero(), outside, faults));
-    // a wall across keeps the fluid from turning in its place, not from being carried along
+    // a wall across prevents the fluid from turning in place, not from being carried along
     const AddedMass open_cube = solve(test::cube(6), as_it_is);
     const AddedMass walled = solve(joined(test::cube(6), rectangle(1, 1, 6, 6)), as_it_is);
     CHECK(open_cube.value(0, 0) == doctest::Approx(outside.value(0, 0) + 1.0).epsilon(0.01));

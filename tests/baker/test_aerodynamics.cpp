@@ -1,4 +1,4 @@
-// From a mesh to the measures of its surface and the coefficients of its loads.
+// From a mesh to its surface measures and load coefficients.
 #include "asset/asset_file.h"
 #include "asset/closed_forms/ellipsoid_formulas.h"
 #include "baker/aerodynamics/mesh_geometry.h"
@@ -36,7 +36,7 @@ std::array<double, 9> axes_of(const MassProperties& solid) {
     return shape::principal_axes(inertia);
 }
 
-// As a bake does it.
+// The same steps as in a bake.
 shape::AerodynamicGeometry geometry_of(const Mesh& mesh) {
     const MassProperties solid = compute_mass_properties(mesh);
     shape::AerodynamicGeometry g = mesh_geometry(mesh, axes_of(solid), solid.centroid);
@@ -51,7 +51,7 @@ shape::AerodynamicGeometry geometry_of(const Mesh& mesh, double thickness) {
     return g;
 }
 
-// `to` numbers the axes of `b` that those of `a` are; factor: of lengths.
+// `to`: for each axis of `a`, the axis of `b`; factor: of lengths.
 void check_same(const shape::AerodynamicGeometry& a, const shape::AerodynamicGeometry& b, double digits,
                 std::array<std::size_t, 3> to = {0, 1, 2}, double factor = 1.0) {
     const double f2 = factor * factor, f4 = f2 * f2, f5 = f4 * factor;
@@ -116,21 +116,21 @@ TEST_CASE("aerodynamics: the area of a union is that of what is covered, however
     CHECK(union_area(t) == 0.0);
     t = {flat(0, 0, 4, 0, 0, 3)};
     CHECK(union_area(t) == Approx(6.0).epsilon(1e-12));
-    t.push_back(flat(0, 0, 0, 3, 4, 0)); // the same, wound the other way
+    t.push_back(flat(0, 0, 0, 3, 4, 0)); // the same square, wound the other way
     CHECK(union_area(t) == Approx(6.0).epsilon(1e-12));
     t.clear();
     add_square(t, 0, 0, 2, 1);
     add_square(t, 0.5, -1, 0.25, 3); // a cross
     CHECK(union_area(t) == Approx(2.0 + 0.75 - 0.25).epsilon(1e-12));
-    add_square(t, 10, 5, 1, 1); // apart
+    add_square(t, 10, 5, 1, 1); // separate
     CHECK(union_area(t) == Approx(3.5).epsilon(1e-12));
-    t.clear(); // a frame: the hole stays one
+    t.clear(); // a frame: the hole stays open
     add_square(t, 0, 0, 3, 1);
     add_square(t, 0, 2, 3, 1);
     add_square(t, 0, 1, 1, 1);
     add_square(t, 2, 1, 1, 1);
     CHECK(union_area(t) == Approx(8.0).epsilon(1e-12));
-    // A sliver edge on, whichever way it lies.
+    // A sliver edge on, in any orientation.
     t = {flat(0, 0, 1, 0, 1, 1e-9), flat(0, 0, 1, 1e-9, 0, 1e-9)};
     CHECK(union_area(t) == Approx(1e-9).epsilon(1e-9));
     t = {flat(0, 0, 0, 1, 1e-9, 1), flat(0, 0, 1e-9, 1, 1e-9, 0)};
@@ -166,7 +166,7 @@ TEST_CASE("aerodynamics: unions of random triangles agree with a raster, and do 
         std::reverse(t.begin(), t.end());
         CHECK(union_area(t) == Approx(area).epsilon(2e-5));
     }
-    // So many corners that lines are spaced evenly.
+    // Enough corners for evenly spaced lines.
     std::vector<FlatTriangle> fan;
     constexpr int many = 20000;
     for (int i = 0; i < many; ++i) {
@@ -211,7 +211,7 @@ TEST_CASE("aerodynamics: a card and a disc, with their rims") {
     CHECK(card.stroke2[1] == Approx(b * a * a * a / 12.0).epsilon(1e-5));
     CHECK(card.stroke3[0] == Approx(a * std::pow(b, 4) / 32.0).epsilon(1e-5));
     CHECK(card.stroke3[1] == Approx(b * std::pow(a, 4) / 32.0).epsilon(1e-5));
-    // The rim alone stands in the way of a spin in the plane.
+    // Only the rim resists a spin in the plane.
     CHECK(card.stroke3[2] == Approx(t * (std::pow(a, 4) + std::pow(b, 4)) / 32.0).epsilon(1e-9));
 
     Mesh round = shapes::disc(40);
@@ -241,15 +241,15 @@ TEST_CASE("aerodynamics: a sheet has the measures of the thin box that it stands
 
 TEST_CASE("aerodynamics: what a body hides of itself counts once in its silhouette") {
     const double a = 0.08, b = 0.05, t = 1e-6;
-    // Halves 60 degrees up: from the side, along x, one hides the other; their sum would be twice the silhouette.
+    // Halves 60 degrees up: seen along x one hides the other; the sum would be twice the silhouette.
     const double angle = pi / 3.0;
     const shape::AerodynamicGeometry v = geometry_of(folded(a, b, angle), t);
     CHECK(v.axes == identity);
     CHECK(v.area[0] == Approx(b * 0.5 * a * std::sin(angle)).epsilon(1e-4));
     CHECK(v.area[2] == Approx(b * a * std::cos(angle)).epsilon(1e-4));
-    CHECK(v.area[1] == Approx(a * t).epsilon(0.01)); // edge on: two strokes of a pen
+    CHECK(v.area[1] == Approx(a * t).epsilon(0.01)); // edge on: two thin strips
     CHECK(v.surface == Approx(2.0 * a * b).epsilon(1e-3));
-    // A closed U of three walls: from the open side all is seen, across it two walls are one.
+    // A closed U of three walls: the open side shows all, from across two walls coincide.
     Mesh u = shapes::box({0.06, 0.01, 0.04}, {3, 1, 2});
     for (double side : {-1.0, 1.0}) {
         Mesh wall = shapes::box({0.01, 0.05, 0.04}, {1, 2, 2});
@@ -291,7 +291,7 @@ TEST_CASE("aerodynamics: turning, moving, scaling, winding and cutting a mesh ch
     const Mesh card = shapes::rectangle(0.2, 0.1, 1, 1), cut = shapes::rectangle(0.2, 0.1, 9, 7);
     check_same(geometry_of(card, 1e-3), geometry_of(cut, 1e-3), 1e-9);
 
-    // A small turn is followed by the axes under their own numbers, a quarter turn by others.
+    // After a small turn the axes keep their numbers, after a quarter turn they change.
     for (const Mesh* mesh : {&leaf, &sheet}) {
         const bool is_sheet = mesh == &sheet;
         Mesh tilted = *mesh, turned = *mesh;
@@ -415,12 +415,12 @@ TEST_CASE("aerodynamics: even bodies have their loads at the centre of buoyancy,
     CHECK(center(geometry_of(shapes::box({0.3, 0.2, 0.1}, {7, 5, 3}, 0.8))) == none);
     CHECK(center(geometry_of(shapes::disc(12), 1e-3)) == none);
     CHECK(center(geometry_of(shapes::rectangle(0.1, 0.03, 3, 2), 1e-4)) == none);
-    // A triangle has no symmetry, but all of it is as thick.
+    // A triangle has no symmetry, but constant thickness.
     Mesh triangle;
     triangle.vertices = {{0.0, 0.0, 0.2}, {0.3, 0.0, 0.2}, {0.05, 0.2, 0.2}};
     triangle.faces = {{0, 1, 2}};
     CHECK(center(geometry_of(triangle, 1e-4)) == none);
-    // Noise of vertices shall not make a body uneven, which takes the kernel's longer path.
+    // Noise of vertices must not make a body uneven, which would select the kernel's slower path.
     Random random(86);
     Mesh noisy = shapes::disc(8);
     for (Eigen::Vector3d& v : noisy.vertices)
@@ -430,7 +430,7 @@ TEST_CASE("aerodynamics: even bodies have their loads at the centre of buoyancy,
 }
 
 TEST_CASE("aerodynamics: the loads of an uneven body act at the middle of what a stream sees") {
-    // A wedge: thick at x = 0, an edge at x = 1. Its volume is at 1/3, what is seen of it along z at 1/2.
+    // A wedge: thick at x = 0, an edge at x = 1. Its volume is centred at 1/3, its silhouette along z at 1/2.
     const double thick = 0.1;
     Mesh wedge = shapes::box({1.0, 0.6, thick}, {1, 1, 1});
     for (Eigen::Vector3d& v : wedge.vertices) {
@@ -444,7 +444,7 @@ TEST_CASE("aerodynamics: the loads of an uneven body act at the middle of what a
     CHECK((g.center[1] == 0.0 && g.center[2] == 0.0));
     // Strokes are about it: about y they are those of the plate seen.
     CHECK(g.stroke2[1] == Approx(0.6 / 12.0).epsilon(0.01));
-    // The coefficients carry it, and turn with the mesh.
+    // The coefficients include the centre, and rotate with the mesh.
     CHECK(shape::default_aerodynamics(g).center == g.center);
     Mesh turned = wedge;
     const Eigen::Matrix3d tilt =
@@ -453,13 +453,13 @@ TEST_CASE("aerodynamics: the loads of an uneven body act at the middle of what a
     const shape::AerodynamicGeometry h = geometry_of(turned), upright = geometry_of(wedge);
     const Eigen::Vector3d expected = tilt * Eigen::Vector3d(upright.center[0], upright.center[1], upright.center[2]);
     for (std::size_t i = 0; i < 3; ++i) CHECK(std::abs(h.center[i] - expected[static_cast<Eigen::Index>(i)]) < 1e-7);
-    // The third coordinate is that of the next largest silhouette: a keel pulls it down. Wings 0.4 by 0.3, keel 0.4 by 0.1.
+    // The third coordinate is that of the next largest silhouette: a keel lowers it. Wings 0.4 by 0.3, keel 0.4 by 0.1.
     const Mesh winged = shapes::joined(
         shapes::patch(4, 6, [](double u, double v) { return Eigen::Vector3d(0.4 * (u - 0.5), 0.3 * (v - 0.5), 0.0); }),
         shapes::patch(4, 2, [](double u, double v) { return Eigen::Vector3d(0.4 * (u - 0.5), 0.0, -0.1 * v); }));
     const shape::AerodynamicGeometry plane = geometry_of(winged, 1e-5);
     CHECK(plane.axes == identity);
-    // Volume: the keel has a quarter, at -0.05. Seen from the side there is only the keel.
+    // Volume: the keel has a quarter, at -0.05. The silhouette from the side is the keel alone.
     CHECK(plane.center[2] == Approx(-0.05 + 0.25 * 0.05).epsilon(1e-3));
     CHECK((plane.center[0] == 0.0 && plane.center[1] == 0.0));
 }

@@ -47,7 +47,7 @@ AssetData must_bake(const BakeOptions& options) {
     return asset;
 }
 
-// The only error, or 0 after a bake that went well.
+// The only error's number, or 0 after success.
 FaultId fault_of(const BakeOptions& options) {
     AssetData asset;
     Faults faults;
@@ -63,7 +63,7 @@ FaultId fault_of(const BakeOptions& options) {
     return FaultId{};
 }
 
-// Entries of the mesh's matrix against the closed form: near where it is not zero, small where it is.
+// Compares the mesh's matrix with the closed form: near it where that is not zero, small elsewhere.
 void check_added_mass(const AssetData& mesh, const AssetData& exact, double tolerance) {
     for (std::size_t i = 0; i < 6; ++i)
         for (std::size_t j = 0; j < 6; ++j) {
@@ -227,7 +227,7 @@ TEST_CASE("bake: a body of its fluid's density, and one lighter than it") {
         const test::Json j = test::Json::parse(report_json(asset));
         for (const test::Json& table : {j["turbulence"]["chi"], j["turbulence"]["epsilon"]})
             for (std::size_t i = 0; i < table.size(); ++i)
-                CHECK(table[i].is_number()); // JSON has null for what is not finite
+                CHECK(table[i].is_number()); // JSON writes null for non-finite numbers
     }
 }
 
@@ -257,7 +257,7 @@ TEST_CASE("bake: the same input gives the same bytes, wherever it lies") {
 TEST_CASE("bake: what is written is what is read, to the last digit of the report") {
     const test::Scratch scratch;
     BakeOptions o = mesh_options(scratch.write("body.obj", test::obj_text(test::ellipsoid(0.03, 0.027, 0.024, 2))));
-    o.name = "caf\xc3\xa9 \xff"; // not UTF-8 at its end
+    o.name = "caf\xc3\xa9 \xff"; // invalid UTF-8 at its end
     const AssetData asset = must_bake(o);
     CHECK(asset.name == "caf\xc3\xa9 \xef\xbf\xbd");
     const std::vector<uint8_t> bytes = write_asset(asset);

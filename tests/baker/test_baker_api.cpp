@@ -1,4 +1,4 @@
-// The public C++ API of the baker, as an importer meets it.
+// The public C++ API of the baker, as importers use it.
 #include "asset/asset_file.h"
 #include "baker/json.h"
 #include "langevin_rigid_baker.hpp"
@@ -114,12 +114,12 @@ TEST_CASE("baker API: arrays of either precision, with seams, are the file") {
         read(api::bake_triangles(single.data(), single.size() / 3, whole.indices.data(), whole.indices.size() / 3, {}));
     CHECK(from_floats.mass == doctest::Approx(from_doubles.mass).epsilon(1e-6));
     CHECK(from_floats.added_mass[0] == doctest::Approx(from_doubles.added_mass[0]).epsilon(1e-6));
-    if (test::sanitized) return; // files and seams are in other cases as well
+    if (test::sanitized) return; // other cases cover files and seams
 
     const AssetData from_file = read(api::bake_file(scratch.write("box.obj", test::obj_text(mesh)), {}));
     CHECK(content_hash(from_file) == content_hash(from_doubles));
 
-    // Each triangle with corners of its own: what renderers have.
+    // Each triangle has its own corners, as renderers do.
     baker::Mesh split;
     for (const baker::Face& f : mesh.faces) {
         const auto n = static_cast<uint32_t>(split.vertices.size());
@@ -190,7 +190,7 @@ TEST_CASE("baker API: hostile input is numbered faults") {
     wrong.grid = {0, UINT32_MAX, 7};
     CHECK(first_error(good.bake(wrong)) == 301);
     wrong = {};
-    wrong.unit = static_cast<api::Unit>(77); // as what is not given
+    wrong.unit = static_cast<api::Unit>(77); // not an enumerator
     wrong.up = static_cast<api::UpAxis>(-5);
     CHECK(good.bake(wrong));
     wrong = {};

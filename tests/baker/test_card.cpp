@@ -37,7 +37,7 @@ Card read(const std::string& png, const CardOptions& options) {
     return card;
 }
 
-// One metre to a pixel.
+// A metre per pixel.
 CardOptions in_pixels(const Opacity& mask, std::size_t triangles = 2000) {
     CardOptions options;
     options.width = static_cast<double>(mask.width);
@@ -197,7 +197,7 @@ TEST_CASE("card: a rectangle of whole pixels is exact, in the image and at its b
             low = low.cwiseMin(v);
             high = high.cwiseMax(v);
         }
-        CHECK(low.x() == static_cast<double>(x0) - 32.0); // y runs up, from the centre of the image
+        CHECK(low.x() == static_cast<double>(x0) - 32.0); // y points up, from the centre of the image
         CHECK(high.x() == static_cast<double>(x1) - 32.0);
         CHECK(high.y() == 20.0 - static_cast<double>(y0));
         CHECK(low.y() == 20.0 - static_cast<double>(y1));
@@ -518,7 +518,7 @@ TEST_CASE("lr_bake card: a disc has the added mass of a disc") {
 }
 
 TEST_CASE("card: pieces far apart add up") {
-    // Far apart, bodies do not feel each other: two discs in one card have twice the broadside added mass of one.
+    // Distant bodies do not interact: two discs in a card have twice the broadside added mass of one.
     const test::Scratch scratch;
     const auto bake_card = [&](const Opacity& mask, bool all) {
         BakeOptions options;

@@ -29,7 +29,7 @@ void check_hull(const std::vector<Eigen::Vector3d>& points, const ConvexHull& hu
         const Eigen::Vector3d& a = hull.vertices[f[0]];
         const Eigen::Vector3d u = hull.vertices[f[1]] - a, v = hull.vertices[f[2]] - a;
         const Eigen::Vector3d normal = u.cross(v);
-        // of a sliver between almost collinear points the normal is as uncertain as its width is small
+        // the normal of a sliver between almost collinear points is uncertain in proportion to its small width
         const double width = normal.norm() / std::max({u.norm(), v.norm(), (u - v).norm()});
         if (width < 100.0 * hull.slack) continue;
         for (const Eigen::Vector3d& p : points)

@@ -50,7 +50,7 @@ TEST_CASE("T-junctions are joined: on a closed body and on a sheet, from either 
             0.5 * (cards.vertices[f[1]] - cards.vertices[f[0]]).cross(cards.vertices[f[2]] - cards.vertices[f[0]])[2];
     CHECK(area == doctest::Approx(5.0));
 
-    // What is near, but not on, stays open.
+    // Near vertices that are not on the edge do not close it.
     cards.vertices[6][0] += 1e-4;
     cards.vertices[5][0] -= 1e-4;
     cards.faces = {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 6}, {4, 7, 8}, {4, 8, 9}};

@@ -1,5 +1,5 @@
-// The rules that turn a shape's measures into coefficients: what they must give for known bodies, and that they are
-// finite, continuous and of the right dimension for all.
+// Rules from shape measures to coefficients: values for known bodies; and for all bodies finite, continuous, and with the right
+// dimension.
 #include "asset/closed_forms/aerodynamic_coefficients.h"
 
 #include "asset/asset_file.h"
@@ -40,7 +40,7 @@ AerodynamicGeometry box_geometry(const std::array<double, 3>& side) {
     return g;
 }
 
-// The drag coefficient along an axis, over its silhouette, as the loads put it together.
+// The drag coefficient along an axis, relative to its silhouette, as the loads combine it.
 double drag_coefficient(const AerodynamicData& a, size_t k, double area, double d, double reynolds) {
     const double viscosity = 1.0, speed = reynolds * viscosity / d;
     const double force = 0.5 * (a.drag[k] + a.drag_blunt[k] * reynolds / (reynolds + 8710.0)) * speed * speed +
@@ -113,7 +113,7 @@ TEST_CASE("blunt and flat bodies have their measured drag in a steady stream") {
     CHECK(coefficient(box_geometry({0.05, 0.05, 0.05}), 0) == doctest::Approx(1.05).epsilon(0.15));
     CHECK(coefficient(ellipsoid_geometry({1.0, 0.001, 0.001}), 1) == doctest::Approx(1.2).epsilon(0.15));
     CHECK(coefficient(box_geometry({1.0, 0.003, 1e-5}), 2) == doctest::Approx(1.98).epsilon(0.1));
-    // No edge, no separation that depends on the layer; Blasius' friction of both sides edge on.
+    // No edge, hence no separation that depends on the layer; Blasius friction on both sides edge on.
     const AerodynamicData plate = default_aerodynamics(box_geometry({0.1, 0.1, 1e-6}), steady);
     CHECK(plate.drag_blunt[2] == doctest::Approx(0.0).epsilon(1e-6));
     CHECK(plate.drag_layer[0] == doctest::Approx(0.664 * 2.0 * 0.01 / std::sqrt(0.1)).epsilon(0.01));
@@ -137,7 +137,7 @@ TEST_CASE("a plate is lifted away from its thin direction, and by spin about its
     CHECK(c.broadside[2] == 1.0);
 }
 
-// The rest fades with flatness: a cube, a sphere and a rod are in a steady stream's hands alone.
+// The rest vanishes for bodies that are not flat: a cube, a sphere and a rod have steady loads only.
 TEST_CASE("only plates have what free flight adds") {
     PlateCoefficients other;
     other.unsteady_disc = 5.0, other.unsteady_strip = 4.0, other.edge_drag = 3.0, other.edge_strip = 2.0,
@@ -187,7 +187,7 @@ TEST_CASE("coefficients change little when the shape does") {
             for (size_t i = 0; i < 3; ++i) a[i] = from[i] * std::pow(to[i] / from[i], t);
             return default_aerodynamics(box ? box_geometry(a) : ellipsoid_geometry(a));
         };
-        // A jump would stay as large as it is however short the step.
+        // A jump would stay as large for any step.
         for (double t : {-1e-7, 0.0, 0.3}) {
             const AerodynamicData here = at(t);
             CHECK(distance(here, at(t + 1e-7)) < 1e-4);

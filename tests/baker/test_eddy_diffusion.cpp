@@ -13,7 +13,7 @@ using namespace lr::baker;
 TEST_CASE("a cosine mode decays at its rate along each axis") {
     for (size_t axis = 0; axis < 3; ++axis) {
         MacGrid grid({32, 32, 32}, {1.0, 1.0, 1.0});
-        GridField field = grid.velocity[0]; // no inflow column: all ends without flux
+        GridField field = grid.velocity[0]; // no inflow column: no flux at all ends
         const std::vector<uint8_t> prescribed(field.values.size(), 0);
         const std::vector<double> viscosity(field.values.size(), 0.5);
         // Samples of the x-velocity lie on the ends along x and half a cell inside along y and z; without flux
@@ -40,7 +40,7 @@ TEST_CASE("diffusion keeps the total, the sign and the bounds at any step, and p
     std::vector<uint8_t> prescribed(field.values.size(), 0);
     std::vector<double> viscosity(field.values.size(), 1.0);
     for (uint32_t k = 0; k < 6; ++k)
-        for (uint32_t j = 0; j < 6; ++j) { // a wall across, and nothing from the inflow
+        for (uint32_t j = 0; j < 6; ++j) { // a wall across, without inflow values
             prescribed[field.index(4, j, k)] = 1;
             viscosity[field.index(4, j, k)] = 0.0;
             viscosity[field.index(0, j, k)] = 0.0;
@@ -57,7 +57,7 @@ TEST_CASE("diffusion keeps the total, the sign and the bounds at any step, and p
                 CHECK(value <= 1.0);
                 (i < 4 ? total : behind) += value;
             }
-    CHECK(total == doctest::Approx(1.0).epsilon(1e-6)); // rates of 1e8 cost digits
+    CHECK(total == doctest::Approx(1.0).epsilon(1e-6)); // rates of 1e8 lose digits
     CHECK(behind == 0.0);
     CHECK(field.values[field.index(1, 0, 0)] == doctest::Approx(1.0 / 108.0).epsilon(1e-4)); // spread evenly
 }
@@ -106,7 +106,7 @@ TEST_CASE("a wall between two samples holds what slips along it, lets nothing pa
     std::vector<double> viscosity(field.values.size(), 1.0);
     for (uint32_t k = 0; k < 6; ++k)
         for (uint32_t j = 0; j < 6; ++j) prescribed[field.index(0, j, k)] = 1;
-    // No flux: what is ahead of the wall stays there in the first instant, by whichever way round.
+    // No flux: values ahead of the wall stay there at first, in both directions.
     WallShares whole = centred;
     for (uint32_t k = 0; k < 6; ++k)
         for (uint32_t j = 0; j < 6; ++j) whole[0][field.index(5, j, k)] = 2;
@@ -122,7 +122,7 @@ TEST_CASE("a wall between two samples holds what slips along it, lets nothing pa
             for (uint32_t i = 5; i < 9; ++i) behind = std::max(behind, std::abs(field.values[field.index(i, j, k)]));
     CHECK(behind == 0.0);
 
-    // No slip: between the inflow's 1 at x = 0 and the wall at x = 4 a straight line, behind it nothing.
+    // No slip: a straight line from the inflow's 1 at x = 0 to the wall at x = 4, 0 behind it.
     for (uint32_t k = 0; k < 6; ++k)
         for (uint32_t j = 0; j < 6; ++j) other.values[other.index(0, j, k)] = 1.0;
     GridField unsplit = other;
@@ -169,7 +169,7 @@ TEST_CASE("the unsplit system is solved: small steps agree with the split one, l
     // The error of the splitting is of second order in one step.
     CHECK(gap(1e-3) > 0.0);
     CHECK(gap(1e-3) / gap(5e-4) == doctest::Approx(4.0).epsilon(0.1));
-    // Everything sticks to the inflow's, the sides' and the plate's zero in the end.
+    // In the end everything is 0, as on inflow, sides and plate.
     GridField field = start;
     diffusion.apply_unsplit(field, start.values, prescribed, viscosity, EddyDiffusion::Wall::no_slip, 1e4, walls, 1e-9);
     for (const double x : field.values) CHECK(std::abs(x) < 1e-2);

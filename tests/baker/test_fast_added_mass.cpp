@@ -92,7 +92,7 @@ TEST_CASE("fast added mass is that of the dense matrix" * doctest::test_suite("l
         CHECK(fast.condition_estimate >= 1.0);
         CHECK(fast.asymmetry < 1e-4);
         CHECK(relative(fast.value - dense.value, dense.value).cwiseAbs().maxCoeff() < 1e-5);
-        // the estimate too, up to what expansions do to the check of the right side
+        // and the estimate, except for the expansions' effect on the check of the right side
         CHECK(relative(fast.error - dense.error, dense.value).cwiseAbs().maxCoeff() < 1e-4);
     }
 }
@@ -143,7 +143,7 @@ TEST_CASE("fast added mass turns with the body" * doctest::skip(lr::test::saniti
     CHECK(relative(both.transpose() * b.value * both - a.value, a.value).cwiseAbs().maxCoeff() < 1e-5);
 }
 
-TEST_CASE("what the fast matrix keeps in memory grows with the number of panels") {
+TEST_CASE("memory of the fast matrix grows with the number of panels") {
     double last = 0.0;
     for (const int level : {4, 5, 6}) {
         const Mesh mesh = test::ellipsoid(4, 2, 1, level);
@@ -192,7 +192,7 @@ TEST_CASE("fast added mass: progress runs from start to one, what cannot be solv
     CHECK(std::is_sorted(seen.begin(), seen.end()));
     CHECK(seen.back() == 1.0);
     CHECK(faults.empty());
-    // a plate a millionth as thick as wide: no digit is left of what moves along with both sides
+    // a plate a millionth as thick as wide: motion with both sides has no correct digit
     CHECK_FALSE(compute_added_mass(test::box({1, 1, 1e-7}, {20, 20, 1}), {0, 0, 0}, m, faults, {}, all_fast()));
     CHECK(faults.back().id == FaultId::mesh_ill_conditioned);
 }

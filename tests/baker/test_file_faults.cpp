@@ -1,4 +1,4 @@
-// Files that cannot be read or written, and bakes that are killed: docs/maintainers/testing.md.
+// Unreadable or unwritable files, and killed bakes: docs/maintainers/testing.md.
 #include "asset/asset_file.h"
 #include "baker/file_io.h"
 #include "json.h"
@@ -27,7 +27,7 @@ namespace {
 
 const std::string old_text(3000, 'o'), new_text(5000, 'n');
 
-// An asset and a report, both there, and pictures that are not.
+// An existing asset and report, and missing pictures.
 struct Outputs {
     const Scratch& scratch;
     std::vector<std::string> names{"a.lrb", "a.json", "a.svg"};
@@ -44,7 +44,7 @@ struct Outputs {
             files.push_back({scratch.path(name), {reinterpret_cast<const uint8_t*>(new_text.data()), new_text.size()}});
         return write_files(files, faults);
     }
-    // How many of them are new; each must be whole, and there must be nothing else, but for what was left aside.
+    // Number of new files. Each must be complete, and there must be no others, except abandoned temporary files.
     size_t new_ones(bool aside) const {
         size_t count = 0;
         for (const std::string& name : scratch.names()) {
@@ -69,10 +69,10 @@ struct Outputs {
 
 struct Trouble {
     int kill_after_microseconds = -1;
-    bool without_rights = false; // as another user; exit code 126 where that is not possible
+    bool without_rights = false; // as another user; exit code 126 if that is impossible
 };
 
-// Exit code 128 + signal when killed. What it says is kept outside of the folder that it works in.
+// Exit code 128 + signal if killed. Its output is outside of its working folder.
 Outcome lr_bake(const std::vector<std::string>& arguments, const Trouble& trouble = {}) {
     const Scratch captured;
     const std::string err = captured.write("err", "");
@@ -143,7 +143,7 @@ TEST_CASE(
                     const WithFaults armed(system);
                     written = outputs.write(faults);
                 }
-                // The nameless file is only the first thing that is tried, and flushing the folder may be refused.
+                // The nameless file is only the first attempt, and flushing the folder can be refused.
                 if (written) {
                     CHECK(outputs.new_ones(false) == 3);
                 } else {
@@ -153,7 +153,7 @@ TEST_CASE(
                     CHECK(contains(faults[0].what, std::generic_category().message(reason)));
                     CHECK_FALSE(faults[0].remedy.empty());
                     const size_t renamed = outputs.new_ones(false);
-                    // Renames come last, one file after the other, the asset first.
+                    // Renames come last, file by file, the asset first.
                     CHECK(renamed < 3);
                     if (renamed != 0) CHECK(scratch.read("a.lrb") == new_text);
                     if (n < calls / 2) CHECK(renamed == 0);
@@ -226,10 +226,10 @@ TEST_CASE("a process that is killed in any call of the system leaves whole files
             CHECK(outputs.new_ones(false) == renamed);
         }
     }
-    CHECK(left > 3); // else this has shown nothing
+    CHECK(left > 3); // otherwise the test has shown nothing
 }
 
-TEST_CASE("what another process still writes is not removed, nor what only looks like it") {
+TEST_CASE("files that another process still writes are not removed, nor similar names") {
     const Scratch scratch;
     const std::string live = scratch.write(".lr_bake-1-0.part", "live"),
                       dead = scratch.write(".lr_bake-1-1.part", "dead");
@@ -320,7 +320,7 @@ TEST_CASE("lr_bake: a file size limit, also for reports and plots and in a batch
         CHECK(outcome.exit_code == 1);
         CHECK(contains(outcome.err, "error 103"));
         CHECK(contains(outcome.err, "Free some space"));
-        std::filesystem::remove(scratch.path("d")); // the folder of the batch, which is empty
+        std::filesystem::remove(scratch.path("d")); // the batch's folder, which is empty
         CHECK(scratch.names() == std::vector<std::string>{"m.obj"});
     }
 }

@@ -44,7 +44,7 @@ MassProperties read_solid(const std::string& path, const MeshReadOptions& option
     const bool good = read_mesh(path, options, mesh, faults) && check_and_repair(mesh, faults);
     INFO(all_text(faults));
     REQUIRE(good);
-    // Turned faces of a mirrored node would have to be turned back by the check.
+    // Otherwise the check would have to flip faces of a mirrored node.
     CHECK(count(faults, FaultId::mesh_inside_out) == 0);
     CHECK(count(faults, FaultId::mesh_inconsistent_winding) == 0);
     return compute_mass_properties(mesh);
@@ -71,7 +71,7 @@ TEST_CASE("formats: nested, turned, scaled and mirrored nodes") {
     struct Case {
         std::string path;
         double unit;
-        std::size_t scaled; // warnings about that
+        std::size_t scaled; // warnings about scaling
     };
     for (const Case& c : {
              Case{scratch.write("body.glb", test::glb(body, nodes)), 1.0, 0},
@@ -90,14 +90,14 @@ TEST_CASE("formats: nested, turned, scaled and mirrored nodes") {
         Faults faults;
         const MassProperties solid = read_solid(c.path, {}, faults);
         CHECK(count(faults, FaultId::mesh_turned_or_scaled) == c.scaled);
-        // The two primitives of the glTF mesh share their corners.
+        // The two primitives of the glTF mesh share corners.
         CHECK(faults.size() == c.scaled + count(faults, FaultId::mesh_merged_vertices));
         CHECK(count(faults, FaultId::mesh_merged_vertices) == (c.path.ends_with(".glb") ? 1 : 0));
         const double volume = -transform.linear().determinant() * c.unit * c.unit * c.unit;
         CHECK(solid.volume == Approx(volume).epsilon(1e-6));
         check_near(solid.centroid, c.unit * (transform * Eigen::Vector3d(0.25, 0.5, 0.75)));
 
-        // --unit is instead of the file's word, not on top of it.
+        // --unit replaces the file's unit.
         Faults told;
         CHECK(read_solid(c.path, in_unit(0.001), told).volume == Approx(volume * std::pow(0.001 / c.unit, 3)));
     }
@@ -242,7 +242,7 @@ TEST_CASE("formats: Collada that would make assimp read out of bounds or never e
     CHECK(count(faults, FaultId::mesh_unreadable) == 1);
     const std::string inches = test::collada(test::tetrahedron(), {{"Body"}}, "<unit meter=\"0.0254\"/>");
     REQUIRE(read_mesh_memory(inches.data(), inches.size(), "xml", in_unit(1.0), mesh, faults));
-    CHECK(compute_mass_properties(mesh).volume == Approx(1.0)); // Collada by another name: not scaled twice
+    CHECK(compute_mass_properties(mesh).volume == Approx(1.0)); // Collada with another extension: not scaled twice
     const std::pair<const char*, const char*> damages[] = {
         {"<p>0 ", "<p>x "},
         {"id=\"pa\" count", "id=\"pa\" coumt"},
@@ -315,7 +315,7 @@ TEST_CASE("--up turns by a proper rotation, and the inertia with it") {
         CHECK((turned.centroid - r * still.centroid).norm() < 1e-14);
         CHECK((turned.inertia - r * still.inertia * r.transpose()).norm() < 1e-14);
     }
-    // y up, as most modellers have it: what was towards the viewer (+z) is then the front (-y).
+    // y up, as in most modellers: the side towards the viewer (+z) becomes the front (-y).
     CHECK(up_rotation(UpAxis::y) * Eigen::Vector3d(1, 2, 3) == Eigen::Vector3d(1, -3, 2));
     CHECK(up_rotation(UpAxis::x) * Eigen::Vector3d(1, 2, 3) == Eigen::Vector3d(-3, 2, 1));
 }
@@ -327,7 +327,7 @@ TEST_CASE("vertices within a ten-millionth of the extent are one, at any scale, 
             CAPTURE(apart);
             Mesh body = test::icosphere(1);
             test::apply(body, test::some_rotation(), {3, -4, 5});
-            // Every face with corners of its own, each a little off.
+            // Every face has its own corners, each slightly displaced.
             Mesh soup;
             for (std::size_t i = 0; i < body.faces.size(); ++i)
                 for (const uint32_t v : body.faces[i]) {

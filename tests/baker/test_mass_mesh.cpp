@@ -1,4 +1,4 @@
-// A body whose mass is not where its surface is: --mass-from, and BakeOptions::mass.
+// Bodies whose mass is not where their surface is: --mass-from, and BakeOptions::mass.
 #include "asset/asset_file.h"
 #include "baker/bake.h"
 #include "baker/fault_text.h"
@@ -91,7 +91,7 @@ TEST_CASE("mass mesh: layers at one place count each, and the fluid sees one sur
     CHECK(folded.length_b == Approx(thickness * 4.0 / 3.0).epsilon(1e-12)); // on the mean
     const double centre = (0.12 * 0.06 + 0.04 * 0.02) / 0.16;
     CHECK(folded.center_of_mass[0] == Approx(centre).epsilon(1e-12));
-    for (const double c : folded.center_of_buoyancy) CHECK(std::abs(c) < 1e-15); // layers displace what they are
+    for (const double c : folded.center_of_buoyancy) CHECK(std::abs(c) < 1e-15); // layers displace their own volume
     const auto about = [&](double length) {
         return length * (length * length / 12.0 + std::pow(0.5 * length - centre, 2)) * areal_density * 0.05;
     };
@@ -150,7 +150,7 @@ TEST_CASE("mass mesh: what cannot be is a fault that names it") {
     const Mesh open = strip_layers(), box = shapes::box({0.3, 0.1, 0.1}, {3, 1, 1});
     BakeOptions solid;
     solid.mesh_path = "body";
-    CHECK(refused(box, &surface, solid) == 206); // of a solid the parts must be closed
+    CHECK(refused(box, &surface, solid) == 206); // the parts of a solid must be closed
     CHECK(refused(box, &open, solid) == 212);
     BakeOptions both = sheet_options();
     both.center_of_mass = {0.06, 0.0, 0.0};
@@ -159,7 +159,7 @@ TEST_CASE("mass mesh: what cannot be is a fault that names it") {
     ellipsoid.semi_axes = {0.1, 0.1, 0.1};
     CHECK(refused(surface, &open, ellipsoid) == 301);
 
-    // Its centre outside the hull: made in another unit, or another place.
+    // Its centre lies outside the hull: wrong unit or place.
     Mesh far = strip_layers();
     for (Eigen::Vector3d& v : far.vertices) v.x() += 1.0;
     AssetData asset;
@@ -222,9 +222,9 @@ TEST_CASE("mass mesh: lr_bake and the API make the same body, from files and fro
     CHECK(error_with({{}, std::vector<double>(8), weight.indices}) == 204);
     CHECK(error_with({{}, weight.positions, std::vector<uint32_t>(5)}) == 204);
     CHECK(error_with({}) == 202);
-    CHECK(api::bake_ellipsoid({1.0, 1.0, 1.0}, in_metres)); // which has no use for it
+    CHECK(api::bake_ellipsoid({1.0, 1.0, 1.0}, in_metres)); // which does not use it
 
-    // What is in the file counts, not what it is called.
+    // The contents of a file count, not its name.
     scratch.write("layers.obj", shapes::obj_text(strip(0.12), 1000.0));
     REQUIRE(run().exit_code == 0);
     CHECK(scratch.read("out.lrb") != bytes);

@@ -117,7 +117,7 @@ bool read_text(const std::string& text, const char* extension, Mesh& mesh, Fault
     return read_mesh_memory(text.data(), text.size(), extension, unit, mesh, faults);
 }
 
-// A folder of its own, gone at the end.
+// A folder that is removed at the end.
 class Scratch {
 public:
     Scratch()
@@ -244,7 +244,7 @@ TEST_CASE("PLY: binary of both byte orders, extra properties") {
     }
 }
 
-TEST_CASE("what cannot be read has a number each") {
+TEST_CASE("every unreadable file has its fault number") {
     const Scratch scratch;
     const std::string good = to_obj(test::icosphere(0));
     struct Case {
@@ -309,7 +309,7 @@ TEST_CASE("NaN and bad indices in formats read by assimp") {
     CHECK_FALSE(read_text(ply, "ply", mesh, faults));
     CHECK(has_error(faults));
     faults.clear();
-    // assimp drops the face without a word; the hole it leaves is found
+    // assimp drops the face silently; the check finds the hole
     CHECK_FALSE((read_text(to_gltf(broken), "gltf", mesh, faults) && check_and_repair(mesh, faults)));
     CHECK(has_error(faults));
     std::string stl = to_stl(sphere);
@@ -419,7 +419,7 @@ TEST_CASE("winding is repaired") {
     }
 }
 
-TEST_CASE("what is not the boundary of a solid is refused by number and place") {
+TEST_CASE("a surface that bounds no solid is refused by number and place") {
     const Mesh sphere = test::icosphere(1);
     const auto check = [](Mesh mesh, FaultId id, const std::string& where) {
         Faults faults;
@@ -474,7 +474,7 @@ TEST_CASE("what is not the boundary of a solid is refused by number and place") 
         Mesh mesh = test::cube(2);
         for (Eigen::Vector3d& v : mesh.vertices) v.z() = 0.3 * v.x() + 0.1 * v.y() + 1e-14 * v.z();
         Faults faults;
-        CHECK_FALSE(check_and_repair(mesh, faults)); // side faces are needles, or the volume is nothing
+        CHECK_FALSE(check_and_repair(mesh, faults)); // side faces are needles, or the volume is 0
         CHECK(has_error(faults));
     }
     SUBCASE("flat double cover") {

@@ -1,4 +1,4 @@
-// The pictures: well-formed, complete, inside their frame, the same every time, and of the right size.
+// The pictures: well-formed, complete, inside their frame, reproducible, and of the right size.
 #include "baker/bake.h"
 #include "baker/mesh/ellipsoid_mesh.h"
 #include "baker/plot/plot_axis.h"
@@ -27,7 +27,7 @@ struct Element {
     std::map<std::string, std::string> attributes;
 };
 
-// Enough of XML to find what is not: tags and attributes, nesting, entities, raw control characters.
+// A minimal XML check: tags and attributes, nesting, entities, raw control characters.
 class XmlReader {
 public:
     explicit XmlReader(std::string_view text) : rest_(text) {}
@@ -281,7 +281,7 @@ TEST_CASE("plots: a mesh of any size makes a file of readable size, and keeps it
         const AssetData asset = ellipsoid({0.04, 0.02, 0.01}, &ignored);
         const std::string svg = plot_added_mass(asset, ball);
         CHECK(svg.size() < 2'000'000);
-        // Ellipsoids of both kinds over the mesh, as closed forms have them: the first panel looks along z.
+        // Ellipsoids of both kinds over the mesh, from closed forms: the first panel looks along z.
         std::vector<double> mesh;
         std::vector<Eigen::Vector2d> outlines;
         int panel = 0;
@@ -371,7 +371,7 @@ TEST_CASE("lr_bake --plots: three files, or none") {
     CHECK(lr_bake({"mesh", mesh, "-o", out, "--plots", plots, "--quiet"}) == 0);
     for (const char* name : plot_names) CHECK(scratch.read(std::string("plots/") + name) == first[name]);
 
-    // In a folder of many each has the name of its asset; and one that is gone is made again.
+    // In a batch each picture has the name of its asset, and a deleted one is written again.
     const std::vector<std::string> batch{"mesh", mesh, "-d", scratch.path("out"), "--plots", plots, "--quiet"};
     CHECK(lr_bake(batch) == 0);
     for (const char* name : plot_names) CHECK(scratch.read(std::string("plots/a.") + name) == first[name]);

@@ -20,7 +20,7 @@ struct Random {
     }
 };
 
-// Every face that may carry a velocity gets a random one.
+// Gives every face with a velocity a random one.
 void randomise(MacGrid& grid, uint64_t seed) {
     Random random{seed};
     for (size_t a = 0; a < 3; ++a)
@@ -31,7 +31,7 @@ void randomise(MacGrid& grid, uint64_t seed) {
         for (uint32_t j = 0; j < grid.cells[1]; ++j) u.values[u.index(0, j, k)] = 1.0 + 0.5 * random();
 }
 
-// Fluxes through the six faces, straight from the samples and apart from MacGrid::divergence.
+// Fluxes through the six faces, directly from the samples, independent of MacGrid::divergence.
 double largest_divergence(const MacGrid& g) {
     const GridField &u = g.velocity[0], &v = g.velocity[1], &w = g.velocity[2];
     const size_t nu = u.count[0], nv = v.count[0], nw = w.count[0];
@@ -85,7 +85,7 @@ TEST_CASE("a random field is projected to the tolerance") {
                          << " iterations, divergence " << before << " -> " << after);
         CHECK(after < 2e-9 * before);
         CHECK(result.max_divergence == doctest::Approx(after).epsilon(1e-3));
-        // What flows in flows out.
+        // Inflow equals outflow.
         const GridField& u = grid.velocity[0];
         double in = 0.0, out = 0.0;
         for (uint32_t k = 0; k < cells[2]; ++k)
@@ -126,7 +126,7 @@ TEST_CASE("projection removes exactly the gradient part") {
     CHECK(largest_difference(grid, solenoidal) > 1.0);
     CHECK(projection.project(grid, 1e-12).converged);
     CHECK(largest_difference(grid, solenoidal) < 1e-9);
-    // And nothing more, when done again.
+    // A second projection changes nothing.
     const MacGrid once = grid;
     projection.project(grid, 1e-6);
     CHECK(largest_difference(grid, once) < 1e-9);
@@ -175,7 +175,7 @@ TEST_CASE("nothing flows through solids of any shape") {
 TEST_CASE("closed faces part the pressures of their sides, and the iterations do not grow with the grid") {
     for (const uint32_t n : {16u, 32u, 64u}) {
         MacGrid grid({n, n, n / 2}, {4.0, 4.0, 2.0});
-        // A plate of no thickness across the stream, one cell off the blocks of the coarser grids, and a slanted one.
+        // A plate without thickness across the stream, a cell off the blocks of the coarser grids, and a slanted one.
         ClosedFaces closed;
         for (std::vector<uint8_t>& faces : closed) faces.assign(grid.cell_count(), 0);
         for (uint32_t k = n / 8; k < 3 * n / 8; ++k)
@@ -207,7 +207,7 @@ TEST_CASE("closed faces part the pressures of their sides, and the iterations do
             }
         CHECK(through == 0.0);
         CHECK(out == doctest::Approx(in).epsilon(1e-8));
-        // Right behind the plate hardly anything moves along the stream; beside it more than before.
+        // Right behind the plate the stream is almost still; beside it faster than before.
         CHECK(std::abs(u.values[u.index(n / 4 + 2, n / 2, n / 4)]) < 0.5);
         CHECK(u.values[u.index(n / 4 + 1, 1, n / 4)] > 1.0);
     }

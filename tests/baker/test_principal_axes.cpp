@@ -1,4 +1,4 @@
-// Axes of inertia: known ones back, the body's own where they serve, and no jumps from noise.
+// Axes of inertia: known axes, the body's own axes if they are principal, and no jumps from noise.
 #include "baker/aerodynamics/principal_axes.h"
 
 #include "support/random.h"

@@ -1,4 +1,4 @@
-// Finer panels on closed surfaces: curved ones stay curved, creases stay creases, nothing opens.
+// Finer panels on closed surfaces: curved parts stay curved, creases stay creases, the surface stays closed.
 #include "baker/added_mass/curved_refinement.h"
 #include "baker/added_mass/rim_refinement.h"
 #include "baker/added_mass/surface_correction.h"
@@ -149,7 +149,7 @@ TEST_CASE("strips at creases stay on the surface and close it") {
     // no crease, no strip
     const Mesh sphere = test::icosphere(2);
     CHECK(refine_solid(sphere, {0, 4}).faces == sphere.faces);
-    // a notch is no crease: the flow is at rest in it
+    // a notch is not a crease: the flow is at rest in it
     Mesh notched = test::cube(2);
     for (Eigen::Vector3d& v : notched.vertices)
         if (v[2] > 0.4 && std::abs(v[0]) < 0.1 && std::abs(v[1]) < 0.1) v[2] = 0.0;

@@ -1,4 +1,4 @@
-// Faces that cross, and the exact predicates under them.
+// Crossing faces, and their exact predicates.
 #include "baker/fault_text.h"
 #include "baker/mesh/exact_predicates.h"
 #include "baker/mesh/mesh_check.h"
@@ -29,7 +29,7 @@ Mesh two_faces(const std::vector<Eigen::Vector3d>& vertices, const Face& a, cons
     return mesh;
 }
 
-// In many places, sizes, orders and windings.
+// Checks a pair in many places, sizes, orders and windings.
 void check_pair(const std::vector<Eigen::Vector3d>& vertices, const Face& a, const Face& b, bool meet) {
     std::mt19937 random(9);
     for (int i = 0; i < 50; ++i) {
@@ -37,7 +37,7 @@ void check_pair(const std::vector<Eigen::Vector3d>& vertices, const Face& a, con
         std::shuffle(f.begin(), f.end(), random);
         std::shuffle(g.begin(), g.end(), random);
         Mesh mesh = i % 2 ? two_faces(vertices, f, g) : two_faces(vertices, g, f);
-        // Turns by quarters, shifts and powers of two: exact, so that what touches still touches.
+        // Quarter turns, shifts and powers of two: exact, so that touching faces still touch.
         const double scale = std::ldexp(1.0, i - 25);
         for (Eigen::Vector3d& v : mesh.vertices) v = scale * Eigen::Vector3d(v.y() + i, -v.x() - 3.0, v.z() + 0.5 * i);
         CHECK(find_self_intersections(mesh, 10).pairs.size() == (meet ? 1U : 0U));
@@ -152,7 +152,7 @@ TEST_CASE("self-intersection: each pair that crosses is found, as by looking at 
     std::vector<std::pair<uint32_t, uint32_t>> all;
     for (uint32_t i = 0; i < 300; ++i)
         for (uint32_t k = i + 1; k < 300; ++k) {
-            // In general position: some edge of one passes through the other; by Moeller and Trumbore's solution.
+            // In general position an edge of one face passes through the other; by Moeller and Trumbore's solution.
             const auto passes = [&](uint32_t f, uint32_t g) {
                 const Eigen::Vector3d &a = soup.vertices[3 * g], &b = soup.vertices[3 * g + 1],
                                       &c = soup.vertices[3 * g + 2];

@@ -1,4 +1,4 @@
-// Measures of triangles: bodies done by hand, what must not matter (winding, subdivision), and brute force.
+// Measures of triangles: bodies calculated by hand, invariance (winding, subdivision), and brute force.
 #include "baker/aerodynamics/surface_measures.h"
 
 #include "support/random.h"

@@ -171,7 +171,7 @@ TEST_CASE("homogeneous shear tends to production over dissipation 2.09") {
     const double ratio = 0.09 * shear * shear / (table.chi.back() * table.chi.back());
     MESSAGE("P/epsilon " << 0.09 * shear * shear / (table.chi[0] * table.chi[0]) << " -> " << ratio);
     CHECK(ratio == doctest::Approx(0.92 / 0.44).epsilon(0.01));
-    // The way there too.
+    // Also at all earlier times.
     double gap = 0.0;
     for (size_t n = 0; n < table.t.size(); ++n) {
         const shape::TurbulenceState s = shape::evolve({table.k[0], table.epsilon[0]}, shear * shear, table.t[n]);
@@ -226,10 +226,10 @@ TEST_CASE("a block in the stream: no flow through it, no divergence, and shear f
     CHECK(worst < 1e-7);
     CHECK(through == 0.0);
     CHECK(fastest < 3.0);
-    // Behind the block (ends at x = 2.5 d, cell 10), beside its edge: far more strain, and k, than ahead of it.
+    // Behind the block (ends at x = 2.5 d, cell 10), beside its edge: far more strain and k than ahead of it.
     CHECK(turbulence.strain_at(12, 14, 12) > 5.0 * turbulence.strain_at(1, 14, 12));
     CHECK(turbulence.in_cell(12, 14, 12).k > 2.0 * turbulence.in_cell(1, 14, 12).k);
-    // A wake: slower behind than beside. Symmetric, as the block is.
+    // A wake: slower behind the block than beside it. Symmetric like the block.
     CHECK(flow.grid.velocity_at({3.5, 3.0, 3.0})[0] < 0.5 * flow.grid.velocity_at({3.5, 1.0, 3.0})[0]);
     CHECK(flow.grid.velocity_at({3.5, 2.5, 3.0})[0] ==
           doctest::Approx(flow.grid.velocity_at({3.5, 3.5, 3.0})[0]).epsilon(1e-5));
@@ -243,7 +243,7 @@ TEST_CASE("a block in the stream: no flow through it, no divergence, and shear f
     TurbulenceOptions empty = o;
     empty.solid.clear();
     const TurbulenceTable alone = make(empty);
-    CHECK(table.k.back() > 2.0 * alone.k.back()); // it lives, where the empty stream dies
+    CHECK(table.k.back() > 2.0 * alone.k.back()); // the wake sustains k, the empty stream does not
     for (size_t n = table.stationary_index; n < table.t.size(); ++n)
         CHECK(table.chi_star(n) == doctest::Approx(table.stationary_chi_star).epsilon(0.05));
 }

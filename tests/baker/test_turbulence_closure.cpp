@@ -10,7 +10,7 @@ using namespace lr::shape;
 
 namespace {
 
-// Eqs. 14 to 17 as the paper writes them, by Runge-Kutta in small steps: knows nothing of the closed forms.
+// Eqs. 14 to 17 as in the paper, by Runge-Kutta in small steps, independent of the closed forms.
 TurbulenceState integrate(TurbulenceState s, double strain, double t, int steps) {
     const auto rate = [strain](TurbulenceState x) {
         const double g = 0.09 * x.k * x.k / x.epsilon * strain;
@@ -67,7 +67,7 @@ TEST_CASE("evolve is the solution of Eqs. 16 and 17 with production") {
             CHECK(relative(twice.k, exact.k) < 1e-12);
             CHECK(relative(twice.epsilon, exact.epsilon) < 1e-12);
         }
-    // No step at the switch to the plain decay.
+    // No jump at the switch to the plain decay.
     const TurbulenceState still = decay(s0, 0.5);
     for (double strain : {0.0, 1e-20, 1e-17, 1e-15, 1e-12}) {
         CHECK(relative(evolve(s0, strain, 0.5).k, still.k) < 1e-9);

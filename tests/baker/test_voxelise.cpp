@@ -20,7 +20,7 @@ Mesh shifted(Mesh mesh, const Eigen::Matrix3d& linear, const Eigen::Vector3d& to
     return mesh;
 }
 
-// Cells that no path of open faces joins to the corner of the grid.
+// Cells that no path of open faces connects to the corner of the grid.
 std::vector<uint8_t> dry_cells(const ClosedFaces& closed, const std::array<uint32_t, 3>& n) {
     const size_t stride[3] = {1, n[0], static_cast<size_t>(n[0]) * n[1]};
     std::vector<uint8_t> dry(stride[2] * n[2], 1);
@@ -60,7 +60,7 @@ Mesh square_sheet(double y, double z) {
 TEST_CASE("inside a closed surface are the cells whose centres are, whatever the attitude") {
     const std::array<uint32_t, 3> n = {24, 20, 28};
     const GridPoint lengths = {2.4, 2.0, 2.8};
-    // Radii and centres chosen to lie nowhere in particular.
+    // Radii and centres at arbitrary places.
     const Eigen::Vector3d centre(1.203, 0.987, 1.411), axes(0.91, 0.52, 0.77);
     for (int turn = 0; turn < 5; ++turn) {
         const Eigen::Matrix3d r =
@@ -92,7 +92,7 @@ TEST_CASE("no leak where grid lines pass through vertices, edges and faces: cube
             const Mesh mesh =
                 shifted(test::cube(cuts), 8.0 * Eigen::Matrix3d::Identity(), Eigen::Vector3d::Constant(8.0 + offset));
             const std::vector<uint8_t> dry = dry_cells(voxelise(mesh, n, lengths), n);
-            // Centres strictly inside, and at most those on the surface too.
+            // Centres strictly inside, at most also those on the surface.
             CHECK(dry[0] == 0);
             CHECK(sum(dry) >= 7 * 7 * 7);
             CHECK(sum(dry) <= 9 * 9 * 9);
@@ -115,7 +115,7 @@ TEST_CASE("no leak where grid lines pass through vertices, edges and faces: cube
 }
 
 TEST_CASE("a closed shell without thickness holds, at any attitude and on any grid") {
-    // The surface itself is all there is, and far finer or coarser than the cells.
+    // The surface alone decides, much finer or coarser than the cells.
     for (int levels : {0, 2, 5})
         for (uint32_t cells : {8u, 17u, 40u}) {
             const std::array<uint32_t, 3> n = {cells, cells, cells};
@@ -175,7 +175,7 @@ TEST_CASE("a symmetric body is closed symmetrically, also where its corners lie 
     }
 }
 
-TEST_CASE("what lies outside the grid closes nothing") {
+TEST_CASE("triangles outside the grid close no faces") {
     const std::array<uint32_t, 3> n = {8, 8, 8};
     const Mesh away = shifted(test::cube(2), Eigen::Matrix3d::Identity(), {20.0, 4.0, 4.0});
     for (const std::vector<uint8_t>& faces : voxelise(away, n, {8.0, 8.0, 8.0})) CHECK(sum(faces) == 0);

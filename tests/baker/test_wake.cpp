@@ -60,7 +60,7 @@ double relative(double a, double b) {
     return std::abs(a / b - 1.0);
 }
 
-// What is measured while the flow around a body develops, in units of U0 and l.
+// Measurements while the flow around a body develops, in units of U0 and l.
 struct Flow {
     MeanFlow mean;
     KEpsilon turbulence;
@@ -130,7 +130,7 @@ TEST_CASE("the wake of a plate: momentum is missing behind it, shear feeds k, an
     CHECK(g.velocity_at({x + 0.2 * d, y, z})[0] < 0.3);
     CHECK(g.velocity_at({x + 1.0 * d, y, z})[0] < 0.8);
     CHECK(g.velocity_at({x + 0.2 * d, y + 1.2 * d, z})[0] > 1.0);
-    // What flows in flows past.
+    // Inflow equals outflow.
     const GridField& u = g.velocity[0];
     double flux_in = 0.0, flux_out = 0.0;
     const auto i_out = static_cast<uint32_t>((x + 1.5 * d) * u.inverse_spacing[0]);
@@ -169,7 +169,7 @@ TEST_CASE("the wake of a plate: momentum is missing behind it, shear feeds k, an
 }
 
 TEST_CASE("where the stream stagnates no k is made, at walls it is") {
-    // Kato and Launder: plane stagnation flow has strain and no rotation. A wall switches the form on.
+    // Kato and Launder: plane stagnation flow has strain and no rotation. A wall switches their form on.
     MacGrid grid({16, 16, 16}, {16.0, 16.0, 16.0});
     ClosedFaces far;
     far[0].assign(4096, 0);
@@ -190,7 +190,7 @@ TEST_CASE("where the stream stagnates no k is made, at walls it is") {
             for (uint32_t i = 0; i <= 16; ++i) u.values[u.index(i, j, k)] = 0.5 * j;
     for (double& x : v.values) x = 0.0;
     turbulence.follow(grid, 0.01);
-    CHECK(turbulence.strain_at(7, 7, 7) == doctest::Approx(0.25)); // shear is left as it is
+    CHECK(turbulence.strain_at(7, 7, 7) == doctest::Approx(0.25)); // shear is unchanged
 }
 
 TEST_CASE("tables with a wake hardly depend on the grid" * doctest::test_suite("long-exact") *
@@ -215,7 +215,7 @@ TEST_CASE("tables with a wake hardly depend on the grid" * doctest::test_suite("
     compare(test::leaf(20, 6, 0.01, 0.15), "leaf", {32, 32, 16}, {48, 48, 24});
 }
 
-// The table of docs/maintainers/physics.md: minutes, so only when asked for.
+// The table of docs/maintainers/physics.md: takes minutes, so only on request.
 TEST_CASE("wake table: stationary points on three grids" * doctest::skip()) {
     const auto print = [](const char* name, const Mesh& mesh, double l) {
         for (const double intensity : {1.0, 0.1})
@@ -234,7 +234,7 @@ TEST_CASE("wake table: stationary points on three grids" * doctest::skip()) {
                     MESSAGE(line);
                 }
     };
-    // l/d as the bakes of these bodies have it (docs/maintainers/physics.md, "Scales").
+    // l/d from the bakes of these bodies (docs/maintainers/physics.md, "Scales").
     print("cube", test::cube(2), 0.32);
     print("sphere", test::ellipsoid(0.5, 0.5, 0.5, 4), 1.0 / 6.0);
     print("plate", test::box({0.01, 1.0, 0.5}, {1, 2, 2}), 0.15);
@@ -256,7 +256,7 @@ TEST_CASE("the wake keeps k alive, and the second run has the same bits") {
     const TurbulenceTable alone = make(empty);
     CHECK_FALSE(alone.wake);
     CHECK(wake.k.back() > 1.5 * alone.k.back());
-    // The sample that the runtime reads is the mean of the steady part, and the table stays there.
+    // The runtime reads the mean of the steady part, and the table stays there.
     CHECK(wake.stationary_index > 0);
     for (size_t n = wake.stationary_index; n < wake.t.size(); ++n) {
         CHECK(relative(wake.chi_star(n), wake.stationary_chi_star) < 1e-12);
@@ -316,7 +316,7 @@ TEST_CASE("bodies that leave no room, or no number, are refused, closed pockets 
     REQUIRE(faults.size() == 1);
     CHECK(faults[0].where == "turbulence.body_box");
 
-    // A box that holds nothing but solid.
+    // A domain that is entirely solid.
     faults.clear();
     o = in_stream(test::cube(1), {16, 16, 16});
     o.body_box = {GridPoint{-9.0, -9.0, -9.0}, GridPoint{-8.0, -8.0, -8.0}};
@@ -331,7 +331,7 @@ TEST_CASE("bodies that leave no room, or no number, are refused, closed pockets 
     REQUIRE(faults.size() == 1);
     CHECK(faults[0].id == FaultId::mesh_not_finite);
 
-    // Needles and splinters find room.
+    // Needles and splinters fit.
     for (const Eigen::Vector3d& size : {Eigen::Vector3d(1e-7, 1.0, 1e-3), Eigen::Vector3d(1e-3, 1e-3, 1.0)}) {
         faults.clear();
         const TurbulenceTable thin = make(in_stream(test::box(size, {1, 1, 1}), {16, 16, 8}));
@@ -353,7 +353,7 @@ TEST_CASE("a period is found in what repeats, and nowhere else") {
         CHECK(s.end == WakeEnd::loop);
         CHECK(s.begin + s.count == 400);
         CHECK(s.mean.epsilon == doctest::Approx(1.0).epsilon(0.02));
-        // With harmonics, and while it still grows.
+        // With harmonics, and during growth.
         const auto rich = history([&](int n) {
             const double a = 6.283185307179586 * n / period;
             return 1.0 + 0.1 * (0.5 + n / 800.0) * (std::sin(a) + 0.4 * std::cos(2.0 * a));
@@ -393,7 +393,7 @@ TEST_CASE("a wake that sheds vortices becomes a loop, and its mean the sample th
     CHECK(t.loop_end == t.t.size() - 1);
     CHECK(t.stationary_index == t.t.size() - 1);
     CHECK(relative(t.chi_star(t.stationary_index), t.stationary_chi_star) < 1e-12);
-    // One turn later the table is where it was, which halfway round it is not.
+    // After a full turn the table is the same, after half a turn it is not.
     double low = 1e300, high = 0.0, mean = 0.0;
     const uint32_t period = t.loop_end - t.loop_begin;
     for (uint32_t n = t.loop_begin; n < t.loop_end; ++n) {

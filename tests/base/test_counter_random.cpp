@@ -6,7 +6,7 @@
 
 using namespace lr;
 
-TEST_CASE("births draw from the generator of the noise, in counters of their own") {
+TEST_CASE("spawns use the noise's generator, with their own counters") {
     const test::Lanes lanes = test::lanes().front();
     constexpr uint64_t seed = 0x0123456789abcdefull;
     for (uint32_t noise_seed : {1u, 77u, 0xffffffffu})

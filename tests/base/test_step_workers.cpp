@@ -1,4 +1,4 @@
-// Many runs between gather and dismiss: helpers of a job system stay, and systems that cannot keep them still do all the work.
+// Many runs between gather and dismiss: helpers of a job system stay; systems that cannot keep them still do all the work.
 #include "base/step_workers.h"
 
 #include <doctest/doctest.h>
@@ -17,9 +17,9 @@ class Jobs {
 public:
     enum Kind {
         side_by_side, // a thread for each index
-        blocking,     // a parallel-for that returns when all is done: within enqueue
+        blocking,     // a parallel-for that returns at its end: within enqueue
         at_once,      // on the caller's thread, within enqueue
-        in_finish     // on the caller's thread, when it waits
+        in_finish     // on the caller's thread, in finish
     };
     explicit Jobs(Kind kind) : kind_(kind) {}
     lr_job_system callbacks() { return {this, &enqueue, &finish}; }
@@ -57,7 +57,7 @@ private:
     std::vector<std::thread> threads_;
 };
 
-// Each run adds to what the one before left: a chunk that were left out, done twice or early would show in the sum.
+// Each run adds to the result of the run before: a missed, repeated or early chunk would change the sum.
 struct Sums {
     static constexpr uint32_t chunks = 37;
     std::vector<uint32_t> of = std::vector<uint32_t>(chunks, 0);
@@ -93,7 +93,7 @@ TEST_CASE("a gathered step_workers does every run whole, whatever becomes of its
             CHECK(sums.wrong == 0);
             CHECK(jobs.enqueued == jobs.finished);
         }
-        // Those that have not come yet are not called again; those that were within enqueue are.
+        // Helpers that have not come yet are not called again; those within enqueue are.
         if (kind == Jobs::in_finish) CHECK(jobs.enqueued == 2);
         if (kind == Jobs::at_once || kind == Jobs::blocking) CHECK(jobs.enqueued == 2 * runs);
         step_workers.stop();
@@ -101,11 +101,10 @@ TEST_CASE("a gathered step_workers does every run whole, whatever becomes of its
 }
 
 TEST_CASE("helpers that stay are not called again") {
-    // While the caller is within a run its helper waits for more, for as long as a pause lasts: chunks are far shorter.
+    // During the caller's run its helper waits for more, as long as a pause lasts: chunks are far shorter.
     const FloatMode mode;
     uint32_t least = UINT32_MAX;
-    for (int attempt = 0; attempt < 20 && least > runs / 4;
-         ++attempt) { // a busy machine may keep it from coming in time
+    for (int attempt = 0; attempt < 20 && least > runs / 4; ++attempt) { // a busy machine can delay it
         Jobs jobs(Jobs::side_by_side);
         StepWorkers step_workers;
         REQUIRE(step_workers.start(1, jobs.callbacks()));

@@ -16,7 +16,7 @@ void until(const WaitedCount& count, uint32_t wanted) {
 
 } // namespace
 
-// A wake-up that is lost ends in the time-out.
+// A lost wake-up would end in the time-out.
 TEST_CASE("two threads that wait for each other get through") {
     constexpr uint32_t rounds = 20'000;
     WaitedCount asked{0}, answered{0};

@@ -44,7 +44,7 @@ TEST_CASE("every chunk runs once, for any number of workers and helpers, and all
     }
 }
 
-// The context of a round is gone when the next begins: ThreadSanitizer and AddressSanitizer watch.
+// A round's context is destroyed before the next round: ThreadSanitizer and AddressSanitizer check this.
 TEST_CASE("rounds in quick succession do not mix") {
     ChunkQueue queue;
     WorkerPool pool(queue);

@@ -1,6 +1,6 @@
-// What watching a world costs its calls: LR_CHECK_THREADS, and a recording whose writer only counts. Four worlds alike take turns at
-// the same calls: unwatched, checked, recorded with a hash in each step, and with none. Medians of the thread's own time; all must end
-// with one hash, which is in the row.
+// The cost of checks and recordings for calls: LR_CHECK_THREADS, and a recording whose writer only counts. Four equal worlds take
+// turns at the same calls: without either, checked, recorded with a hash in each step, recorded without hashes. Medians of the thread's own
+// time. All must end with the same hash, which is in the row.
 //     bench_calls [BODIES [TURNS]]
 #include "bench/leaf_asset.h"
 
@@ -38,7 +38,7 @@ struct Watched {
     lr_batch batch{};
     std::vector<lr_body> bodies;
     uint64_t bytes = 0;
-    double begin = 0.0; // ns that starting the recording took
+    double begin = 0.0; // ns to start the recording
 
     Watched() = default;
     Watched(const Watched&) = delete;
@@ -82,7 +82,7 @@ struct Watched {
 
 constexpr size_t ways = 4;
 
-// `call` once in each world in turn, `repeats` times in a row where a single one is too short for the clock.
+// `call` once in each world in turn, `repeats` times in a row if a single call is too short for the clock.
 template <class Call>
 bool measure(const char* name, Watched (&worlds)[ways], int turns, int repeats, const Call& call) {
     std::vector<double> times[ways];

@@ -1,5 +1,5 @@
-// Colliders alone: making them, a step in which they move, and who is near. `each` is a collider; of `candidates` a call.
-// `near` is the share of bodies in free places that the bits do not know to be far.
+// Colliders alone: creation, a step in which they move, and the broad phase. `each` is a collider; of `candidates` a call.
+// `near` is the share of bodies in free places that the near-collider marks do not exclude.
 //     bench_colliders --benchmark_counters_tabular=true
 #include "collision/colliders.h"
 #include "collision/near_collider_marks.h"
@@ -95,7 +95,7 @@ void asking(benchmark::State& state) {
     rate(state, "candidates", 65536.0);
     state.counters["found"] = static_cast<double>(found) / static_cast<double>(asked);
     state.counters["near"] = static_cast<double>(near) / 65536.0;
-    // The same among empty places: what false bits cost.
+    // The same among empty places: the cost of false marks.
     near = 0;
     for (const lr::Vector& p : places)
         near += test::marked(colliders.near(), p + lr::Vector{static_cast<float>(2.0 * side), 0.0f, 0.0f}, 0.2f);

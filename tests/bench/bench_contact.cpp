@@ -1,4 +1,4 @@
-// What a pair costs: a leaf of 24 points near and far from each kind of collider.
+// The cost of a pair: a leaf of 24 points near and far from each kind of collider.
 #include "collision/random_pairs.h"
 
 #include <benchmark/benchmark.h>
@@ -12,7 +12,7 @@ constexpr ColliderKind kinds[] = {ColliderKind::plane, ColliderKind::sphere, Col
                                   ColliderKind::mesh};
 constexpr const char* names[] = {"plane", "sphere", "capsule", "box", "hull", "heightfield", "mesh"};
 
-// Colliders a metre large whose top is at 0, around the origin of the body's places.
+// Colliders of a metre with their tops at 0, around the origin of the body's places.
 void make(test::Solid& solid, ColliderKind kind, test::Random& random, Vector& top) {
     top = {0.1f, 0.0f, 0.1f};
     if (kind == ColliderKind::hull) {
@@ -51,7 +51,7 @@ void run(benchmark::State& state, ColliderKind kind, int what) {
             p.y += up;
         if (kind == ColliderKind::capsule && what == 1) q = {0.0f, 0.0f, 0.70710678f, 0.70710678f};
         poses.push_back({p, q});
-        if (what == 5) // of a leaf that all but rests
+        if (what == 5) // a leaf nearly asleep
             next.push_back({p + Vector{0.0f, -2e-5f, 0.0f}, normalised({q.x + 2e-4f, q.y, q.z, q.w})});
         else
             next.push_back({p + Vector{0.0f, -0.005f, 0.0f}, normalised({q.x + 0.02f, q.y, q.z, q.w})});

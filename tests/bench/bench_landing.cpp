@@ -1,8 +1,8 @@
-// What contact costs: leaves in flight over a ground and without it, all of them landing within a second, a million at rest, and a
-// capsule that walks through those that lie. Steps of 1/60 s with two substeps, AERODYNAMIC loads, still air.
+// The cost of contact: leaves falling over a ground and without it, all landing within a second, a million asleep, and a capsule
+// that walks through lying leaves. Steps of 1/60 s with two substeps, AERODYNAMIC loads, still air.
 //     bench_landing [--bodies N] [--turns N] [--workers N] [--asset FILE] [--only flight|landing|rest|walk]
-// Without --bodies: 100,000, at rest ten times as many. Without --workers: 0 and then 1, with the same hashes. Times are medians of
-// turns that alternate between the scenes compared; cpu is of all threads together.
+// Default: 100,000 bodies, asleep ten times as many; workers 0 and then 1, with the same hashes. Times are medians of turns that
+// alternate between the compared scenes; cpu is the sum over all threads.
 #include "bench/landing_scene.h"
 
 #include <algorithm>
@@ -122,7 +122,7 @@ bool at_rest(const Options& o, uint32_t workers) {
     const uint32_t bodies = 10 * o.bodies;
     if (!scene.make(o.asset, bodies, workers) || !scene.add_ground(false) || !scene.emit(bodies, 0.0f, 0.1f))
         return false;
-    for (int i = 0; i < 2; ++i) { // new colliders wake what they reach
+    for (int i = 0; i < 2; ++i) { // new colliders wake the bodies near them
         if (!scene.lay_down()) return false;
         scene.step();
     }
@@ -142,7 +142,7 @@ bool at_rest(const Options& o, uint32_t workers) {
     return true;
 }
 
-// Of 35 cm radius and 1.7 m, at 1.4 m/s across the middle of the ground.
+// 35 cm radius, 1.7 m tall, at 1.4 m/s across the middle of the ground.
 bool walk(const Options& o, uint32_t workers) {
     Scene scene;
     if (!scene.make(o.asset, o.bodies, workers) || !scene.add_ground() || !scene.emit(o.bodies, 0.3f, 0.6f))

@@ -1,4 +1,4 @@
-// What the noise costs a body and substep, on every instruction set of this processor: items are bodies.
+// The cost of noise per body and substep, on every instruction set of this processor: items are bodies.
 //     bench_noise --benchmark_repetitions=9 --benchmark_report_aggregates_only=true
 #include "kernel/math/lanes.h"
 
@@ -10,7 +10,7 @@
 using namespace test;
 
 int main(int argc, char** argv) {
-    constexpr size_t bodies = 1024; // all in the first cache
+    constexpr size_t bodies = 1024; // all fit in the first-level cache
     for (const Lanes& target : lanes()) {
         const auto add = [&](const char* what, auto draw, size_t arrays) {
             benchmark::RegisterBenchmark((std::string(target.name) + "/" + what).c_str(), [=](benchmark::State& state) {

@@ -1,4 +1,4 @@
-// What it costs to find where two bodies touch.
+// The cost of the narrow phase for two bodies.
 #include "collision/found_pair.h"
 #include "collision/pair_contacts.h"
 #include "collision/random_pairs.h"
@@ -14,7 +14,7 @@ namespace {
 struct Scene {
     const char* name;
     BodyShape a, b;
-    int lie; // 0: b lies on a, turned and tilted a little; 1: any poses that touch; 2: far by an axis; 3: cores overlap; 4: near misses
+    int lie; // 0: b lies on a, turned and tilted a little; 1: any touching poses; 2: separated by an axis; 3: cores overlap; 4: near misses
 };
 
 void run(benchmark::State& state, const Scene& scene) {

@@ -1,8 +1,8 @@
-// What it costs that leaves meet each other: they fall on the ground, lie there some layers deep, somebody walks through them, and a
-// gust comes. The same leaves without pair contact go along, step by step. Steps of 1/60 s with two substeps, AERODYNAMIC loads.
+// The cost of body contact between leaves: they fall on the ground, lie there some layers deep, a walker crosses them, and a gust
+// comes. The same leaves without body contact run alongside. Steps of 1/60 s with two substeps, AERODYNAMIC loads.
 //     bench_pile [--bodies N] [--layers N] [--workers N] [--asset FILE] [--seconds N]
-// Without --bodies: 20,000; without --layers: 3 and then 10; without --workers: 0 and then 1, with the same hashes. --seconds: in which
-// they may come to rest; 8. cpu is of all threads together.
+// Default: 20,000 bodies; 3 and then 10 layers; workers 0 and then 1, with the same hashes. --seconds: time for the leaves to fall
+// asleep; 8. cpu is the sum over all threads.
 #include "bench/pile_scene.h"
 
 #include <chrono>
@@ -25,7 +25,7 @@ struct Options {
 
 struct Cost {
     double wall, cpu; // ms
-    uint32_t awake;   // before it
+    uint32_t awake;   // before the step
 };
 
 Cost timed_step(PileScene& scene, uint32_t awake) {
@@ -44,7 +44,7 @@ double quantile(const std::vector<Cost>& costs, double Cost::*field, double part
     return values[std::min(values.size() - 1, static_cast<size_t>(part * static_cast<double>(values.size())))];
 }
 
-// Of the same steps, with pair contact and without.
+// For the same steps, with body contact and without.
 struct Phase {
     const char* name;
     std::vector<Cost> with, without;
@@ -84,7 +84,7 @@ struct Run {
         std::fflush(stdout);
     }
 
-    // Falling until most have met something, landing until they are slow, settling until all but a hundredth rest.
+    // Falling until most leaves have touched another, landing until they are slow, settling until all but a hundredth sleep.
     void land() {
         Phase falling{"falling", {}, {}}, landing{"landing", {}, {}}, settling{"settling", {}, {}};
         const int most = static_cast<int>(options.seconds / static_cast<double>(step_seconds));
@@ -112,7 +112,7 @@ struct Run {
         end(walking);
         return true;
     }
-    // Two seconds that rise to 9 m/s, 10 m above the ground, and fall.
+    // A gust of two seconds that rises to 9 m/s, 10 m above the ground, and falls.
     void blow() {
         Phase gust{"gust", {}, {}};
         for (int k = 0; k < 120; ++k) {

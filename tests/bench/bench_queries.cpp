@@ -1,4 +1,4 @@
-// Rays and overlaps among 10^5 bodies that move, and what events cost a step.
+// Rays and overlaps among 10^5 awake bodies, and the cost of events for a step.
 #include "langevin_rigid.h"
 
 #include <benchmark/benchmark.h>
@@ -75,7 +75,7 @@ void overlap(benchmark::State& state) {
     state.counters["found"] = count;
 }
 
-// 10^5 leaves of which more and more lie on the ground or touch it.
+// 10^5 leaves, of which ever more lie on the ground or touch it.
 void step(benchmark::State& state) {
     const Storm storm(100000, 0.5f);
     if (state.range(0) != 0) lr_world_set_events(storm.world, 65536, LR_EVENTS_ALL);

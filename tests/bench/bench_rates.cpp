@@ -1,5 +1,5 @@
-// What rates and budgets save: a million leaves in 16 batches, 60 Hz x 4, one thread. `ns` is per body and step of the world, on
-// average over 48 steps, so that batches that wait are in it; `done`, the share of body-substeps that were taken.
+// The savings of rates and budgets: a million leaves in 16 batches, 60 Hz x 4, one thread. `ns` is per body and step of the world,
+// averaged over 48 steps, so that it includes waiting batches; `done` is the share of taken body-substeps.
 //     bench_rates --benchmark_counters_tabular=true
 #include "bench/leaf_asset.h"
 
@@ -56,7 +56,7 @@ struct Forest {
     }
 };
 
-// share: of all body-substeps, for the budget; 0: none.
+// share: the budget's share of all body-substeps; 0: no budget.
 void run(benchmark::State& state, uint32_t divisor, double share) {
     Forest forest;
     if (!forest.make(divisor, static_cast<uint64_t>(share * batches * bodies * substeps)))

@@ -1,5 +1,5 @@
-// What bodies at rest cost: a million leaves in one batch, all of them at rest or but for a few; steps at 60 Hz x 4 on one thread.
-// And what it costs to put a body to rest and wake it, one by one and by boxes.
+// The cost of sleeping bodies: a million leaves in one batch, all asleep or all but a few; steps at 60 Hz x 4 on one thread.
+// And the cost of putting bodies to sleep and waking them, singly and by boxes.
 //     bench_rest
 #include "bench/leaf_asset.h"
 
@@ -50,7 +50,7 @@ void step(benchmark::State& state, bool rules) {
     Floor floor;
     if (!floor.make(rules) || !floor.rest(static_cast<uint32_t>(state.range(0))))
         return state.SkipWithError("no world");
-    for (int i = 0; i < 20; ++i) lr_world_step(floor.world, 1.0f / 60.0f, 4); // the rules have had their turn
+    for (int i = 0; i < 20; ++i) lr_world_step(floor.world, 1.0f / 60.0f, 4); // at least one check of the rules
     for (auto _ : state) lr_world_step(floor.world, 1.0f / 60.0f, 4);
 }
 
@@ -65,7 +65,7 @@ void rest_and_wake(benchmark::State& state) {
                                                    benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
-// A footstep of 30 cm: 36 leaves or so.
+// A footstep of 30 cm: about 36 leaves.
 void wake_box(benchmark::State& state) {
     Floor floor;
     if (!floor.make(false) || !floor.rest(bodies)) return state.SkipWithError("no world");

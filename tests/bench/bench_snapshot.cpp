@@ -1,4 +1,4 @@
-// What snapshots cost a rollback: save, restore after a step of 16 ms, and memcpy of as many bytes, in turns. Medians of the thread's own time; `hash` is lr_world_hash of the saved state.
+// The cost of snapshots for rollback: save, restore after a step of 16 ms, and memcpy of the same size, in turns. Medians of the thread's own time; `hash` is lr_world_hash of the saved state.
 //     bench_snapshot [BODIES [TURNS [SCENE]]]
 #include "bench/rollback_scene.h"
 
@@ -12,7 +12,7 @@ namespace {
 
 using namespace bench;
 
-// ms of this thread's own
+// ms of this thread's own time
 double now() {
     timespec t;
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);

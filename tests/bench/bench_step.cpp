@@ -1,4 +1,4 @@
-// What forces, rules and emitters cost a step of a million bodies on one core: milliseconds are ns a body.
+// The cost of forces, rules and emitters in a step of a million bodies on one core: milliseconds are ns per body.
 //     bench_step --benchmark_repetitions=3
 #include "langevin_rigid.h"
 
@@ -47,7 +47,7 @@ struct Scene {
         r.volume_count = extra == eight_volumes ? 8 : 1;
         for (lr_kill_volume& v : r.volumes) v = {LR_VOLUME_SPHERE, LR_KILL_OUTSIDE, {0, 0, 0}, {1e4f, 0, 0}};
         r.action = LR_END_RESPAWN;
-        // Respawning: one in a hundred at each step, out of the box at its bottom.
+        // Respawning: a hundredth of the bodies at each step, through the bottom of the box.
         if (extra == respawning) r.volumes[0] = {LR_VOLUME_BOX, LR_KILL_OUTSIDE, {0, 0, 0}, {50.0f, 49.0f, 50.0f}};
         return lr_batch_set_rules(world, batch, &r) == LR_OK;
     }

@@ -1,6 +1,6 @@
-// What a step costs with threads and without: scaling, many small batches, one body alone, workers that were asleep. Items
-// are body-substeps; `hash` has to be the same for any number of workers. Two runs of a world have to have as many steps to
-// be compared:
+// The cost of a step with threads and without: scaling, many small batches, a single body, sleeping workers. Items are
+// body-substeps; `hash` must be the same for any number of workers. Two runs of a world are comparable only after equally many
+// steps:
 //     bench_threads --benchmark_counters_tabular=true
 #include "bench/leaf_asset.h"
 
@@ -18,8 +18,8 @@
 
 namespace {
 
-// The caller on one core, and on the others what it starts meanwhile: on a machine that does other work as well, threads
-// that are woken for microseconds may else share a core for the whole of a run.
+// Binds the caller to one core, and threads that it starts meanwhile to the others: on a busy machine, threads that are
+// woken for microseconds could share a core for a whole run.
 void pin(bool caller) {
 #if defined(__linux__)
     static const cpu_set_t all = [] {
@@ -102,7 +102,7 @@ BENCHMARK(scaling)
     ->ArgNames({"bodies", "workers", "substeps"})
     ->UseRealTime();
 
-// batches of so many bodies, workers
+// batches of this many bodies, workers
 void batches(benchmark::State& state) {
     const auto number = static_cast<uint32_t>(state.range(0)), bodies = static_cast<uint32_t>(state.range(1));
     Scene s;
@@ -122,7 +122,7 @@ BENCHMARK(batches)
     ->ArgNames({"batches", "bodies", "workers"})
     ->UseRealTime();
 
-// A world with nothing but one body: time of the thread itself, since it is of the order of an interrupt.
+// A world with a single body: the thread's own time, because the step is as short as an interrupt.
 void one_body(benchmark::State& state) {
     Scene s;
     if (!s.make(1, 1, static_cast<uint32_t>(state.range(1)), static_cast<int32_t>(state.range(0))))
@@ -135,7 +135,7 @@ BENCHMARK(one_body)
     ->ArgsProduct({{LR_LOADS_NONE, LR_LOADS_LANGEVIN, LR_LOADS_AERODYNAMIC}, {0, 1}})
     ->ArgNames({"loads", "workers"});
 
-// One step a frame, as games do: workers have been idle for milliseconds.
+// One step per frame, as in games: workers have been idle for milliseconds.
 void frames(benchmark::State& state) {
     const auto bodies = static_cast<uint32_t>(state.range(0));
     Scene s;

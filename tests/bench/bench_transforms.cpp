@@ -1,6 +1,6 @@
-// lr_batch_write_transforms against memcpy of as many bytes as it writes. `of_memcpy`: speed of the one over that of the
-// other, medians of turns that alternate, so that other work on the machine meets both. With 64-byte elements a body's
-// 32 bytes are read and 64 written, of which memcpy reads 64.
+// lr_batch_write_transforms against memcpy of as many bytes as it writes. `of_memcpy`: ratio of their speeds, the median of
+// turns that alternate, so that other load on the machine affects both. With 64-byte elements 32 bytes per body are read and
+// 64 written, whereas memcpy reads 64.
 //     bench_transforms --benchmark_min_time=0.001 --benchmark_counters_tabular=true
 #include "bench/leaf_asset.h"
 
@@ -15,7 +15,7 @@
 
 namespace {
 
-// ns of this thread's own
+// ns of this thread's own time
 double now() {
     timespec t;
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
@@ -28,7 +28,7 @@ double median(std::vector<double>& of) {
     return *middle;
 }
 
-// bodies, format, bytes between elements beyond their own, misalignment in bytes
+// bodies, format, gaps between elements in bytes, misalignment in bytes
 void transforms(benchmark::State& state) {
     constexpr uint64_t sizes[] = {28, 32, 48, 48, 64, 64};
     const auto bodies = static_cast<uint32_t>(state.range(0));

@@ -54,7 +54,7 @@ void wake(benchmark::State& state) {
     run(state, o);
 }
 
-// One projection of the stream that meets the leaf at once, from nothing, by 1e-9.
+// A projection of the stream at its sudden start around the leaf, from zero, to 1e-9.
 void projection(benchmark::State& state) {
     const auto n = static_cast<uint32_t>(state.range(0));
     TurbulenceOptions o = leaf({n, n, n / 2});

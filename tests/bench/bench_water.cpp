@@ -1,4 +1,4 @@
-// What a body at a surface costs beside one in air: 20,000 of each on one core, ns a body and substep.
+// The cost of a body at a water surface compared to air: 20,000 of each on one core, ns per body and substep.
 //     bench_water --benchmark_repetitions=5
 #include "bench/full_mass_matrix.h"
 #include "langevin_rigid.h"
@@ -56,7 +56,7 @@ void step(benchmark::State& state) {
         return state.SkipWithError("scene");
     for (auto _ : state)
         if (lr_world_step(s.world, 1.0f / 60.0f, substeps) != LR_OK) return state.SkipWithError("step");
-    // Shown as seconds with the unit n: the inverse of a rate.
+    // Displayed as seconds with the unit n: the inverse of a rate.
     state.counters["body"] =
         benchmark::Counter(static_cast<double>(bodies) * substeps,
                            benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);

@@ -1,4 +1,4 @@
-// Bodies in wind, one thread: time a body and substep, without wind, in a uniform one, and with each kind of source.
+// Bodies in wind, one thread: time per body and substep, without wind, in a uniform wind, and with each kind of source.
 #include "langevin_rigid.h"
 
 #include <benchmark/benchmark.h>
@@ -107,7 +107,7 @@ void uniform(benchmark::State& state) {
     Scene scene;
     float speed = 0.0f;
     for (auto _ : state) {
-        speed = 2.0f - speed; // another one each step
+        speed = 2.0f - speed; // a change in each step
         need(lr_world_set_uniform_wind(scene.world, speed, 0.0f, 0.0f));
         need(lr_world_step(scene.world, 1.0f / 120.0f, substeps));
     }

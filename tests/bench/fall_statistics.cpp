@@ -1,7 +1,7 @@
-// What the length of the step does to falls with AERODYNAMIC loads: bodies released at rest at random angles in still air,
+// The effect of the step's length on falls with AERODYNAMIC loads: bodies released at rest at random angles in still air,
 // averaged from 2 s to 10 s. Relative to steps of 1 ms, in per cent.
 //     fall_statistics [--divisors] [ASSET.lrb ...]
-// --divisors: at 60 Hz x 8, relative to all of these substeps, batches of lower rates (docs/reference/stepping.md).
+// --divisors: batches of lower rates at 60 Hz x 8, relative to taking all of these substeps (docs/reference/stepping.md).
 #include "langevin_rigid.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The path of bodies with a full mass matrix, for one that is diagonal: loads a hair off its centre bring it there.
+// Puts a diagonal body on the path of full mass matrices: its loads act slightly off its centre.
 #pragma once
 
 #include <langevin_rigid_research.h>

@@ -1,5 +1,5 @@
-// A batch of leaves, and a ground of 50 m x 50 m with a hundred colliders of all kinds on it. Made of + - x / alone: hashes are the
-// same everywhere.
+// A batch of leaves, and a ground of 50 m x 50 m with a hundred colliders of all kinds on it. Uses only + - x /, so that hashes
+// are the same everywhere.
 #pragma once
 
 #include "bench/leaf_asset.h"
@@ -13,7 +13,7 @@ namespace bench {
 
 constexpr float step_seconds = 1.0f / 60.0f;
 constexpr uint32_t substeps = 2;
-constexpr uint32_t samples = 101; // a side
+constexpr uint32_t samples = 101; // per side
 constexpr float cell = 0.5f, side = cell * (samples - 1);
 
 class Scene {
@@ -26,7 +26,7 @@ public:
         lr_asset_release(asset_);
     }
 
-    // file: of an asset; null: the ellipsoid of the other benchmarks.
+    // file: an asset; null: the ellipsoid of the other benchmarks.
     bool make(const char* file, uint32_t capacity, uint32_t workers) {
         if (file) {
             if (lr_asset_load_file(file, &asset_) != LR_OK) return false;
@@ -59,8 +59,8 @@ public:
     bool lay_down() {
         return lr_body_set_sleep(world_, ids_.data(), static_cast<uint32_t>(ids_.size()), LR_SLEEP_ASLEEP) == LR_OK;
     }
-    // Hills of 0.6 m under y = 0, a plane below them, and on them spheres, capsules, boxes, hulls and meshes of a metre or so, every
-    // tenth of which turns if any do.
+    // Hills of 0.6 m below y = 0, a plane below them, and on them spheres, capsules, boxes, hulls and meshes of about a metre; every
+    // tenth turns if colliders move.
     bool add_ground(bool turning = true) {
         std::vector<float> heights(samples * samples);
         for (uint32_t k = 0; k < samples; ++k)
@@ -144,7 +144,7 @@ private:
         h = (h ^ h >> 12) * 0x297a2d39u;
         return static_cast<float>((h ^ h >> 15) >> 8) * 0x1p-24f;
     }
-    // Between values on a lattice of so many samples.
+    // Interpolates values on a lattice of this many samples.
     static float smooth(uint32_t i, uint32_t k, uint32_t width) {
         const auto part = [width](uint32_t at) {
             const float t = static_cast<float>(at % width) / static_cast<float>(width);

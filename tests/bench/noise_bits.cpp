@@ -1,7 +1,7 @@
-// The bits of the noise on standard output, without end, in the orders that a battery of tests should see.
+// Writes the noise's bits to standard output, endlessly, in the orders that a battery of tests should see.
 //   noise_bits bodies|substeps|seeds|gaussians [seed]
-// bodies, substeps, seeds: the generator's words as the kernel gets them, first those of neighbours in what is named.
-// gaussians: body by body, what the three pairs are made of.
+// bodies, substeps, seeds: the generator's words as the kernel gets them; neighbours differ in the named quantity.
+// gaussians: body by body, the words of the three Gaussian pairs.
 #include "kernel/math/lanes.h"
 
 #include <cstdio>
@@ -95,5 +95,5 @@ int main(int argc, char** argv) {
     };
     for (uint64_t n = 0; step(n); ++n) {
     }
-    return 0; // the reader has had enough
+    return 0; // the reader has ended
 }

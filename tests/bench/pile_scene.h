@@ -1,5 +1,5 @@
-// A batch of leaves that come down on level ground within a second and lie there some layers deep, somebody who walks through them,
-// and a wind over the ground.
+// A batch of leaves that fall on level ground within a second and lie there some layers deep, a walker who crosses them, and a wind
+// over the ground.
 #pragma once
 
 #include "bench/leaf_asset.h"
@@ -23,7 +23,7 @@ public:
         lr_asset_release(asset_);
     }
 
-    // file: assets/leaf.obj as baked; null: the ellipsoid of the other benchmarks. pairs: whether leaves meet each other.
+    // file: assets/leaf.obj as baked; null: the ellipsoid of the other benchmarks. pairs: body contact between leaves.
     bool make(const char* file, uint32_t count, float layers, uint32_t workers, bool pairs) {
         if (file) {
             if (lr_asset_load_file(file, &asset_) != LR_OK) return false;
@@ -33,7 +33,7 @@ public:
         lr_asset_info info;
         lr_asset_info_init(&info, sizeof info);
         if (!asset_ || lr_asset_get_info(asset_, &info) != LR_OK) return false;
-        // What one covers when it lies flat, over the square of its length.
+        // The area of a leaf that lies flat, over the square of its length.
         const double covers = file ? 0.35 : 0.196;
         half_side_ = 0.5f * static_cast<float>(info.length_d * std::sqrt(covers * count / static_cast<double>(layers)));
         lr_world_desc wd;
@@ -63,7 +63,7 @@ public:
         d.size[0] = 0.24f, d.size[1] = 0.62f;
         return lr_collider_create(world_, &d, 1, &walker_) == LR_OK;
     }
-    // At 1.4 m/s, from before the leaves until behind them.
+    // At 1.4 m/s, from one side of the leaves to the other.
     int walk_steps() const { return static_cast<int>(2.0f * walk_from() / (1.4f * step_seconds)); }
     void move_walker(int step) {
         lr_collider_motion m;
@@ -78,7 +78,7 @@ public:
 
     struct Seen {
         uint32_t awake;
-        double speed, height; // of all, means; m/s, m
+        double speed, height; // means over all bodies; m/s, m
     };
     Seen look() const {
         lr_batch_view v;

@@ -1,5 +1,5 @@
-// Worlds as rollback netcode saves and restores them: leaves in wind over a plane, some at rest, with rules and an emitter; and a plain
-// one. Made of + - x / alone: hashes are the same everywhere.
+// Worlds as rollback netcode saves and restores them: leaves in wind over a plane, some asleep, with rules and an emitter; and a plain
+// world. Uses only + - x /, so that hashes are the same everywhere.
 #pragma once
 
 #include "bench/leaf_asset.h"
@@ -12,7 +12,7 @@ namespace bench {
 struct RollbackKind {
     const char* name;
     bool everything;     // wind sources, plane, rules, emitter
-    uint32_t rest_of_10; // tenths of the bodies that are put to rest before the measurement
+    uint32_t rest_of_10; // tenths of the bodies put to sleep before the measurement
 };
 constexpr RollbackKind rollback_kinds[] = {
     {"plain", false, 0}, {"falling", true, 0}, {"storm", true, 3}, {"rest", true, 9}};

@@ -1,5 +1,5 @@
-// Draws the wake of a mesh as the baker sees it (docs/images/wake.png): speed above, k below, in the plane through the middle of
-// the body that holds the stream and the body's shorter side.
+// Draws the baker's wake of a mesh (docs/images/wake.png): speed above, k below, in the plane through the middle of the body
+// along the stream and the body's shorter side.
 //   wake_picture MESH.obj OUT.png [cells along the stream [intensity]]
 #include "baker/fault_text.h"
 #include "baker/mesh/mass_properties.h"

@@ -49,7 +49,7 @@ private:
     std::vector<uint8_t> rgb_ = std::vector<uint8_t>(size_t{3} * width * height, 255);
 };
 
-// Part of a picture: rows of pixels, and where the height 0 is among them.
+// A part of the picture: rows of pixels, and the row of height 0.
 struct Strip {
     int top, rows;
     double zero;
@@ -101,7 +101,7 @@ void draw(Picture& picture, const Strip& s, const double* semi_axes, const lr_bo
 }
 
 struct Kind {
-    double semi_axes[3], density, ballast; // m, kg/m^3, m that the centre of mass lies below the middle
+    double semi_axes[3], density, ballast; // m, kg/m^3, m of the centre of mass below the middle
     Colour colour;
 };
 

@@ -1,4 +1,4 @@
-// Draws wind as lr_world_sample_wind gives it (docs/images/wind.png): speeds of turbulence of one and of three octaves, a
+// Draws the wind of lr_world_sample_wind (docs/images/wind.png): speeds of turbulence of one and of three octaves, a
 // Lamb-Oseen vortex in a wind over the ground, and a blower with turbulence.
 //   wind_picture OUT.png
 #include "langevin_rigid.h"

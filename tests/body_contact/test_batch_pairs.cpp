@@ -1,4 +1,4 @@
-// Pairs of batches against a set that does the same in the plainest way.
+// Pairs of batches against a plain set as reference.
 #include "body_contact/batch_pairs.h"
 
 #include "support/counting_memory.h"
@@ -73,7 +73,7 @@ TEST_CASE("pairs of batches are those that were switched on, whatever the order 
             most = std::max(most, model.size());
             equal = equal && same(pairs, model, slots);
             if (i % 50 != 0) continue;
-            // What is written can be read back.
+            // Saved pairs load again.
             lr::BatchPairs other;
             equal = equal && other.fill(allocator, bytes_of(pairs.links()), pairs.link_count());
             equal = equal && other.consistent(lr::max_batches) && same(other, model, slots);
@@ -104,7 +104,7 @@ TEST_CASE("a pair for which there is no memory changes none of the others") {
         else
             ++refused;
     }
-    CHECK(refused == 1); // the buffer grows once, then there is memory again
+    CHECK(refused == 1); // the buffer grows once, then no call lacks memory
     CHECK(same(pairs, model, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19}));
 }
 

@@ -1,4 +1,4 @@
-// The solver of bodies that touch each other, alone, against closed forms and exact solutions of small systems.
+// The solver for body contact alone, against closed forms and exact solutions of small systems.
 #include "body_contact/body_contact_solver.h"
 
 #include "kernel/integrator/step.h"
@@ -33,7 +33,7 @@ Vector vector_of(const float (&v)[3]) {
     return {v[0], v[1], v[2]};
 }
 
-// Solid balls of 1 kg and 1 m of radius at scale 1, without a fluid.
+// Solid balls of 1 kg and 1 m radius at scale 1, without a fluid.
 BodyConstants ball() {
     BodyConstants c{};
     c.length = c.unit_mass = 1.0f;
@@ -42,7 +42,7 @@ BodyConstants ball() {
     return c;
 }
 
-// Balls that do not turn as a substep begins, and their contacts.
+// Balls without spin at the start of a substep, and their contacts.
 struct Balls {
     StepWorkers step_workers;
     std::vector<std::vector<BodyContactPoint>> contacts;
@@ -66,7 +66,7 @@ struct Balls {
 
     SolverBody& at(uint32_t i) { return solver.bodies()[i]; }
     double mass(uint32_t i) { return std::pow(wide(at(i).scale), 3.0); }
-    // At x as the substep begins, with this velocity all through it.
+    // At x at the start of the substep, with this velocity throughout.
     void place(uint32_t i, float scale, Vector x, Vector v) {
         SolverBody& b = at(i);
         const float from[3] = {x.x, x.y, x.z}, speed[3] = {v.x, v.y, v.z};
@@ -81,7 +81,7 @@ struct Balls {
         contacts.push_back({contact});
         units.push_back({a, b, nullptr, 1, 0, 0, 0, false});
     }
-    // Where their surfaces are nearest.
+    // At the nearest points of their surfaces.
     void touch(uint32_t a, uint32_t b, float friction = 0.0f, float restitution = 0.0f) {
         const Vector from = vector_of(at(a).x0) - vector_of(at(b).x0);
         const float far = length(from);
@@ -127,7 +127,7 @@ struct Balls {
         for (uint32_t i = 0; i < count; ++i) {
             const SolverBody& b = at(i);
             const double m = mass(i), turns = 0.4 * m * wide(b.scale) * wide(b.scale);
-            // Spins are along the body's axes, and the way may have turned it a little.
+            // Spins are along the body's axes, and the motion can have rotated it a little.
             const Rotation q{b.q[0], b.q[1], b.q[2], b.q[3]};
             const Vector v = rotate(q, vector_of(b.v)), w = rotate(q, vector_of(b.w));
             const double x[3] = {wide(b.x[0]), wide(b.x[1]), wide(b.x[2])},
@@ -144,7 +144,7 @@ struct Balls {
     }
 };
 
-// Least of 1/2 p.(G p) + (u - t).p over p >= 0, by trying which of them act: what G p + u >= t leaves no choice in.
+// Minimum of 1/2 p.(G p) + (u - t).p over p >= 0, by trying all active sets: the optimum satisfies G p + u >= t.
 std::vector<double> exact(const std::vector<std::vector<double>>& g, const std::vector<double>& u,
                           const std::vector<double>& t) {
     const size_t n = u.size();
@@ -242,7 +242,7 @@ TEST_CASE("a row of balls that is hit keeps momentum and gains no energy, with a
             const Balls::Sums before = balls.sums();
             balls.solve();
             const Balls::Sums after = balls.sums();
-            // The static lock takes what is slower than a hundredth of g h.
+            // The static lock holds speeds below a hundredth of g h.
             double locked = 0.0;
             for (uint32_t i = 0; i < count; ++i) locked += 0.01 * fall * balls.mass(i);
             lost = std::max(lost, std::abs(after.momentum[0] - before.momentum[0]) / locked);
@@ -259,7 +259,7 @@ TEST_CASE("a row of balls that is hit keeps momentum and gains no energy, with a
 TEST_CASE("a stack carries its weight: each contact what is above it, the ground all") {
     struct Height {
         uint32_t balls;
-        double error; // of the weight of all
+        double error; // relative to the weight of all
     };
     for (const Height height : {Height{1, 1e-3}, {2, 1e-3}, {5, 1e-3}, {8, 0.05}})
         for (double scale : {0.003, 0.1, 3.0}) {
@@ -291,7 +291,7 @@ TEST_CASE("a stack carries its weight: each contact what is above it, the ground
         }
 }
 
-TEST_CASE("what is a thousand times as heavy lies on what is light") {
+TEST_CASE("a body lies on one of a thousandth of its weight") {
     for (float ratio : {1.0f, 3.0f, 10.0f}) {
         CAPTURE(ratio);
         Balls balls(2);
@@ -319,7 +319,7 @@ TEST_CASE("small systems without friction come to the velocities of the exact so
             };
             balls.place(n, narrow(random.logarithmic(0.5, 2.0)), any(1.0), any(0.9 * fall));
             SolverBody& b = balls.at(n);
-            std::copy_n(b.x0, 3, b.x); // it has not gone anywhere yet: the way leaves all where it is
+            std::copy_n(b.x0, 3, b.x); // it has not moved yet, because the position update leaves all bodies in place
         }
         struct Link {
             uint32_t a, b;
@@ -336,7 +336,7 @@ TEST_CASE("small systems without friction come to the velocities of the exact so
             balls.add(a, b, {p - from, p - to, n, 0.0f, {}, {}, 0.0f, 0.0f, false});
             all.push_back({a, b, {wide(n.x), wide(n.y), wide(n.z)}, {wide(p.x), wide(p.y), wide(p.z)}});
         }
-        // Rows over all bodies: their normals and what these turn about the centres.
+        // Rows over all bodies: normals and their moments about the centres.
         const size_t size = 6 * size_t{count};
         std::vector<std::vector<double>> rows(links, std::vector<double>(size)), g(links, std::vector<double>(links));
         std::vector<double> v(size), inverse(size), u(links), target(links, 0.0);
@@ -383,7 +383,7 @@ TEST_CASE("small systems without friction come to the velocities of the exact so
     MESSAGE(solved << " systems; worst " << worst << ", mean " << sum / solved << " of g h");
     CHECK(solved > rounds * 9 / 10);
     CHECK(sum / solved < 2e-3);
-    CHECK(worst < 0.3); // where contacts are nearly one, twenty sweeps are few
+    CHECK(worst < 0.3); // with nearly parallel contacts twenty sweeps are few
 }
 
 TEST_CASE("impulses are equal and opposite: momentum and angular momentum of heaps in the air are kept") {
@@ -415,7 +415,7 @@ TEST_CASE("impulses are equal and opposite: momentum and angular momentum of hea
     }
     MESSAGE("momentum " << lost << ", angular " << turned);
     CHECK(lost < 1e-6);
-    CHECK(turned < 0.01); // of what moves aside by the way itself
+    CHECK(turned < 0.01); // from sideways motion of the position update itself
 }
 
 TEST_CASE("the same bits with any number of workers, and whichever of a pair is named first") {

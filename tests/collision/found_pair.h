@@ -1,4 +1,4 @@
-// Where two bodies touch that stand still, searched for by themselves.
+// Finds contacts of a pair of bodies at rest, without others.
 #pragma once
 
 #include "collision/pair_contacts.h"

@@ -1,4 +1,4 @@
-// Whether the kernel marks a body that lies still as one that may touch something.
+// Whether the kernel marks a body at rest as possibly touching a collider.
 #pragma once
 
 #include "base/pose.h"
@@ -9,7 +9,7 @@
 
 namespace test {
 
-// reach: m, how far from `at` it may get.
+// reach: m, the largest distance from `at`.
 inline bool marked(const lr::NearColliders& near, lr::Vector at, float reach) {
     alignas(64) static float fields[lr::field_count][lr::lane_block];
     lr::BatchArrays arrays{};

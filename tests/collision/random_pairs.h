@@ -1,4 +1,4 @@
-// Bodies and colliders of all kinds in random poses, and libccd's expanding polytope as the reference for pairs of them.
+// Bodies and colliders of all kinds in random poses, and libccd's expanding polytope as the reference.
 #pragma once
 
 #include "collision/build_collider_geometry.h"
@@ -17,7 +17,7 @@
 
 namespace test {
 
-// Sanitizers make everything ten times slower.
+// Sanitizers slow everything down tenfold.
 #ifdef LR_TEST_QUICK
 constexpr uint32_t rounds(uint32_t n) {
     return n / 10;
@@ -92,7 +92,7 @@ inline lr::Vector any_direction(Random& random) {
     }
 }
 
-// Owns what a Geometry points to.
+// Owns the data of a Geometry.
 struct Solid {
     lr::Geometry geometry{};
     lr::HullGeometry hull{};
@@ -193,7 +193,7 @@ struct Reference {
         ccdVec3Set(out, r.inverse_size * p.x, r.inverse_size * p.y, r.inverse_size * p.z);
     }
 };
-// False: they do not overlap with the ball around one of them, or libccd fails.
+// False if they do not overlap with the ball around one of them, or if libccd fails.
 inline bool reference_distance(const lr::PlacedBody& body, const lr::PlacedCollider& collider, double ball,
                                double& distance, lr::Double3& normal) {
     const double size = static_cast<double>(body.reach);

@@ -1,4 +1,4 @@
-// The grid of bodies that move finds every two boxes that overlap, once, whatever their sizes.
+// The grid of awake bodies finds every pair of overlapping boxes once, of all sizes.
 #include "collision/body_broad_phase.h"
 
 #include "support/random.h"
@@ -25,7 +25,7 @@ BodyBox any_box(test::Random& random, double extent, double least, double most, 
 
 using Found = std::multiset<std::pair<uint32_t, uint32_t>>;
 
-// Each pair once, the smaller number first. twice: receives how many were found by both.
+// Each pair once, the smaller number first. twice: receives the number of pairs that both found.
 Found found_by(const BodyBroadPhase& grid, uint32_t count, uint32_t* twice = nullptr) {
     Found found;
     uint32_t mutually = 0;
@@ -92,7 +92,7 @@ TEST_CASE("pairs in a cell of their own are found by both, and others by one") {
     CHECK(pairs > 2 * in_a_cell);
 }
 
-TEST_CASE("what a grid finds does not depend on the order of its boxes, nor on what it held before") {
+TEST_CASE("a grid's results depend neither on the order of its boxes nor on its former contents") {
     test::Random random(82);
     constexpr uint32_t count = 300;
     std::vector<BodyBox> boxes;
@@ -102,7 +102,7 @@ TEST_CASE("what a grid finds does not depend on the order of its boxes, nor on w
     REQUIRE(grid.reserve(allocator, 2 * count));
     Found first;
     for (int round = 0; round < 5; ++round) {
-        if (round % 2 == 1) { // others, and more of them
+        if (round % 2 == 1) { // other bodies, and more of them
             for (uint32_t i = 0; i < 2 * count; ++i) grid.boxes()[i] = any_box(random, 1.0, 0.001, 1.0, i);
             grid.build(2 * count);
         }

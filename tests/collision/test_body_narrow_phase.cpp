@@ -78,7 +78,7 @@ uint32_t find(const Placed& a, const Placed& b, float margin, PairContact (&out)
     return test::find_pair_contacts(a.shape, a.scale, a.at, b.shape, b.scale, b.at, margin, out);
 }
 
-// Of the cores, in double; overlapping ones have none.
+// Distance of the cores, in double; 0 for overlap.
 bool core_distance(const Placed& a, const Placed& b, double& distance, Double3* normal = nullptr) {
     std::vector<float> vertices;
     const Double3 origin = to_double(a.at.position);
@@ -97,7 +97,7 @@ bool core_distance(const Placed& a, const Placed& b, double& distance, Double3* 
     return !nearest.overlap;
 }
 
-// Of cores that overlap: the least depth there is, over all faces and pairs of edges.
+// Depth of overlapping cores: the least over all faces and pairs of edges.
 double core_depth(const Placed& a, const Placed& b) {
     double best = -1e300;
     std::vector<Double3> edges[2];
@@ -125,7 +125,7 @@ double core_depth(const Placed& a, const Placed& b) {
     return -best;
 }
 
-// How far a point is outside of a body; negative inside. Exact outside near faces, a bound elsewhere.
+// Distance of a point outside a body; negative inside. Exact outside near faces, elsewhere a bound.
 double outside(const Placed& body, Vector arm) {
     const Placed point(
         [] {
@@ -168,7 +168,7 @@ TEST_CASE("contacts of random pairs: distances, normals, points of the surfaces,
         double distance = 0.0;
         Double3 towards{};
         if (!core_distance(a, b, distance, &towards)) continue;
-        // Most of them about as far apart as the margin.
+        // Most of them about the margin apart.
         const double wanted = random.uniform(0.0, 1.3) * (static_cast<double>(margin) + a.radius() + b.radius());
         if (random.below(4) > 0)
             b = Placed(shape_b, b.scale, {b.at.position + to_float((distance - wanted) * towards), b.at.rotation});
@@ -200,7 +200,7 @@ TEST_CASE("contacts of random pairs: distances, normals, points of the surfaces,
             worst_surface = std::max({worst_surface, outside(a, c.arm_a) / least, outside(b, c.arm_b) / least});
         }
         const Double3 n = to_double(out[0].normal);
-        // Along the normal the bodies are as far apart as they are.
+        // Along the normal their separation equals their distance.
         const double along = -highest(a.points, -n) - highest(b.points, n) - a.radius() - b.radius();
         worst_normal = std::max(worst_normal, std::abs(along - gap) / least);
         worst_gap = std::max(worst_gap, std::abs(deepest - gap) / least);
@@ -261,9 +261,9 @@ TEST_CASE("cores that overlap are led out by about the least way, the same for b
 
 namespace {
 
-// Where contacts are seen from above, and whether a point is between them.
+// Contacts seen from above, and whether a point lies between them.
 bool between(const Placed& a, const PairContact* out, uint32_t count, double x, double y) {
-    // Outside where some line through two of them has all others and not the point on one side.
+    // Outside if a line through two of them has all others on one side and the point on the other.
     for (uint32_t i = 0; i < count; ++i)
         for (uint32_t j = 0; j < count; ++j) {
             if (i == j) continue;
@@ -301,14 +301,14 @@ TEST_CASE("a plate that lies on another is held around what both cover") {
         const float gap = random.real(1e-5, 2e-4);
         const Placed b(lower, 1.0f, {{1.0f, 2.0f, 3.0f}, about({0, 0, 1}, random.uniform(-3.0, 3.0))});
         const float height = gap + lower.shape.radius + upper.shape.radius;
-        // Turned so that it lies in z = const.
+        // Rotated so that it lies in z = const.
         const Rotation flat = about({0, 0, 1}, random.uniform(-3.0, 3.0)) * inverse(upper.frame);
         const Placed a(upper, 1.0f,
                        {{1.0f + random.real(-0.02, 0.02), 2.0f + random.real(-0.02, 0.02), 3.0f + height}, flat});
         PairContact out[most_pair_contacts];
         const uint32_t count = find(a, b, 1e-3f, out);
         REQUIRE(count >= 3);
-        // The middle of what both cover, and half of the way from there to where it ends.
+        // The middle of the common area, and the middle of the way from there to its end.
         const auto covered = [&](double x, double y) {
             for (const Placed* body : {&a, &b}) {
                 const Vector p = rotate(inverse(body->at.rotation * body->shape.frame),
@@ -340,7 +340,7 @@ TEST_CASE("a plate that lies on another is held around what both cover") {
             CHECK(out[k].normal.z > 0.9999f);
         }
     }
-    // Four of eight corners leave the middle out where the eight lie unevenly.
+    // Four of eight corners miss the middle if the eight are unevenly spaced.
     INFO(beside << " of them do not hold the middle");
     CHECK(beside * 200 < test::rounds(4000));
 }
@@ -408,7 +408,7 @@ TEST_CASE("degenerate pairs give finite contacts, what is not finite none") {
         REQUIRE(count > 0);
         all_finite(out, count);
         CHECK(out[0].gap < 0.0f);
-        // Near the surface of a large one.
+        // Near the surface of a large body.
         const Pose far{at.position + ratio * b.shape.reach * random.real(0.0, 1.0) * test::any_direction(random),
                        other.rotation};
         all_finite(out, test::find_pair_contacts(a, 1.0f, at, b, ratio, far, margin, out));

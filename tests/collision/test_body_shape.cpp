@@ -8,7 +8,7 @@ using namespace lr;
 
 namespace {
 
-// Faces are wound outward, hold all points, and close: each edge is met once in each direction.
+// Faces are wound outward, hold all points, and close: each edge occurs once in each direction.
 void check_faces(const BodyShape& shape) {
     uint32_t edges[most_shape_points][most_shape_points]{};
     for (uint32_t f = 0; f < shape.face_count; ++f) {
@@ -27,7 +27,7 @@ void check_faces(const BodyShape& shape) {
         for (uint32_t b = 0; b < shape.count; ++b) CHECK((edges[a][b] == edges[b][a] && edges[a][b] <= 1));
 }
 
-// How far outside the shape a point is, m.
+// Distance of a point outside the shape, m.
 double outside(const BodyShape& shape, Vector p) {
     double most = -1.0;
     for (uint32_t f = 0; f < shape.face_count; ++f)
@@ -65,7 +65,7 @@ TEST_CASE("round hulls of many points are reduced to few") {
         check_faces(shape);
         double worst = 0.0;
         for (size_t k = 0; k < v.size(); k += 3) worst = std::max(worst, outside(shape, {v[k], v[k + 1], v[k + 2]}));
-        // An oval 2 `size` large: within 5 % of that, where no 32 corners of a ball are within 3 %.
+        // An oval 2 `size` large: within 5 % of that, although 32 corners of a ball cannot be within 3 %.
         CHECK(worst < 0.1 * static_cast<double>(size));
         CHECK(shape.reach < size * 1.001f);
     }
@@ -88,7 +88,7 @@ TEST_CASE("corners that stand out by less than 1 % are left out, all others kept
     }
 }
 
-// Of what is long and narrow 1 % of the length would be its width.
+// For a long and narrow body, 1 % of the length would be its width.
 TEST_CASE("rods and strips keep all their corners, and pyramids of any slenderness") {
     for (const float size : {1e-3f, 0.1f, 3.0f})
         for (const float slender : {0.001f, 0.005f, 0.01f, 0.03f, 0.1f, 0.5f}) {

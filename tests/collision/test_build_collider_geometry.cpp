@@ -35,7 +35,7 @@ TEST_CASE("a hull's faces hold its points and each has corners") {
             }
             CHECK(on >= 3);
         }
-        // Euler: with triangles alone F = 2 V - 4; flat faces only lessen them.
+        // Euler: with triangles alone F = 2 V - 4; flat faces reduce their number.
         CHECK(faces.size() / 4 <= 2 * (vertices.size() / 3) - 4);
     }
 }

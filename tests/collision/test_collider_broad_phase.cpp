@@ -50,7 +50,7 @@ double beyond(float x, float low, float high) {
     return std::max(0.0, std::max(static_cast<double>(low) - static_cast<double>(x),
                                   static_cast<double>(x) - static_cast<double>(high)));
 }
-// Whether a cube of half side `reach` about `at` meets the box, in exact arithmetic: no less than a sphere's.
+// Whether a cube of half side `reach` about `at` overlaps the box, in exact arithmetic: it contains the sphere.
 bool meets(const Box& box, Vector at, float reach) {
     const auto r = static_cast<double>(reach);
     return beyond(at.x, box.low.x, box.high.x) <= r && beyond(at.y, box.low.y, box.high.y) <= r &&
@@ -76,7 +76,7 @@ TEST_CASE("no body that can touch a box is missed by the bits, at any size and a
                 const std::vector<Box> boxes = random_boxes(random, 30, middle, 40.0, 0.001, largest);
                 const Grid g(boxes, dilation, levels, largest > 0.5 && levels == 5);
                 for (int i = 0; i < bodies; ++i) {
-                    // About a box, as far as it goes, or anywhere.
+                    // Around a box, at its reach, or anywhere.
                     const Box& box = boxes[random.below(30)];
                     const float reach = random.real(0.0, 1.0) * dilation;
                     const Vector e = box.high - box.low;
@@ -92,8 +92,8 @@ TEST_CASE("no body that can touch a box is missed by the bits, at any size and a
                     far += i % 4 == 0 && !near;
                 }
             }
-    CHECK(touching > static_cast<uint32_t>(bodies));       // the test has something to find
-    CHECK(far > 18u * static_cast<uint32_t>(bodies) / 10); // and bits tell something
+    CHECK(touching > static_cast<uint32_t>(bodies));       // otherwise the test would find nothing
+    CHECK(far > 18u * static_cast<uint32_t>(bodies) / 10); // and the marks exclude something
 }
 
 TEST_CASE("bodies at the very edge of a box's reach are found") {
@@ -105,7 +105,7 @@ TEST_CASE("bodies at the very edge of a box's reach are found") {
             random_boxes(random, 1, {static_cast<float>(center), 0.0f, 0.0f}, 1.0, 0.001, 3.0);
         const Grid g(boxes, dilation, 5, round % 2 == 0);
         float x = boxes[0].low.x;
-        // The last position in single precision from which a reach of `dilation` gets there.
+        // The last position in single precision from which `dilation` reaches the box.
         x -= dilation;
         while (static_cast<double>(x) + static_cast<double>(dilation) < static_cast<double>(boxes[0].low.x))
             x = std::nextafter(x, boxes[0].low.x);
@@ -119,7 +119,7 @@ TEST_CASE("a body that reaches farther than boxes were dilated may always be nea
     const Grid g({{{0.0f, 0.0f, 0.0f}, {1.0f, 1.0f, 1.0f}}}, 0.25f, 5);
     CHECK_FALSE(marked(g.near, {500.0f, 0.0f, 0.0f}, 0.25f));
     CHECK(marked(g.near, {500.0f, 0.0f, 0.0f}, 0.26f));
-    CHECK_FALSE(marked(lr::NearColliders{}, {0.0f, 0.0f, 0.0f}, 1e9f)); // nothing at all
+    CHECK_FALSE(marked(lr::NearColliders{}, {0.0f, 0.0f, 0.0f}, 1e9f)); // without colliders
 }
 
 TEST_CASE("a query finds what going through all boxes finds, each once") {
@@ -156,7 +156,7 @@ TEST_CASE("hostile boxes and queries end") {
     found = 0;
     g.grid.query({{nan, nan, nan}, {nan, nan, nan}}, count);
     CHECK(found == 0);
-    g.grid.query({{1.0f, 1.0f, 1.0f}, {-1.0f, -1.0f, -1.0f}}, count); // inside out: whatever, but at once
+    g.grid.query({{1.0f, 1.0f, 1.0f}, {-1.0f, -1.0f, -1.0f}}, count); // inverted: any result, but at once
     CHECK(marked(g.near, {0.0f, 0.0f, 0.0f}, 0.1f));
     CHECK(marked(g.near, {0.0f, 0.0f, 0.0f}, nan));
     (void)marked(g.near, {nan, huge, -huge}, 0.1f);

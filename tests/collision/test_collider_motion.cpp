@@ -28,7 +28,7 @@ struct Point {
     double v[3];
 };
 
-// Where a point of the collider is at the fraction t of the step.
+// A point of the collider at the fraction t of the step.
 Point interpolated(const Pose& begin, const Pose& end, Vector p, double t) {
     const Rotation &a = begin.rotation, &b = end.rotation;
     double q[4] = {wide(a.x) + t * (wide(b.x) - wide(a.x)), wide(a.y) + t * (wide(b.y) - wide(a.y)),
@@ -58,7 +58,7 @@ TEST_CASE("a swept box holds every point at every time, and a still one is tight
         const Vector middle = random_vector(random, size), h{random.real(0, size), random.real(0, size), 0.0f};
         const lr::LocalBounds local{{middle - h, middle + h}, random.below(2) ? 0.0f : random.real(0, size)};
         const Pose begin{random_vector(random, place), random_rotation(random)};
-        // From no turn at all to half a turn.
+        // From no rotation to half a turn.
         Rotation q = random_rotation(random);
         const auto part = static_cast<float>(random.logarithmic(1e-4, 1.0));
         const Rotation& b = begin.rotation;
@@ -84,7 +84,7 @@ TEST_CASE("a swept box holds every point at every time, and a still one is tight
             if (std::sqrt(way) > travel) FAIL("a point goes farther");
         }
         if (!moves) {
-            // The corners reach its sides: eight of them, of which four are different here.
+            // Its corners reach the sides: eight of them, four of them distinct here.
             double most = -1e300;
             for (float sx : {-1.0f, 1.0f})
                 for (float sy : {-1.0f, 1.0f})
@@ -98,7 +98,7 @@ TEST_CASE("a swept box holds every point at every time, and a still one is tight
 }
 
 TEST_CASE("velocities turn and carry a collider as they say") {
-    // Ten turns about a skew axis in 600 steps: it is back, to rounding.
+    // Ten turns about a skew axis in 600 steps return it to its start, up to rounding.
     const Rotation start = lr::normalised({0.1f, -0.3f, 0.2f, 0.9f});
     Pose pose{{1.0f, 2.0f, 3.0f}, start};
     Vector rest{};
@@ -109,13 +109,13 @@ TEST_CASE("velocities turn and carry a collider as they say") {
     const double back = std::abs(wide(pose.rotation.x * start.x + pose.rotation.y * start.y +
                                       pose.rotation.z * start.z + pose.rotation.w * start.w));
     CHECK(back > 1.0 - 1e-6);
-    // The world's axes, not its own: a quarter turn about y takes x to -z.
+    // The world's axes, not its own: a quarter turn about y maps x to -z.
     const float quarter = static_cast<float>(3.14159265358979 / 2.0);
     const Pose turned = lr::advanced({{}, {0.0f, 0.0f, 0.0f, 1.0f}}, {}, {0.0f, quarter, 0.0f}, 1.0, rest);
     const Vector x = lr::rotate(turned.rotation, {1.0f, 0.0f, 0.0f});
     CHECK(std::abs(x.x) < 1e-6f);
     CHECK(std::abs(x.z + 1.0f) < 1e-6f);
-    // Any angle, many turns in a step among them.
+    // Any angle, including many turns per step.
     Random random(7);
     for (int i = 0; i < 2000; ++i) {
         const double angle = random.logarithmic(1e-6, 1e4);
@@ -126,7 +126,7 @@ TEST_CASE("velocities turn and carry a collider as they say") {
             std::abs(wide(p.rotation.w) - sign * std::cos(half)) > 1e-7)
             FAIL("wrong at an angle of ", angle);
     }
-    // Far from the origin a step is less than half of what the position can tell; it gets there all the same.
+    // Far from the origin a step is less than half of the position's resolution; the collider arrives nevertheless.
     Pose slow{{1e4f, 0.0f, 0.0f}, start};
     rest = {};
     for (int i = 0; i < 60000; ++i) slow = lr::advanced(slow, {0.001f, 0.0f, 0.0f}, {}, 1.0 / 60.0, rest);

@@ -1,4 +1,4 @@
-// The class alone: what is where, and who is near. Its creation from outside: tests/api/test_colliders.cpp.
+// The class alone: its contents, and its candidates. Creation through the API: tests/api/test_colliders.cpp.
 #include "collision/build_collider_geometry.h"
 #include "collision/colliders.h"
 #include "near_collider_marks.h"
@@ -35,7 +35,7 @@ void scatter(Random& random, float (&position)[3], float (&orientation)[4], doub
     orientation[3] += 2.0f;
 }
 
-// Finite colliders and parts of meshes by going through all, as candidates() should give them.
+// Finite colliders and parts of meshes by brute force: the expected result of candidates().
 std::vector<std::pair<uint32_t, uint32_t>> brute(const Colliders& c, const std::vector<lr_collider>& ids,
                                                  const Triangles& sheet, const Box& box, uint32_t layers) {
     std::vector<std::pair<uint32_t, uint32_t>> out;
@@ -166,7 +166,7 @@ TEST_CASE("planes and heightfields are near where bodies can touch them, also wh
                                 lr::normalised({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z),
                                                 a.w + t * (b.w - a.w)})};
             const Vector own = lr::to_inner(pose, at);
-            // A little less than it can reach: both sides of the comparison are rounded.
+            // A little less than its reach: both sides of the comparison are rounded.
             const float r = 0.999f * reach - 1e-5f;
             bool touches = own.y < r, within = touches;
             if (scene % 2 == 0 && touches) {

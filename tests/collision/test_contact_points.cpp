@@ -32,7 +32,7 @@ struct Found {
         for (uint32_t i = 0; i < count; ++i) gap = std::min(gap, contacts[i].gap);
         return gap;
     }
-    // Whether forces along -y through the centre of mass are held: it lies within the contacts, seen from above.
+    // Whether the contacts support forces along -y through the centre of mass: seen from above, it lies within them.
     bool holds(const Pose& at) const {
         for (int k = 0; k < 64; ++k) {
             const double t = 2.0 * std::numbers::pi * k / 64.0;
@@ -60,7 +60,7 @@ void make_floor(test::Solid& solid, int which, float size, test::Random& random)
         return;
     }
     default: {
-        // A flat floor of triangles with corners where they like.
+        // A flat floor of triangles with arbitrary corners.
         std::vector<float> v;
         std::vector<uint32_t> t;
         for (uint32_t k = 0; k < 9; ++k)
@@ -104,7 +104,7 @@ TEST_CASE("a leaf that lies on a floor is held, with vertical normals") {
         CHECK(found.holds(at));
         for (uint32_t k = 0; k < found.count; ++k) {
             CHECK(found.contacts[k].normal.y > 0.999f);
-            // The gap is that of the point from the floor.
+            // The gap is the point's distance from the floor.
             const Vector p = to_outer(at, found.contacts[k].arm);
             CHECK(p.y - top == doctest::Approx(found.contacts[k].gap).epsilon(1e-3 * static_cast<double>(size)));
         }
@@ -136,7 +136,7 @@ TEST_CASE("contacts are those of the pair: none missed, as deep as it is" * doct
         if (gap < 0.9 * static_cast<double>(margin)) {
             ++touching;
             REQUIRE(found.count > 0);
-            // Depths along a collider's own side, where the sides are at an angle, are at most a little more.
+            // Depths along a collider's own side are at most a little larger if the sides are at an angle.
             CHECK(static_cast<double>(found.least()) <
                   gap + 0.05 * static_cast<double>(margin) + 1e-4 * static_cast<double>(size));
         } else if (gap > 1.1 * static_cast<double>(margin)) {
@@ -166,7 +166,7 @@ TEST_CASE("a peak, a ridge, a corner and an edge under the middle of a leaf") {
             CHECK(dot(found.contacts[0].normal, up) > 0.999f);
         }
         {
-            test::Solid field; // a ridge along z that the whole leaf lies across
+            test::Solid field; // a ridge along z under the whole leaf
             std::vector<float> heights(size_t{5} * 5, 0.0f);
             for (uint32_t k = 0; k < 5; ++k) heights[k * 5 + 2] = 0.05f;
             REQUIRE(field.make_field(5, 5, 0.02f, heights));

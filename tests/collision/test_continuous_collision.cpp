@@ -63,7 +63,7 @@ TEST_CASE("no shot goes through a thin wall") {
                 ++hits;
                 stopped_early += lowest > 0.05 * static_cast<double>(size);
             } else {
-                // All of it stayed in front: the last pose says so for a way along z without a turn, samples for others.
+                // All of it stayed in front: the last pose proves this for a motion along z without rotation, samples for others.
                 for (const float t : {0.25f, 0.5f, 0.75f}) {
                     const Pose there = between(from, to, t);
                     const PlacedBody placed(shape, size, there);
@@ -90,7 +90,7 @@ TEST_CASE("nothing is pushed through by trying again and again") {
                                                  : test::ellipsoid(0.5f * size, 0.1f * size, 0.3f * size);
             Pose at{{0.0f, 0.0f, size}, test::any_rotation(random)};
             for (uint32_t step = 0; step < 40; ++step) {
-                // Ways that are short against the thickness are left to the contacts.
+                // Contacts handle motions that are short relative to the thickness.
                 const Pose to{at.position + Vector{0.0f, 0.0f, -size * random.real(0.5, 5.0)},
                               turned(at.rotation, test::any_direction(random), random.real(0.0, 0.1))};
                 at = between(at, to, free_fraction(shape, 1.0f, at, to, wall.geometry, wall.part));
@@ -105,7 +105,7 @@ TEST_CASE("a free way is whole, and one along a wall") {
     test::Solid wall;
     make_wall(wall, false);
     const Rotation flat{0.70710678f, 0.0f, 0.0f, 0.70710678f};
-    // 20 micrometres over the surface: nearer than a tenth of the leaf's size, and never nearer.
+    // 20 micrometres above the surface: never nearer than that, and at most a tenth of the leaf's size away.
     const float over = 5e-5f + 1e-4f + 2e-5f;
     REQUIRE(lowest_z(shape, {{0.0f, 0.0f, 0.0f}, flat}) == doctest::Approx(0.0).epsilon(1e-8));
     const Pose from{{0.0f, 0.0f, over}, flat}, to{{0.3f, 0.1f, over}, flat};
@@ -113,7 +113,7 @@ TEST_CASE("a free way is whole, and one along a wall") {
     const Pose away{{0.3f, 0.1f, 0.3f}, flat};
     CHECK(free_fraction(shape, 1.0f, from, away, wall.geometry, wall.part) == 1.0f);
     CHECK(free_fraction(shape, 1.0f, away, {{0.9f, 0.1f, 0.2f}, flat}, wall.geometry, wall.part) == 1.0f);
-    // Straight down on it: stops within a tenth of its thickness.
+    // Straight down: it stops within a tenth of its thickness.
     const Pose high{{0.0f, 0.0f, 0.1f}, flat}, under{{0.0f, 0.0f, -0.2f}, flat};
     const float t = free_fraction(shape, 1.0f, high, under, wall.geometry, wall.part);
     const float gap = 0.1f - 0.3f * t - 5e-5f - shape.radius;
@@ -205,7 +205,7 @@ TEST_CASE("a long way over a heightfield looks at the cells about it alone, and 
         const Clock::time_point then = Clock::now();
         at_once += then - since;
         met += fraction < 1.0f;
-        // Piece by piece, each of which goes over few cells, nothing is met before.
+        // Piece by piece, each over few cells; no piece hits earlier.
         constexpr uint32_t pieces = 100;
         for (uint32_t k = 0; k < pieces; ++k) {
             const float begin = static_cast<float>(k) / pieces, end = static_cast<float>(k + 1) / pieces;

@@ -46,12 +46,12 @@ TEST_CASE("distances of cores are libccd's" * doctest::test_suite("long")) {
         Double3 normal{};
         const double ball = found.has_points ? found.distance + 0.2 * scale : 0.0;
         if (!test::reference_distance(body, collider, ball, distance, normal)) {
-            // The two disagree only about whether they touch.
+            // The two disagree only on whether they touch.
             ++failed;
             if (!found.has_points) CHECK(found.distance > -1e-4 * scale);
             continue;
         }
-        // Now and then libccd's answer contradicts itself.
+        // Sometimes libccd's answer contradicts itself.
         if (!(std::abs(separation_along(body, collider, normal) - distance) <= 1e-4 * scale)) {
             ++failed;
             continue;
@@ -63,7 +63,7 @@ TEST_CASE("distances of cores are libccd's" * doctest::test_suite("long")) {
             CHECK(std::abs(length(found.on_body - found.on_collider) - found.distance) < 1e-5 * scale);
         } else {
             ++overlapping;
-            // libccd's depth is the least there is; along any direction it is no less.
+            // libccd's depth is the minimum; along any direction it is no less.
             const double excess = (distance - found.distance) / scale;
             worse += excess > 0.01;
             most_excess = std::max(most_excess, excess);
@@ -80,7 +80,7 @@ TEST_CASE("distances of cores are libccd's" * doctest::test_suite("long")) {
 }
 
 TEST_CASE("supports that never settle end libccd's search") {
-    // A support that is not that of a convex set: libccd's loops may run in circles.
+    // Not the support function of a convex set: libccd's loops can run endlessly.
     test::Random random(2);
     const BodyShape shape = test::leaf(0.04f, 1e-4f);
     for (uint32_t i = 0; i < test::rounds(20000); ++i) {

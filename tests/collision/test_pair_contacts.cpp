@@ -1,4 +1,4 @@
-// Pairs that are searched side by side: what is found of each does not depend on its company, nor on the instruction set.
+// Pairs in the lanes of a vector: a pair's contacts depend neither on the other pairs nor on the instruction set.
 #include "collision/pair_contacts.h"
 
 #include "kernel/integrator/step.h"
@@ -49,7 +49,7 @@ std::vector<PairHull> some_shapes(test::Random& random) {
     return pool;
 }
 
-// Of bodies that do not move; some go on together, or towards each other.
+// Of bodies at rest; some pairs continue together, or towards each other.
 std::vector<Pair> some_pairs(test::Random& random, const std::vector<PairHull>& shapes, uint32_t count, bool move) {
     std::vector<Pair> pairs;
     for (uint32_t i = 0; i < count; ++i) {
@@ -91,7 +91,7 @@ std::vector<Found> search(PairSearch* target, const std::vector<Pair>& pairs, co
 
 } // namespace
 
-TEST_CASE("what is found of a pair is the same in any company and on every instruction set") {
+TEST_CASE("contacts of a pair do not depend on the other lanes or the instruction set") {
     test::Random random(91);
     const std::vector<PairHull> shapes = some_shapes(random);
     const std::vector<Pair> pairs = some_pairs(random, shapes, test::rounds(6000), true);
@@ -116,7 +116,7 @@ TEST_CASE("what is found of a pair is the same in any company and on every instr
     }
 }
 
-TEST_CASE("what is not finite touches nothing and disturbs no others") {
+TEST_CASE("non-finite bodies touch nothing and disturb no others") {
     test::Random random(93);
     const std::vector<PairHull> shapes = some_shapes(random);
     std::vector<Pair> pairs = some_pairs(random, shapes, 64, true);

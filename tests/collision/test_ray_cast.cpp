@@ -1,4 +1,4 @@
-// Rays against bodies' shapes and colliders: closed forms, and looking along the ray for what is inside.
+// Rays against bodies' shapes and colliders: closed forms, and sampling along the ray.
 #include "collision/ray_cast.h"
 
 #include "collision/build_collider_geometry.h"
@@ -15,7 +15,7 @@ namespace {
 
 using lr::Double3;
 using lr::to_double;
-using Implicit = std::function<double(Double3)>; // m outside, or not over 0
+using Implicit = std::function<double(Double3)>; // m, positive outside
 
 lr::Ray any_ray(Random& random, double size) {
     const auto point = [&](double s) {
@@ -25,7 +25,7 @@ lr::Ray any_ray(Random& random, double size) {
     return {from, 1.0 / length(to - from) * (to - from)};
 }
 
-// What a hit says must be on the surface and nothing before it inside; without one nothing at all.
+// A hit must be on the surface, with no inside before it; without a hit the whole ray is outside.
 void check_ray(const lr::Ray& ray, double most, bool meets, const lr::RayHit& hit, const Implicit& outside,
                double tolerance) {
     const double until = meets ? hit.distance : most;
@@ -45,7 +45,7 @@ void check_ray(const lr::Ray& ray, double most, bool meets, const lr::RayHit& hi
     CHECK(std::abs(outside(at)) <= tolerance);
     CHECK(std::abs(length(hit.normal) - 1.0) < 1e-6);
     CHECK(dot(hit.normal, ray.direction) <= 1e-9);
-    // The normal leads out: the distance grows along it as fast as that.
+    // The normal points outward: the distance grows along it at that rate.
     const double step = 100.0 * tolerance;
     CHECK(outside(at + step * hit.normal) > 0.5 * step);
 }
@@ -56,7 +56,7 @@ Implicit turned_back(const lr::Pose& pose, Implicit own) {
     };
 }
 
-// A flat convex polygon in space, and a rounding about it.
+// A flat convex polygon in space, with a rounding radius.
 double from_plate(const lr::BodyShape& shape, Double3 p) {
     const lr::ShapeFace& face = shape.faces[0];
     const auto corner = [&](uint32_t i) {
@@ -93,7 +93,7 @@ TEST_CASE("rays meet ellipsoids where the quadric says") {
         lr::RayHit hit{};
         const bool meets = ray_meets_body(shape, 1.0f, pose, ray, 10.0 * static_cast<double>(size), hit);
         met += meets ? 1 : 0;
-        // Not a distance, but its sign is right, and it is of first order at the surface.
+        // Not a distance, but of the right sign, and of first order at the surface.
         const auto own = [&](Double3 p) {
             const Double3 q = p - to_double(shape.center);
             const double x = q.x / static_cast<double>(shape.semi_axes.x),

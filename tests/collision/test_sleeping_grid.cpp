@@ -1,4 +1,4 @@
-// The grid finds every body whose box reaches into another, whatever the sizes, and links none that was taken out.
+// The grid finds every body whose box overlaps another, of all sizes, and never a removed one.
 #include "collision/sleeping_grid.h"
 
 #include "support/random.h"
@@ -58,7 +58,7 @@ TEST_CASE("the grid of bodies at rest misses none, and has only those that lie i
                 for (size_t k = 0; k < 3; ++k) {
                     low[k] = random.real(-extent, extent);
                     high[k] = low[k] + static_cast<float>(random.uniform(0.0, mixed ? 0.1 : 4.0) * reach);
-                    // Exactly at the end of a body, now and then.
+                    // Sometimes exactly at the end of a body.
                     if (b.in && round % 8 == 0) low[k] = high[k] = b.position[k];
                 }
                 const Box box{vector_of(low), vector_of(high)};
@@ -77,7 +77,7 @@ TEST_CASE("the grid of bodies at rest misses none, and has only those that lie i
             }
             CHECK(looked_up > (mixed ? 100u : 900u));
             CHECK(inside > 250);
-            // It would be no grid if it found all: of bodies of one size.
+            // Finding all bodies would make the grid useless: bodies of a single size.
             if (!mixed) CHECK(found_in_all < looked_up * inside / 8);
         }
     }

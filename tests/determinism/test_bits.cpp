@@ -1,4 +1,4 @@
-// The same bits whatever runs them: instruction set, workers, order in memory, snapshots, company, cutting of time.
+// The same bits for all instruction sets, workers, orders in memory, snapshots, other batches and divisions of time.
 #include "support/determinism_scenes.h"
 #include "support/random.h"
 #include "support/threads.h"
@@ -12,7 +12,7 @@ TEST_CASE("every scene ends in the same bits on every instruction set" * doctest
     for (const PlayedScene& scene : played_scenes()) {
         CAPTURE(std::string(scene.name));
         const uint64_t expected = outcome(scene);
-        for (int32_t target : simd_targets()) { // the one that was just taken among them
+        for (int32_t target : simd_targets()) { // includes the present target
             CAPTURE(std::string(lr_simd_target_name(target)));
             CHECK(outcome(scene, {.simd = target}) == expected);
         }
@@ -138,7 +138,7 @@ TEST_CASE("a body moves the same in any company") {
             steps(world, 3, 1.0f / 60.0f, 4);
             for (uint32_t i : {0u, 14u, 15u, 16u, 999u})
                 if (i < count) out.push_back(state_of(world, ids[i]));
-            // The second batch begins later: the noise must be that of its own time, so end the first.
+            // The second batch begins later: its noise must be that of the world's time, so end the first.
             REQUIRE(lr_batch_destroy(world.get(), batch) == LR_OK);
         }
         return out;
@@ -157,7 +157,7 @@ TEST_CASE("a body moves the same in any company") {
         }
 }
 
-// Where nothing is rounded between steps: still fluid, and a length that is a power of two, by which spins are scaled.
+// Without rounding between steps: still fluid, and a length that is a power of two, which scales spins.
 TEST_CASE("steps of several substeps are as many steps of one") {
     lr_ellipsoid_desc shape = ellipsoid(0.03125, 0.0125, 0.0002, 700.0);
     for (double offset : {0.0, 0.005})

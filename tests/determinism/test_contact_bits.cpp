@@ -1,4 +1,4 @@
-// Scenes with contact do what they are for.
+// Scenes with contact really have contacts.
 #include "support/determinism_scenes.h"
 
 #include <string>

@@ -1,4 +1,4 @@
-// Engines and their plug-ins change the rounding mode and flush denormals. A step neither sees that nor leaves a trace.
+// Engines and their plug-ins change the rounding mode and flush denormals. This changes no step, and a step does not change the mode.
 #include "support/determinism_scenes.h"
 #include "support/wind.h"
 
@@ -27,9 +27,9 @@ struct RestoreMode {
 #endif
 };
 
-constexpr float frame_dt = 1.0f / 60.0f; // not computed in the mode under test
+constexpr float frame_dt = 1.0f / 60.0f; // a constant, not computed in the tested mode
 
-// A scene in which only the steps run in another mode.
+// A scene whose steps alone run in another mode.
 template <class Change> uint64_t stepped_in(Change&& change, uint32_t workers) {
     PlayedScene scene = played_scenes()[0];
     scene.bodies = 4000; // several chunks, also for the workers
@@ -70,7 +70,7 @@ TEST_CASE("the caller's rounding mode changes no bit of a step, and is there aft
     CHECK((raised & FE_DIVBYZERO) != 0);
 }
 
-// Threads inherit the mode of the one that starts them.
+// Threads inherit the mode of their parent thread.
 TEST_CASE("a world created in another mode steps in its own") {
     const auto run = [](int mode, uint32_t workers) {
         lr_world_desc d = world_desc();
@@ -84,7 +84,7 @@ TEST_CASE("a world created in another mode steps in its own") {
         REQUIRE(raw != nullptr);
         const World world(raw);
         const Asset asset = leaf();
-        const lr_batch batch = add_batch(world, asset, 20000); // chunks enough for every worker
+        const lr_batch batch = add_batch(world, asset, 20000); // enough chunks for every worker
         const std::vector<lr_body_desc> descs(20000, body_desc());
         REQUIRE(lr_body_create(raw, batch, descs.data(), 20000, nullptr) == LR_OK);
         steps(world, 5, frame_dt, 3);

@@ -1,5 +1,5 @@
-// Hashes that are held in the tree: the same on every machine, compiler and release, until the motion is meant to
-// change. Then write them anew, and say so in the notes of the release:
+// Hashes stored in the tree: the same on every machine, compiler and release, until the motion changes intentionally.
+// Then write them again, and say so in the notes of the release:
 //     LR_UPDATE_GOLDEN=1 tests_determinism --test-case="held hashes"
 #include "support/determinism_scenes.h"
 #include "support/threads.h"
@@ -16,7 +16,7 @@ using namespace test;
 
 namespace {
 
-// On every core: an emulator of another processor is slow.
+// On every core, because an emulator of another processor is slow.
 std::map<std::string, uint64_t> outcomes() {
     const std::vector<PlayedScene> scenes = played_scenes();
     std::vector<uint64_t> hashes(scenes.size());

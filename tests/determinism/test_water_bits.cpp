@@ -1,4 +1,4 @@
-// A surface under a wind field, with a callback: the same bits everywhere, and none changed where no water is near.
+// A water surface under a wind field, with a callback: the same bits everywhere, and no change far from water.
 #include "support/random.h"
 #include "support/water.h"
 #include "support/wind.h"
@@ -13,7 +13,7 @@ struct How {
     int32_t simd = LR_SIMD_AUTO;
     uint32_t workers = 0;
     bool reversed = false, through_snapshot = false, callback = true, water = true, windy = true;
-    float height = 3.0f; // of the bodies' middle
+    float height = 3.0f; // of the bodies' centre
 };
 
 void swell(void*, const lr_water_query* q) {

@@ -14,7 +14,7 @@ struct How {
     bool reversed = false, through_snapshot = false, callback = true;
 };
 
-// A field of its own, with gradient and rate: u = (z sin t, x, 0).
+// A wind callback with gradient and rate: u = (z sin t, x, 0).
 void shear(void*, const lr_wind_query* q) {
     for (uint32_t i = 0; i < q->count; ++i) {
         q->velocity[0][i] = q->position[2][i] * static_cast<float>(q->time);
@@ -63,7 +63,7 @@ uint64_t outcome(const How& how) {
     for (int frame = 0; frame < 12; ++frame) {
         if (frame == 6 && how.through_snapshot) {
             const std::vector<unsigned char> snapshot = snapshot_of(world);
-            world = windy(how, samples, batches, false); // the grid is there, in another place
+            world = windy(how, samples, batches, false); // with the grid in another place
             REQUIRE(lr_world_snapshot_restore(world.get(), snapshot.data(), snapshot.size()) == LR_OK);
         }
         if (frame % 3 == 2) set_wind(world, 0.5f * static_cast<float>(frame), 0.0f, -1.0f);
@@ -100,7 +100,7 @@ TEST_CASE("a body that has left the finite numbers changes nothing for the other
         for (int i = 0; i < 40; ++i) {
             lr_body_desc d = body_desc();
             d.noise_seed = static_cast<uint32_t>(i + 1);
-            // One that will overflow: as far and as fast as may be, in a step of a second.
+            // A body that will overflow: as far and as fast as possible, in a step of a second.
             if (sick && i == 19) {
                 set(d.position, 1e9f, -1e9f, 1e9f);
                 set(d.linear_velocity, 1e6f, 1e6f, -1e6f);

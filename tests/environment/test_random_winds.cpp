@@ -1,4 +1,4 @@
-// Gusts and turbulence: what their statistics are said to be.
+// Statistics of gusts and turbulence.
 #include "support/random.h"
 #include "support/wind.h"
 
@@ -84,7 +84,7 @@ TEST_CASE("gusts have their variance, direction and spread") {
         CAPTURE(spread);
         CHECK(std::sqrt(all) == doctest::Approx(2.0).epsilon(0.02));
         CHECK(length(mean) < 0.05);
-        // Of the energy, the mean square sine of the angles lies across: spread^2 less a fourth-order term.
+        // A share of the energy, the mean square sine of the angles, lies across: spread^2 minus a fourth-order term.
         if (spread == 0.0f)
             CHECK(ahead == doctest::Approx(all).epsilon(1e-5));
         else
@@ -93,7 +93,7 @@ TEST_CASE("gusts have their variance, direction and spread") {
 }
 
 TEST_CASE("the spectrum of gusts falls with the power -5/3 and is flat at long times") {
-    // Energy of harmonics f to 2 f, averaged over seeds: f S(f) goes as f^(-2/3) at high, as f at low frequencies.
+    // Energy of harmonics f to 2 f, averaged over seeds: f S(f) follows f^(-2/3) at high, f at low frequencies.
     constexpr int count = 4096;
     constexpr float dt = 0.02f;
     const double bands[5] = {0.01, 0.02, 0.5, 1.0, 4.0}; // 1/s, with a period of 1 s
@@ -109,7 +109,7 @@ TEST_CASE("the spectrum of gusts falls with the power -5/3 and is flat at long t
             for (int n = std::max(first, 1); n < std::max(2 * first, 2); ++n) {
                 double re = 0.0, im = 0.0;
                 for (int i = 0; i < count; ++i) {
-                    // Hann's window: the harmonics do not fit into the record.
+                    // Hann's window, because the harmonics do not fit into the record.
                     const double w = 1.0 - std::cos(2.0 * pi * i / count), at = 2.0 * pi * n * i / count;
                     re += w * u[static_cast<size_t>(i)][0] * std::cos(at);
                     im += w * u[static_cast<size_t>(i)][0] * std::sin(at);
@@ -138,7 +138,7 @@ TEST_CASE("gusts are a function of time: jumps, long times and other seeds") {
     CHECK(length(at(8192.0f, 0, 0)) > 0.0);
 }
 
-// A wind must blow the way it was set from the first second: not on average alone, but with every seed.
+// The wind must blow in its direction from the first second: with every seed, not just on average.
 TEST_CASE("the first seconds of gusts and turbulence are centred on the wind that was set" *
           doctest::test_suite("exact")) {
     constexpr int seeds = 1000, seconds = 10, each = 4;
@@ -169,7 +169,7 @@ TEST_CASE("the first seconds of gusts and turbulence are centred on the wind tha
             CAPTURE(of_world);
             CHECK(std::abs(first.mean) < 3.0 * first.deviation() / std::sqrt(seeds));
             CHECK(std::abs(all.mean) < 3.0 * all.deviation() / std::sqrt(seeds));
-            CHECK(all.least > -1.0); // at least half the wind, where they have half its speed
+            CHECK(all.least > -1.0); // at least half the wind, if gusts have half its speed
             CHECK(std::abs(neighbours) < 3.0 * all.square / std::sqrt(seeds));
         }
 }
@@ -180,7 +180,7 @@ TEST_CASE("gusts have their speed and integral time four periods after they bega
     double product[lags] = {};
     for (uint32_t seed = 0; seed < seeds; ++seed) {
         const World world = seeded(lr_gusts_desc_init, 7, seed);
-        const std::vector<Vec> all = history(world, count, 4.0f / each); // the period that 0 stands for
+        const std::vector<Vec> all = history(world, count, 4.0f / each); // the period for 0
         const Vec* const u = all.data();
         for (int i = young; i < count; ++i) {
             spread.take(dot(u[i], u[i]), 1.0 * seeds * (count - young));
@@ -227,7 +227,7 @@ TEST_CASE("gusts begin when they are added, and go on through updates and restor
     REQUIRE(lr_world_snapshot_restore(fresh.get(), saved.data(), saved.size()) == LR_OK);
     steps(fresh, 10, 0.25f, 1);
     CHECK(length(wind_at(fresh, {}) - later) == 0.0);
-    // Others in their place begin anew.
+    // New sources in their slots start again.
     REQUIRE(lr_world_remove_wind(fresh.get(), source) == LR_OK);
     add_source(fresh, d);
     CHECK(length(wind_at(fresh, {}) - set) == 0.0);
@@ -323,12 +323,12 @@ TEST_CASE("turbulence goes along with the uniform wind, and changes on the way")
     steps(world, 10, 0.1f, 1);
     CHECK(length(wind_at(world, x) - mean - before) > 0.05);
     CHECK(length(wind_at(world, x + mean) - mean - before) < 1e-4);
-    // With a wind that is changed: its way is the sum of what it was.
+    // With a changing wind: its path is the sum of its velocities.
     set_wind(world, 0.0f, 0.0f, 0.0f);
     steps(world, 1, 0.5f, 4); // (1, 0, 0.25) more on average of the ramp
     CHECK(length(wind_at(world, x + mean + Vec{1.0, 0.0, 0.25}) - before) < 1e-4);
 
-    // In still air eddies live for the period: correlated at once, not after three times it.
+    // In still air eddies last for the period: correlated at once, uncorrelated after three periods.
     d.eddy_life = 1.0f, d.octaves = 1;
     const World still = make(world_desc());
     add_source(still, d);

@@ -114,7 +114,7 @@ TEST_CASE("a line blower is a plane jet along its slot") {
     const World world = make(world_desc());
     lr_blower_desc d = initialised(lr_blower_desc_init);
     set(d.direction, 1.0f, 0.0f, 0.0f);
-    set(d.side, 0.3f, 0.0f, 1.0f); // straightened to z
+    set(d.side, 0.3f, 0.0f, 1.0f); // projected perpendicular to z
     d.speed = 8.0f, d.nozzle_radius = 0.05f, d.range = 40.0f, d.spread = 0.1f, d.half_length = 2.0f;
     add_source(world, d);
     for (double x : {0.01, 1.0, 10.0})
@@ -168,7 +168,7 @@ TEST_CASE("a grid is exact for what is linear in each direction and in time") {
     set(d.spacing, 0.5f, 1.0f, 2.0f);
     d.frame_time = 4.0f;
     add_source(world, d);
-    std::fill(samples.begin(), samples.end(), 0.0f); // they were copied
+    std::fill(samples.begin(), samples.end(), 0.0f); // the library has copied them
     steps(world, 1, 1.0f, 1);                        // a quarter of the first frame
     Random random(8);
     for (int n = 0; n < 300; ++n) {
@@ -178,7 +178,7 @@ TEST_CASE("a grid is exact for what is linear in each direction and in time") {
     }
     CHECK(length(wind_at(world, {-0.76, 1.0, 3.0})) == 0.0);
     CHECK(length(wind_at(world, {0.0, 2.6, 3.0})) == 0.0);
-    // Second frame to first, then around again.
+    // From the second frame to the first, then again.
     steps(world, 5, 1.0f, 1);
     check_near(wind_at(world, {-1.0 + 1.5 + 0.5, 1.5, 2.0 - 3.0 + 2.0}), linear(1.0, 1.0, 1.0, 0.5), 1e-5);
     const Vec before = wind_at(world, {0.6, 1.7, 1.2});

@@ -1,4 +1,4 @@
-// Sequences of calls with any arguments, against a model of what must come of them: docs/maintainers/testing.md.
+// Sequences of calls with any arguments, against a model of their results: docs/maintainers/testing.md.
 #include "fuzz/api/model.h"
 
 #include <mutex>
@@ -58,7 +58,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
 #ifdef LR_LIBFUZZER
 extern "C" size_t LLVMFuzzerMutate(uint8_t* data, size_t size, size_t most);
 
-// Whole calls are put in, left out, repeated and exchanged; and bytes changed as libFuzzer does, within a call or anywhere.
+// Inserts, removes, repeats and exchanges whole calls; and changes bytes as libFuzzer does, within a call or anywhere.
 extern "C" size_t LLVMFuzzerCustomMutator(uint8_t* data, size_t size, size_t most, unsigned int seed) {
     constexpr size_t n = fuzz::record_bytes;
     uint32_t state = seed * 2654435761u + 12345u;
@@ -74,11 +74,11 @@ extern "C" size_t LLVMFuzzerCustomMutator(uint8_t* data, size_t size, size_t mos
         LLVMFuzzerMutate(one, n, n);
         return size;
     }
-    if (what == 0 && records > 1) { // out
+    if (what == 0 && records > 1) { // removes a call
         std::memmove(one, one + n, static_cast<size_t>(data + size - one) - n);
         return size - n;
     }
-    if (what == 1) { // exchanged
+    if (what == 1) { // exchanges two calls
         uint8_t* const two = data + n * random(records);
         for (size_t i = 0; i < n; ++i) std::swap(one[i], two[i]);
         return size;
@@ -86,7 +86,7 @@ extern "C" size_t LLVMFuzzerCustomMutator(uint8_t* data, size_t size, size_t mos
     if (size + n > most) return size;
     uint8_t copy[n];
     std::memcpy(copy, data + n * random(records), n);
-    if (what == 3) { // a new one, quiet at first: no override, no null
+    if (what == 3) { // inserts a plain call: no override, no null
         for (uint8_t& byte : copy) byte = static_cast<uint8_t>(random(256));
         copy[1] = static_cast<uint8_t>(copy[1] & (random(4) == 0 ? 0xff : 0xc1)),
         copy[2] = static_cast<uint8_t>(copy[2] & 0xf8);

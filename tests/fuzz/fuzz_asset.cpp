@@ -1,4 +1,4 @@
-// Any bytes: either refused with a status and numbered faults, or an asset whose bodies can be stepped and stay finite.
+// Any bytes: refused with a status and numbered faults, or an asset whose bodies step and stay finite.
 #include "asset/asset_file.h"
 #include "fuzz/asset/falls.h"
 #include "fuzz/asset/mutate.h"
@@ -20,7 +20,7 @@ void load_and_fall(const uint8_t* data, size_t size) {
     if (!asset) return;
     lr::Fnv1a hash;
     hash.add(data, size);
-    // Each file in two of all the ways, always the same ones.
+    // Each file in two of all variants, always the same ones.
     fuzz::fall(asset, static_cast<uint32_t>(hash.value()) % 1000003u);
     fuzz::fall(asset, static_cast<uint32_t>(hash.value() >> 32) % 1000003u);
     lr_asset_release(asset);
@@ -30,7 +30,7 @@ void load_and_fall(const uint8_t* data, size_t size) {
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     load_and_fall(data, size);
-    // The checksum stops changed bytes early: mend it where only it is wrong, so that what lies behind is reached too.
+    // The checksum would refuse changed bytes early: correct it if only it is wrong, so that the later checks run too.
     lr::AssetData unused;
     lr::Faults faults;
     if (lr::read_asset(data, size, unused, faults) || faults.back().id != lr::FaultId::asset_checksum) return 0;
@@ -43,12 +43,12 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
 #ifdef LR_LIBFUZZER
 extern "C" size_t LLVMFuzzerMutate(uint8_t* data, size_t size, size_t most);
 
-// In one of eight as bytes, which is what the verifier is for; else as an asset, which gets to the checks behind it.
+// One in eight as bytes, for the verifier; the others as an asset, for the later checks.
 extern "C" size_t LLVMFuzzerCustomMutator(uint8_t* data, size_t size, size_t most, unsigned int seed) {
     if (seed % 8 == 0) return LLVMFuzzerMutate(data, size, most);
     lr::AssetData asset;
     lr::Faults faults;
-    // What was refused for its numbers has been read all the same.
+    // An asset refused for its numbers can still be read.
     if (!lr::read_asset(data, size, asset, faults) && faults.front().id < lr::FaultId::asset_wrong_length)
         asset = test::leaf_data();
     fuzz::mutate_asset(asset, seed);

@@ -1,4 +1,4 @@
-// Any bytes as a PNG image, and any mask as the opacity of one: either numbered faults, or a mesh that fills the outline.
+// Any bytes as a PNG image, and any mask as its opacity: numbered faults, or a mesh that fills the outline.
 #include "baker/card/card.h"
 #include "baker/card/outline.h"
 #include "baker/card/outline_simplify.h"
@@ -30,7 +30,7 @@ uint32_t big_endian(const std::string& bytes, std::size_t at) {
     return value;
 }
 
-// Checksums stop changed bytes early: mends them, so that what lies behind is reached too.
+// Checksums would refuse changed bytes early: corrects them, so that the later checks run too.
 void mend(std::string& png) {
     for (std::size_t at = 8; at + 12 <= png.size();) {
         const std::size_t length = big_endian(png, at);
@@ -69,7 +69,7 @@ void read_image(std::string png, std::size_t choice) {
     if (good && !(std::abs(area(mesh) - report.traced_area) <= 1e-6 * report.traced_area)) std::abort();
 }
 
-// The outlines of any mask can be simplified and meshed.
+// Every mask's outlines can be simplified and meshed.
 void mesh_mask(const uint8_t* values, std::size_t size, std::size_t choice) {
     AlphaMask mask;
     mask.width = 1 + choice % 31;

@@ -1,5 +1,5 @@
-// Any bytes as an OBJ, STL, PLY, Collada or arrays: either numbered faults, or a solid that has a positive volume, or a sheet
-// whose refinement and unknowns hold together.
+// Any bytes as an OBJ, STL, PLY, Collada or arrays: numbered faults, or a solid of positive volume, or a sheet with consistent
+// refinement and unknowns.
 #include "baker/added_mass/added_mass.h"
 #include "baker/added_mass/rim_refinement.h"
 #include "baker/added_mass/surface_basis.h"
@@ -25,7 +25,7 @@ void require(bool good) {
     if (!good) std::abort();
 }
 
-// A third of the bytes are coordinates, small ones, so that some coincide; the rest are indices.
+// A third of the bytes are coordinates, of few values, so that some coincide; the rest are indices.
 bool read_arrays(const uint8_t* data, size_t size, Mesh& mesh, Faults& faults) {
     const size_t share = size / 3;
     std::vector<double> positions(share);
@@ -69,7 +69,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     static constexpr const char* extensions[readers] = {"obj", "stl", "ply", "dae", nullptr};
     const char* extension = extensions[data[0] % readers];
     Faults faults;
-    if (extension && extension == std::string_view("dae")) { // assimp itself is not ours to test
+    if (extension && extension == std::string_view("dae")) { // this does not test assimp itself
         const bool good = check_collada({reinterpret_cast<const char*>(data) + 1, size - 1}, faults);
         require(good != has_error(faults));
         return 0;

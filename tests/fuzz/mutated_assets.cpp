@@ -1,5 +1,5 @@
-// Assets changed at random, as fuzz_asset's, but at the speed of a release: mutated_assets COUNT [SEED]. Those that load are stepped;
-// one that gives a number that is not finite ends the program, and is written to mutated_asset.lrb.
+// Random changes of assets like fuzz_asset's, at the speed of a release: mutated_assets COUNT [SEED]. Assets that load are stepped;
+// a non-finite number ends the program, which writes the asset to mutated_asset.lrb.
 #include "asset/asset_file.h"
 #include "fuzz/asset/falls.h"
 #include "fuzz/asset/mutate.h"
@@ -21,7 +21,7 @@ void keep(int) {
     std::_Exit(1);
 }
 
-// Of a leaf, a sphere in water, and a needle without a hull.
+// A leaf, a sphere in water, and a needle without a hull.
 lr::AssetData start(uint32_t which) {
     if (which == 0) return test::leaf_data();
     lr::shape::EllipsoidSpec spec;
@@ -60,5 +60,5 @@ int main(int count, char** arguments) {
         lr_asset_release(asset);
     }
     std::printf("%d of %d assets loaded and fell\n", loaded, wanted);
-    return loaded * 10 > wanted && loaded < wanted ? 0 : 1; // else nothing was tested
+    return loaded * 10 > wanted && loaded < wanted ? 0 : 1; // otherwise nothing was tested
 }

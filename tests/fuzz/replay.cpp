@@ -1,4 +1,4 @@
-// Runs files through a fuzzer's target where there is no libFuzzer: replay [--reaches LIST] FILE|FOLDER...
+// Runs files through a fuzzer's target without libFuzzer: replay [--reaches LIST] FILE|FOLDER...
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -22,13 +22,13 @@ namespace {
 void run(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
     const std::vector<char> bytes{std::istreambuf_iterator<char>(file), {}};
-    // Of its very size.
+    // Exactly its size.
     const std::vector<uint8_t> input(bytes.begin(), bytes.end());
     LLVMFuzzerTestOneInput(input.data(), input.size());
 }
 
 #ifdef LR_FUZZ_REACHED
-// Every function of the list must have been called by now.
+// Every function of the list must have been called.
 bool reaches_all(const std::string& list) {
     std::ifstream file(list);
     size_t names = 0, missing = 0;

@@ -20,7 +20,7 @@ check() {
     in_cpp=$("$work/$name/in_cpp")
     [ $baker = OFF ] || "$work/$name/importer"
     config=$(dirname "$(find "$at" -name langevin_rigid.pc)")
-    # $flags is a list of words on purpose.
+    # $flags is intentionally a list of words.
     flags=$(PKG_CONFIG_PATH="$config" pkg-config --cflags --libs langevin_rigid)
     library=$(PKG_CONFIG_PATH="$config" pkg-config --variable=libdir langevin_rigid)
     ${CC:-cc} -std=c99 -Wall -Wextra -pedantic -Werror "$here/falls.c" -o "$work/$name/by_pkg_config" $flags

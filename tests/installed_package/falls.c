@@ -1,4 +1,4 @@
-/* What an outside program does: a body falls, and its place comes out as a matrix. */
+/* A minimal outside program: a body falls, and its pose is written as a matrix. */
 #include <langevin_rigid.h>
 #include <stdio.h>
 

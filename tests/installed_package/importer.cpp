@@ -1,4 +1,4 @@
-// What an editor's importer does: meshes in memory become assets on several threads, and the runtime takes the bytes.
+// A minimal importer of an editor: meshes in memory become assets on several threads, and the runtime loads their bytes.
 #include <langevin_rigid.h>
 #include <langevin_rigid_baker.hpp>
 

@@ -66,7 +66,7 @@ TEST_CASE("matrices are rotations times scale: orthogonal, right-handed, and row
     }
 }
 
-// The quarter turn about z takes x to y: the sign of it all.
+// The quarter turn about z maps x to y, which fixes the sign.
 TEST_CASE("a known turn") {
     std::vector<std::vector<float>> fields(field_count, std::vector<float>(lane_block));
     BatchArrays arrays{};
@@ -99,7 +99,7 @@ private:
     std::vector<float> memory_;
 };
 
-// The element of body i, one operation after the other.
+// The element of body i, computed by scalar operations.
 void element(const BatchArrays& a, size_t i, int32_t format, float* out) {
     const auto at = [&](size_t field) { return a.field[field][i]; };
     const float x = at(field_qx), y = at(field_qy), z = at(field_qz), w = at(field_qw), s = at(field_scale);
@@ -122,7 +122,7 @@ void element(const BatchArrays& a, size_t i, int32_t format, float* out) {
         }
 }
 
-// Everything as it should be, and not a byte elsewhere. shift: bytes beyond an alignment of 64.
+// Expects all elements, and no other byte changed. shift: bytes beyond an alignment of 64.
 void check_bits(int32_t simd, const Crowd& crowd, size_t count, int32_t format, size_t gap, size_t shift) {
     const size_t bytes = transform_bytes(format), stride = bytes + gap, front = 64;
     std::vector<unsigned char> memory(front + 64 + 128 + stride * count, 0xa5);
@@ -170,7 +170,7 @@ TEST_CASE("large outputs have the same bits, wherever they begin and end") {
         if (find_target(target[t].simd) == nullptr) continue;
         for (int32_t format = 0; format < 6; ++format)
             for (size_t shift : {0u, 4u, 60u}) {
-                // Counts whose elements end at a line, and at other places.
+                // Counts whose elements end at a cache line, and elsewhere.
                 check_bits(target[t].simd, crowd, 300032, format, 0, shift);
                 check_bits(target[t].simd, crowd, 300001 + shift, format, 0, shift);
             }

@@ -1,4 +1,4 @@
-// The parts of lr_load. Each prints a row for each thing that it holds against a bound, and returns how many did not hold.
+// The parts of lr_load. Each prints a row for each bound, and returns the number of violated bounds.
 #pragma once
 
 #include <cstdint>
@@ -6,14 +6,14 @@
 
 namespace load {
 
-// Prints "good" or "BAD", what, and the measured value beside its bound; 1 when bad.
+// Prints "good" or "BAD", the name, and the measured value beside its bound; returns 1 for "BAD".
 int verdict(bool good, const char* what, const char* format, ...) __attribute__((format(printf, 3, 4)));
 
-uint64_t resident_bytes(); // of this process, at present; 0 where the system does not say
-uint64_t memory_free();    // what may still be taken without swapping; 0 where the system does not say
-double seconds_now();      // of a clock that goes on evenly
+uint64_t resident_bytes(); // of this process, at present; 0 if the system does not report it
+uint64_t memory_free();    // available without swapping; 0 if the system does not report it
+double seconds_now();      // of a monotonic clock
 
-int soak(double hours, const std::string& csv); // simulated hours; csv: a line a minute, may be empty
+int soak(double hours, const std::string& csv); // simulated hours; csv: a line per minute, can be empty
 int many_bodies(uint32_t count);
 int many_worlds(uint32_t count);
 int many_threads(uint32_t workers, uint32_t steps);

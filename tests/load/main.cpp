@@ -1,4 +1,4 @@
-// lr_load: long runs, many bodies, many worlds, many threads. docs/maintainers/testing.md. Exit code 0 when all bounds hold, 1 when one does not.
+// lr_load: long runs, many bodies, many worlds, many threads. docs/maintainers/testing.md. Exit code 0 if all bounds hold, otherwise 1.
 #include "load/load.h"
 
 #include <chrono>

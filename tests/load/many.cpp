@@ -80,7 +80,7 @@ int many_bodies(uint32_t count) {
     const double resident = static_cast<double>(here > before ? here - before : 0) / count;
     bad += verdict(resident < 1.05 * bytes + 4e6 / count, "memory of the process", "%.2f bytes a body", resident);
     std::printf("      %.1f ns a body and substep, without workers\n", nanoseconds);
-    // The last body has moved like the first: down, and not far.
+    // The last body has moved like the first: down, by a small distance.
     lr_batch_view v = initialised(lr_batch_view_init);
     must(lr_batch_get_view(world, batch, &v), "view");
     double lowest = 0.0;
@@ -139,7 +139,7 @@ int many_threads(uint32_t workers, uint32_t steps) {
     double seconds[2] = {};
     for (int with = 0; with < 2; ++with) {
         Storm storm(7, with ? workers : 0);
-        // Enough of them that all threads find something to do.
+        // Enough bodies to give all threads work.
         lr_asset* const asset = leaf();
         add_leaves(storm.world(), asset, 20000);
         lr_asset_release(asset);

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""A picture of what `lr_load soak HOURS CSV` has measured: plot_soak.py CSV PNG"""
+"""Plots the measurements of `lr_load soak HOURS CSV`: plot_soak.py CSV PNG"""
 import csv
 import sys
 
@@ -11,7 +11,7 @@ import matplotlib.pyplot as plt
 
 
 def smooth(values, width):
-    """Means over `width` minutes, for curves that one can tell apart."""
+    """Means over `width` minutes, so that curves stay distinguishable."""
     return [sum(values[max(0, i - width + 1) : i + 1]) / len(values[max(0, i - width + 1) : i + 1]) for i in range(len(values))]
 
 

@@ -1,4 +1,4 @@
-// A storm of many hours: memory, quaternions, ages, time, and the statistics of the last hour against those of the first.
+// A storm of many hours: memory, quaternions, ages, time, and the statistics of the last hour compared to the first.
 #include "load/load.h"
 #include "load/storm.h"
 
@@ -12,7 +12,7 @@ namespace load {
 namespace {
 
 constexpr size_t block_minutes = 5;
-// Steps between two looks: prime to the lives of seeds, which begin together, fall, and roll; else each would see them at one age.
+// Steps between two samples: coprime to the lives of seeds, which spawn together; else each sample would see them at the same age.
 constexpr uint64_t between_looks = 31;
 
 struct Mean {
@@ -22,7 +22,7 @@ struct Mean {
     double value() const { return count ? sum / static_cast<double>(count) : 0.0; }
 };
 
-// What is averaged over some minutes, and compared.
+// Quantities averaged over some minutes, and compared.
 struct Series {
     std::string name;
     Mean block;
@@ -42,7 +42,7 @@ Estimate estimate(const std::vector<double>& blocks, size_t from, size_t to) {
     return e;
 }
 
-// Change an hour of a straight line through the blocks [from, end), by least squares.
+// Slope per hour of a straight line through the blocks [from, end), by least squares.
 Estimate drift(const std::vector<double>& blocks, size_t from) {
     const auto n = static_cast<double>(blocks.size() - from), hour = 60.0 / block_minutes;
     const double mean = estimate(blocks, from, blocks.size()).mean, middle = 0.5 * (n - 1.0);
@@ -125,13 +125,13 @@ private:
         lr_body_state s;
         must(lr_body_state_init(&s, sizeof s), "init");
         must(lr_body_get_state(storm_.world(), v.ids[i], &s), "state");
-        // Those at rest are judged in every 16th step.
+        // Rules check sleeping bodies in every 16th step.
         if (kind.max_age > 0.0f)
             over_age_ = std::max(over_age_, static_cast<double>(s.age - kind.max_age) / static_cast<double>(frame));
         else
             wrong_age_ = std::max(wrong_age_, (std::abs(static_cast<double>(s.age) - time()) - early) / ulp(time()));
     }
-    static constexpr double early = 2e-6; // s: what the ages of the first two seconds err by
+    static constexpr double early = 2e-6; // s: the error of ages in the first two seconds
     static double square(float x) { return static_cast<double>(x) * static_cast<double>(x); }
     // A float's last place at x.
     static double ulp(double x) { return std::ldexp(1.0, std::ilogb(x) - 23); }
@@ -176,7 +176,7 @@ private:
         return bad;
     }
 
-    // From the end of the warm-up on: an hour, or half of shorter runs.
+    // From the end of the warm-up: an hour, or half of shorter runs.
     int judge_memory() const {
         const size_t minutes = world_bytes_.size(), warm = std::min<size_t>(60, minutes / 2);
         const auto most = [&](const std::vector<uint64_t>& v, size_t from, size_t to) {
@@ -187,8 +187,8 @@ private:
         int bad = verdict(after <= before + before / 10, "world's memory after the warm-up",
                           "%llu bytes at most, %llu before, bound a tenth more", static_cast<unsigned long long>(after),
                           static_cast<unsigned long long>(before));
-        // A heap with more contacts than ever takes more: that becomes ever rarer. What is lost with time, however little, is
-        // lost in every hour.
+        // A heap with more contacts than ever allocates more, which becomes ever rarer. A leak, however small, would show in every
+        // hour.
         uint64_t highest = before;
         size_t rises = 0;
         for (size_t m = warm; m < minutes; ++m) {
@@ -209,10 +209,10 @@ private:
         int bad = 0;
         if (series_[0].blocks.size() < 2 * hour + 2) return bad;
         for (size_t at = 0; at < series_.size(); ++at) {
-            // Who lives as long as the storm is elsewhere in the end: the higher up, the stronger is the wind.
+            // Bodies as old as the storm end up elsewhere: the higher they are, the stronger the wind.
             if (storm_.kinds()[at / 4].max_age == 0.0f) continue;
             const Series& s = series_[at];
-            // The first ten minutes are the beginning of the storm.
+            // The first ten minutes are the storm's warm-up.
             const size_t n = s.blocks.size();
             const Estimate first = estimate(s.blocks, 2, 2 + hour), last = estimate(s.blocks, n - hour, n);
             const double error = std::hypot(first.error, last.error), apart = std::abs(last.mean - first.mean);

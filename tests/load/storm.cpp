@@ -63,7 +63,7 @@ Storm::Storm(uint64_t seed, uint32_t workers) {
     add_wind();
     add_ground();
 
-    // Leaves fall on the ground, lie, are blown away, and float beside it.
+    // Leaves fall on the ground, lie there, are blown away, and float beside the island.
     const lr_batch leaves = add_batch("leaves", ellipsoid(0.04, 0.01, 0.0001, 700.0), 96, LR_LOADS_AERODYNAMIC, 30.0f);
     lr_emitter_desc e = sky(6.0f, 4.0f);
     e.rate = 1.25f;
@@ -71,14 +71,14 @@ Storm::Storm(uint64_t seed, uint32_t workers) {
     must(lr_batch_set_emitter(world_, leaves, &e), "emitter");
     set_rules(world_, leaves, LR_END_DESTROY, 30.0f, outside_of(40.0f, 15.0f, 40.0f));
 
-    // Discs begin anew where they leave a box, under the paper's loads.
+    // Discs respawn if they leave a box, with the paper's loads.
     const lr_batch discs = add_batch("discs", ellipsoid(0.02, 0.02, 0.0005, 400.0), 24, LR_LOADS_LANGEVIN, 40.0f);
     e = sky(5.0f, 3.0f);
     must(lr_batch_set_emitter(world_, discs, &e), "emitter");
     set_rules(world_, discs, LR_END_RESPAWN, 40.0f, outside_of(20.0f, 10.0f, 20.0f));
     must(lr_batch_spawn(world_, discs, 24, nullptr), "discs");
 
-    // Petals meet each other in a heap.
+    // Petals pile up.
     const lr_batch petals =
         add_batch("petals", ellipsoid(0.012, 0.009, 0.0004, 300.0), 24, LR_LOADS_AERODYNAMIC, 14.0f);
     e = sky(1.0f, 0.05f);
@@ -87,7 +87,7 @@ Storm::Storm(uint64_t seed, uint32_t workers) {
     set_rules(world_, petals, LR_END_DESTROY, 14.0f, outside_of(40.0f, 15.0f, 40.0f));
     must(lr_batch_set_body_contact(world_, petals, petals, 1), "pairs");
 
-    // Seeds have no loads, and are stepped in every other step.
+    // Seeds have no loads, and take one of two steps.
     const lr_batch seeds = add_batch("seeds", ellipsoid(0.004, 0.003, 0.002, 900.0), 16, LR_LOADS_NONE, 8.0f);
     e = sky(3.0f, 2.0f);
     must(lr_batch_set_emitter(world_, seeds, &e), "emitter");
@@ -96,7 +96,7 @@ Storm::Storm(uint64_t seed, uint32_t workers) {
 
     must(lr_batch_set_rate(world_, seeds, 2), "rate");
 
-    // Wanderers are pulled up a little more than down and tumble through the wind for ever; stones lie for ever.
+    // Wanderers are pulled up slightly more than down and tumble through the wind forever; stones lie forever.
     const lr_batch wanderers =
         add_batch("wanderers", ellipsoid(0.03, 0.02, 0.001, 300.0), 16, LR_LOADS_AERODYNAMIC, 0.0f);
     lr_batch_contact none = initialised(lr_batch_contact_init);
@@ -179,7 +179,7 @@ void Storm::add_ground() {
     must(lr_world_set_water(world_, &sea), "sea");
 }
 
-// What a game does besides: a vortex goes and another comes, bodies come and go by calls, and a state is saved and put back.
+// Other calls of a game: one vortex is removed and another added, bodies are created and destroyed, and a snapshot is saved and restored.
 void Storm::every_minute() {
     if (vortex_.id) must(lr_world_remove_wind(world_, vortex_), "vortex");
     lr_vortex_desc d = initialised(lr_vortex_desc_init);
@@ -189,7 +189,7 @@ void Storm::every_minute() {
     must(lr_world_add_vortex(world_, &d, &vortex_), "vortex");
     if (!visitors_.empty()) {
         const lr_status status = lr_body_destroy(world_, visitors_.data(), static_cast<uint32_t>(visitors_.size()));
-        if (status != LR_ERROR_STALE_BODY) must(status, "visitors"); // the rules have ended one already
+        if (status != LR_ERROR_STALE_BODY) must(status, "visitors"); // rules have already ended one
     }
     std::vector<lr_body_desc> bodies(8, initialised(lr_body_desc_init));
     for (size_t i = 0; i < bodies.size(); ++i) {

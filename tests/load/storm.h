@@ -1,4 +1,4 @@
-// A storm that can go on for ever: leaves, discs, petals and seeds are spawned, land, float, and end; a few bodies live as long as it.
+// A storm without end: leaves, discs, petals and seeds spawn, land, float, and end; a few bodies live as long as the storm.
 #pragma once
 
 #include "langevin_rigid.h"
@@ -8,7 +8,7 @@
 
 namespace load {
 
-// Ends the program with a message unless all is well.
+// Ends the program with a message after an error.
 void must(lr_status status, const char* what);
 
 inline constexpr uint64_t second = 30, minute = 60 * second; // steps
@@ -30,7 +30,7 @@ public:
     void step();
     lr_world* world() const { return world_; }
     const std::vector<Kind>& kinds() const { return kinds_; }
-    // What snapshots need at most, once the storm has gone on for a while.
+    // Upper bound of a snapshot's size, after a while.
     uint64_t snapshot_bytes() const { return snapshot_.size(); }
 
 private:
@@ -44,7 +44,7 @@ private:
     std::vector<Kind> kinds_;
     lr_wind_source vortex_{};
     lr_collider walker_{};
-    std::vector<lr_body> visitors_; // made and ended by calls
+    std::vector<lr_body> visitors_; // created and destroyed by calls
     std::vector<unsigned char> snapshot_;
     uint64_t steps_ = 0;
 };

@@ -29,7 +29,7 @@ double sphere_drag(double re) {
     return 24.0 / re * (1.0 + 0.15 * std::pow(re, 0.687)) + 0.42 / (1.0 + 42500.0 * std::pow(re, -1.16));
 }
 
-// A plate that only drag along z acts on.
+// A plate with drag along z only.
 constexpr double drag_area = 0.04;
 lr_rigid_desc braked(const lr_aerodynamics& loads) {
     lr_rigid_desc d = rigid_plate();
@@ -62,7 +62,7 @@ TEST_CASE("spheres settle at the speed of the standard drag curve") {
         steps(world, 1200, 1.0f / 120.0f);
         CAPTURE(b.radius);
         MESSAGE("Re ", speed * d / nu, ": ", speed, " m/s, here ", -state_of(world, body).linear_velocity[1]);
-        // The curve itself is followed to 8 %, and a speed goes with its root or less.
+        // The loads follow the curve within 8 %, and the speed depends on its root at most.
         CHECK(-wide(state_of(world, body).linear_velocity[1]) == doctest::Approx(speed).epsilon(0.08));
     }
 }
@@ -97,13 +97,13 @@ TEST_CASE("a fall against quadratic drag is the hyperbolic tangent, at any step"
                       doctest::Approx(speed * std::tanh(rate * time)).epsilon(tolerance));
                 CHECK(-wide(s.position[2]) ==
                       doctest::Approx(speed / rate * std::log(std::cosh(rate * time))).epsilon(tolerance));
-                // And it ends at its terminal speed however long the step.
+                // Then it has its terminal speed, however long the step.
                 steps(world, 100, 0.1f);
                 CHECK(-wide(state_of(world, body).linear_velocity[2]) == doctest::Approx(speed).epsilon(1e-3));
             }
 }
 
-// A body of no weight that creeping flow drags along at once goes with the fluid's own velocity, which is Pope's process.
+// A weightless body that creeping flow carries along at once moves with the fluid's own velocity, which is Pope's process.
 TEST_CASE("the fluid's own velocity has Pope's variance and correlation, at any step") {
     lr_aerodynamics loads = initialised(lr_aerodynamics_init);
     for (double& k : loads.drag_stokes) k = 1e5;
@@ -215,7 +215,7 @@ TEST_CASE("a batch takes a centre of the loads as far as two lengths away, and o
     lr_aerodynamics now = initialised(lr_aerodynamics_init);
     REQUIRE(lr_batch_get_aerodynamics(world.get(), batch, &now) == LR_OK);
     CHECK(now.center[1] == 2.0 * length);
-    // A quarter of a turn about z: what was along x is along y. And back to the axes of the body.
+    // A quarter turn about z exchanges x and y. Then back to the axes of the body.
     const double turned[9] = {0.0, 1.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 1.0};
     loads = now;
     loads.center[1] = 0.0;

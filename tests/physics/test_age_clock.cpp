@@ -33,7 +33,7 @@ TEST_CASE("an age lasts: 24 hours of 4 ms, and of steps that are nothing beside 
     }
 }
 
-TEST_CASE("what rounding keeps of an age goes through snapshots, into the hash, and not into a new age") {
+TEST_CASE("the rounding remainder of an age goes into snapshots and the hash, not into a new age") {
     const Asset asset = leaf();
     const World world = weightless();
     const lr_batch batch = add_batch(world, asset, 2);
@@ -54,7 +54,7 @@ TEST_CASE("what rounding keeps of an age goes through snapshots, into the hash, 
     steps(other, 9, 0.001f);
     CHECK(hash_of(other) == expected);
 
-    // An age that is set is that age and no more: 1.9 ms after it nothing shows, 2.1 ms after it something does.
+    // A set age has its exact value: 1.9 ms later it is unchanged, 2.1 ms later it has changed.
     lr_body_state s = state_of(world, id);
     s.age = 5e4f;
     REQUIRE(lr_body_set_state(world.get(), id, &s) == LR_OK);

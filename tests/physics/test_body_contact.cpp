@@ -1,4 +1,4 @@
-// Two bodies that meet: momentum, energy, restitution, friction, against what Newton's laws leave no choice in.
+// Contact of two bodies: momentum, energy, restitution and friction against Newton's laws.
 #include "support/body_contact.h"
 
 #include <numbers>
@@ -123,7 +123,7 @@ TEST_CASE("in oblique hits momentum and angular momentum are kept and no energy 
             const Vec mine = p.at(0).momentum();
             steps(p.world, 1, narrow(h));
             now = p.totals();
-            // Steps without an impact are the integrator's alone.
+            // Steps without an impact have the integrator's error alone.
             if (length(p.at(0).momentum() - mine) < 1e-2 * least * speed) continue;
             hit = true;
             drift = std::max(drift, length(now.momentum - former.momentum) / (heavy * speed));
@@ -139,10 +139,10 @@ TEST_CASE("in oblique hits momentum and angular momentum are kept and no energy 
     CHECK(drift < 1e-5);
     CHECK(angular < 0.02);
     CHECK(over[0] < 1e-3);
-    CHECK(over[1] < 0.02); // restitution and friction together can give energy (Kane 1984)
+    CHECK(over[1] < 0.02); // restitution and friction together can add energy (Kane 1984)
 }
 
-// A box hits the face of one that is far heavier, edge or corner first: along its normal and across it.
+// A box hits the face of a much heavier one, edge or corner first: along its normal and across it.
 TEST_CASE("friction between bodies is mu times the normal impulse while they slide, and no more") {
     Random random(4);
     double most = 0.0, least = 1.0;
@@ -160,7 +160,7 @@ TEST_CASE("friction between bodies is mu times the normal impulse while they sli
         p.place(0, d);
         p.place(1, body_desc());
         const Vec before = p.at(0).momentum();
-        // One impact, until it leaves again or its other corners come down.
+        // A single impact, until the body leaves again or its other corners come down.
         Vec impulse{};
         for (int n = 0; n < 2000 && length(impulse) < 0.2 * p.at(0).mass * speed; ++n) {
             steps(p.world, 1, narrow(short_h));

@@ -1,4 +1,4 @@
-// Bodies dropped into a bin: the energy of the pile, its rest, what overlaps in it.
+// Bodies dropped into a bin: the energy of the pile, its sleep, and overlaps in it.
 #include "support/body_contact.h"
 
 using namespace test;
@@ -44,7 +44,7 @@ TEST_CASE("a pile in a bin loses energy, hardly overlaps, and nothing is outside
         const char* name;
         Asset asset;
         float half;
-        double awake; // at most, of all, after four seconds
+        double awake; // largest share awake after four seconds
     };
     const Kind kinds[] = {{"boxes", make(rigid_box(0.04, 0.03, 0.05, 300.0)), 0.12f, 0.1},
                           {"cards", make(rigid_box(0.05, 0.0006, 0.035, 600.0)), 0.12f, 0.1},
@@ -67,7 +67,7 @@ TEST_CASE("a pile in a bin loses energy, hardly overlaps, and nothing is outside
             add_body(world, batch, d);
         }
         const lr_asset_info info = info_of(kind.asset);
-        const double unit = info.mass * gravity * info.length_d * dropped; // all of them, by their length
+        const double unit = info.mass * gravity * info.length_d * dropped; // of all bodies, relative to their length
         double least = energy_of(world, batch, info), rise = 0.0;
         for (int n = 0; n < frames; ++n) {
             steps(world, 1, 1.0f / 60.0f, 2);

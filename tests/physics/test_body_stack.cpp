@@ -1,4 +1,4 @@
-// Bodies that lie on bodies: stacks, plates, a heavy one on a light one, friction between them.
+// Bodies on bodies: stacks, plates, a heavy body on a light one, friction between them.
 #include "support/body_contact.h"
 
 #include <numbers>
@@ -47,7 +47,7 @@ TEST_CASE("stacks of boxes stay, and come to rest") {
     for (uint32_t high : {2u, 5u, 10u})
         for (double size : {0.01, 0.1, 1.0})
             for (uint32_t substeps : {1u, 2u, 4u}) {
-                // Fewer sweeps than the height asks for: it leans, and may fall.
+                // Too few sweeps for the height: it leans, and can fall.
                 if (size < 0.05 && high > 2) continue;
                 if (high > 5 && size < 0.5 && substeps < 2) continue;
                 CAPTURE(high);
@@ -137,7 +137,7 @@ TEST_CASE("a box ten times as heavy lies on a light one") {
     }
 }
 
-// Gravity leans, and the slab below holds on to the ground.
+// Gravity is tilted; the slab below stays on the ground by friction.
 TEST_CASE("a box on another body sticks below the angle of friction and slides as it should above" *
           doctest::test_suite("exact")) {
     for (double mu : {0.2, 0.5, 0.9})

@@ -1,5 +1,5 @@
-// Friction, restitution and rolling on colliders against closed forms. A body moves with the fluid around it: along a slope its
-// inertia is m + A, what pulls is its weight less its buoyancy.
+// Friction, restitution and rolling on colliders against closed forms. A body moves the fluid around it: along a slope its inertia
+// is m + A, and the pull is its weight minus its buoyancy.
 #include "support/contact.h"
 
 #include <algorithm>
@@ -49,7 +49,7 @@ struct Slope {
 struct Slid {
     double crept, speed; // m after the first half second; m/s
 };
-// A box of a size on a slope, from rest.
+// A box of a given size on a slope, from rest.
 Slid slide(int32_t kind, double angle, double size, double mu, uint32_t substeps, float seconds) {
     const World world = make(world_desc());
     const Asset asset = make(rigid_box(size, 0.3 * size, 0.6 * size, 300.0));
@@ -88,7 +88,7 @@ TEST_CASE("boxes stick below the angle of friction and slide as they should abov
                     CAPTURE(size);
                     CAPTURE(substeps);
                     const double cone = std::atan(mu);
-                    // Small boxes on steep slopes creep by half a millimetre a second nearer to it (docs/maintainers/contact.md).
+                    // Small boxes on steep slopes creep by half a millimetre per second closer to the slope (docs/maintainers/contact.md).
                     const double below = size < 0.01 && mu > 0.8 ? 5.0 : 1.0;
                     const Slid held = slide(kind, cone - below * degree, size, mu, substeps, 2.0f);
                     CHECK(std::abs(held.crept) < 0.01 * size);
@@ -138,7 +138,7 @@ TEST_CASE("spheres bounce with their coefficient of restitution, and one of 1 ga
             }
             const lr_asset_info info = info_of(asset);
             const double pull = gravity * (info.mass - 1.2 * info.volume) / (info.mass + info.added_mass[0]);
-            // From the height that it reaches again; frames cut the first rise short.
+            // From the height of the next rise; frames cut the first rise short.
             CHECK(bounces > 0);
             const double expected = wide(e) * std::sqrt(2.0 * pull * height);
             if (e < 1.0f && e > 0.0f)
@@ -208,7 +208,7 @@ TEST_CASE("a lid that lies on the ground or on a box stays where it is for ten m
         }
 }
 
-// One step through everything that a shot crosses.
+// A step through all parts of the solver that a shot uses.
 TEST_CASE("no shot at 20 m/s goes through a thin wall at 60 steps a second" * doctest::test_suite("long")) {
     const Asset assets[] = {make(rigid_box(0.03, 0.02, 0.001, 400.0)), make(ellipsoid(0.02, 0.01, 0.0005, 400.0)),
                             make(ellipsoid(0.005, 0.005, 0.005, 400.0))};
@@ -253,7 +253,7 @@ TEST_CASE("no shot at 20 m/s goes through a thin wall at 60 steps a second" * do
             const lr_batch_view v = view_of(world, batch);
             for (uint32_t i = 0; i < v.count; ++i, ++at) {
                 if (v.position[1][i] * sides[at] < 0.0f) ++through;
-                // Nothing else takes speed from them.
+                // No other force slows them down.
                 const float squared = v.velocity[0][i] * v.velocity[0][i] + v.velocity[1][i] * v.velocity[1][i] +
                                       v.velocity[2][i] * v.velocity[2][i];
                 if (squared < 0.9f * 20.0f * 20.0f) ++arrived;

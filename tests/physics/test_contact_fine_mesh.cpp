@@ -1,4 +1,4 @@
-// Meshes whose triangles are far finer than a body, or than its way in a step: more than one list of candidates holds.
+// Meshes with triangles much finer than a body, or than its motion in a step: more than a list of candidates holds.
 #include "support/contact.h"
 
 #include <algorithm>
@@ -68,7 +68,7 @@ TEST_CASE("bodies land and rest on floors of fine triangles as on a plane" * doc
                 on_edge += s.position[1] > kind.half + 0.1f * kind.reach;
             }
             CHECK(over > count / 2);
-            CHECK(on_edge <= 3); // as many as on a plane
+            CHECK(on_edge <= 3); // no more than on a plane
         }
 }
 
@@ -91,7 +91,7 @@ TEST_CASE("no shot goes through walls of fine triangles" * doctest::test_suite("
         const lr_batch batch = add_batch(world, unloaded(), kind.asset, count);
         Random random(4);
         const float half = 140.0f * cell;
-        const float fast = std::min(20.0f, 60.0f * half); // not off the wall within a step
+        const float fast = std::min(20.0f, 60.0f * half); // it must not leave the wall within a step
         std::vector<lr_body> bodies;
         for (uint32_t i = 0; i < count; ++i) {
             lr_body_desc d = body_desc();
@@ -106,7 +106,7 @@ TEST_CASE("no shot goes through walls of fine triangles" * doctest::test_suite("
             for (float& w : d.angular_velocity) w = random.real(-30, 30);
             bodies.push_back(add_body(world, batch, d));
         }
-        // Until they have met it, and are on their way back.
+        // Until they have hit it, and are on their way back.
         std::vector<char> through(count, 0), away(count, 0);
         uint32_t met = 0;
         for (int frame = 0; frame < 30; ++frame) {
@@ -114,7 +114,7 @@ TEST_CASE("no shot goes through walls of fine triangles" * doctest::test_suite("
             for (uint32_t i = 0; i < count; ++i) {
                 const lr_body_state s = state_of(world, bodies[i]);
                 const float side = i % 2 == 0 ? 1.0f : -1.0f;
-                // What has left the wall sideways may come back on any side.
+                // A body that has left the wall sideways can come back on any side.
                 away[i] = away[i] || std::max(std::abs(s.position[0]), std::abs(s.position[2])) > half;
                 if (!away[i] && side * (s.position[1] - waves(s.position[0], s.position[2])) < -0.2f * kind.reach)
                     through[i] = 1;

@@ -1,4 +1,4 @@
-// Sheets come to rest where sheets can lie.
+// Sheets come to rest in stable poses.
 #include "support/contact.h"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ lr_batch_desc in_air() {
 
 } // namespace
 
-// The rim of a plate holds it upright within the angle thickness/width, 0.9 degrees here; none leans by more.
+// The rim of a plate holds it upright within the angle thickness/width, 0.9 degrees here; none must lean by more.
 TEST_CASE("no sheet rests leaning") {
     const Asset assets[] = {make(rigid_box(0.06, 0.0006, 0.04, 400.0)), make(ellipsoid(0.04, 0.02, 0.0005, 400.0))};
     const size_t across[] = {1, 2};
@@ -61,7 +61,7 @@ TEST_CASE("no sheet rests leaning") {
     }
 }
 
-// Those that fall on balls glide off, but must not be left dancing on the way.
+// Leaves that fall on balls slide off, but must not keep jittering on the way.
 TEST_CASE("leaves come to rest on logs, and between logs and balls") {
     const Asset asset = make(ellipsoid(0.04, 0.02, 0.0005, 400.0));
     for (int32_t kind : {LR_COLLIDER_CAPSULE, LR_COLLIDER_SPHERE}) {
@@ -84,6 +84,6 @@ TEST_CASE("leaves come to rest on logs, and between logs and balls") {
         const auto above = [&](uint32_t i) { return v.position[1][i] > 0.05f; };
         uint32_t high = 0;
         for (uint32_t i = v.awake_count; i < v.count; ++i) high += above(i) ? 1u : 0u;
-        if (kind == LR_COLLIDER_CAPSULE) CHECK(high > count / 100); // or there is nothing to see
+        if (kind == LR_COLLIDER_CAPSULE) CHECK(high > count / 100); // otherwise the test shows nothing
     }
 }

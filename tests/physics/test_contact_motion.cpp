@@ -1,5 +1,5 @@
-// Bodies on colliders that move: pushed, carried, spun, swept aside. Closed forms where there are any; a body's inertia is m + A,
-// what presses it down is its weight less its buoyancy.
+// Bodies on moving colliders: pushed, carried, spun, swept aside. Closed forms if they exist; a body's inertia is m + A, and its
+// weight minus its buoyancy presses it down.
 #include "support/contact.h"
 #include "support/contact_events.h"
 
@@ -13,7 +13,7 @@ namespace {
 constexpr double gravity = 9.81, dt = 1.0 / 60.0;
 
 struct Crate {
-    double x, y, z, reach, slop, pull; // m; m/s^2 that it falls with in the fluid
+    double x, y, z, reach, slop, pull; // m; m/s^2, its acceleration of fall in the fluid
     Asset asset;
     explicit Crate(double size) : x(size), y(0.5 * size), z(0.8 * size) {
         const lr_rigid_desc d = rigid_box(x, y, z, 300.0);
@@ -22,7 +22,7 @@ struct Crate {
         slop = 1e-3 * reach;
         asset = make(d);
     }
-    // Without loads, standing at (x, 0, z), turned about the vertical.
+    // Without loads, standing at (x, 0, z), rotated about the vertical.
     lr_body place(const World& w, lr_batch batch, Vec at, Vec velocity = {0, 0, 0}, Vec spin = {0, 0, 0}) const {
         lr_body_desc d = body_desc();
         put(d.position, at + Vec{0.0, 0.5 * y, 0.0});
@@ -40,7 +40,7 @@ void move(const World& w, lr_collider_motion m) {
     REQUIRE(lr_collider_move(w.get(), &m, 1) == LR_OK);
 }
 
-// What a body can stand on at y = 0.
+// Colliders to stand on at y = 0.
 struct Deck {
     std::vector<float> heights, corners;
     Triangles sheet;
@@ -123,8 +123,8 @@ TEST_CASE("a box that pushes a body along the floor stays in touch with it") {
             }
 }
 
-// (m + A) r w^2 against mu times what presses it down.
-TEST_CASE("what lies on a turntable turns with it up to where friction holds it") {
+// (m + A) r w^2 against mu times the normal force.
+TEST_CASE("bodies on a turntable turn with it as far out as friction holds them") {
     for (int32_t kind : {LR_COLLIDER_BOX, LR_COLLIDER_PLANE, LR_COLLIDER_MESH})
         for (double size : {0.02, 0.2})
             for (double share : {0.5, 0.97, 1.03}) {
@@ -168,7 +168,7 @@ TEST_CASE("an elevator carries what stands on it, up and down at 1 m/s") {
                 const lr_collider floor = add_collider(world, deck.desc);
                 const double base = wide(deck.desc.position[1]);
                 const lr_body body = crate.place(world, batch, {0.3 * size, 0, 0.2 * size});
-                steps(world, 60, narrow(dt), 4); // one that goes down is caught up with after a while
+                steps(world, 60, narrow(dt), 4); // a body above a descending floor lands on it after a while
                 const Vec landed = vec(state_of(world, body).position);
                 double least = 1.0, most = -1.0;
                 for (int frame = 0; frame < 60; ++frame) {
@@ -187,8 +187,8 @@ TEST_CASE("an elevator carries what stands on it, up and down at 1 m/s") {
             }
 }
 
-// The floor goes evenly within a step, on chords of its parabola: at their ends a body on it is faster than the next one by half of
-// what the floor gains in a step, and hops as high as that takes it.
+// The floor moves evenly within a step, on chords of its parabola: at a chord's end a body on it is faster than the next chord by half
+// of the floor's gain in a step, and hops accordingly.
 TEST_CASE("a floor that goes down faster than bodies fall leaves them") {
     for (int32_t kind : decks)
         for (double share : {-0.5, 0.5, 0.9, 1.2, 2.0}) {
@@ -231,7 +231,7 @@ TEST_CASE("a floor that goes down faster than bodies fall leaves them") {
         }
 }
 
-// A belt: each step it is put back to where it was, with the velocity that it has.
+// A belt: each step returns it to its place, with its velocity.
 TEST_CASE("a conveyor takes along what is laid on it, by friction first and then at its own speed") {
     for (int32_t kind : decks)
         for (double size : {0.01, 0.1, 1.0}) {
@@ -266,7 +266,7 @@ TEST_CASE("a conveyor takes along what is laid on it, by friction first and then
 
 namespace {
 
-// How far a standing capsule's axis, at (x, z) from `low` to `high`, is from a box.
+// Distance of a standing capsule's axis, at (x, z) from `low` to `high`, from a box.
 double distance_to_axis(const lr_batch_view& v, uint32_t i, const Vec& half, Vec foot, double high) {
     const Quat q{wide(v.orientation[0][i]), wide(v.orientation[1][i]), wide(v.orientation[2][i]),
                  wide(v.orientation[3][i])};
@@ -282,7 +282,7 @@ double distance_to_axis(const lr_batch_view& v, uint32_t i, const Vec& half, Vec
 
 } // namespace
 
-// A person of 1.8 m, whose feet are as wide as they are.
+// A person of 1.8 m, with feet as wide as the body.
 TEST_CASE(
     "a capsule that walks through bodies at rest wakes what it meets, moves it aside, and leaves the others alone") {
     constexpr double radius = 0.25, axis = 0.65, walk = 1.4, x = 0.06, y = 0.03, z = 0.04;
@@ -317,7 +317,7 @@ TEST_CASE(
     keep_events(world, 2 * count);
     std::vector<char> woke(count, 0);
     std::vector<double> before(count, 1.0);
-    double deepest = 1.0, lasting = 1.0; // least gap at all, and what of it was there for two steps
+    double deepest = 1.0, lasting = 1.0; // least gap ever, and least gap that lasted two steps
     for (int frame = 0; frame < 300; ++frame) {
         steps(world, 1, narrow(dt), 2);
         const lr_batch_view v = view_of(world, batch);
@@ -333,14 +333,14 @@ TEST_CASE(
             woke[state_of(world, e.body).noise_seed] = 1;
         }
     }
-    // Those that it runs into turn as they are pushed out: some of the way of the substep is left for the next one.
+    // Bodies pushed by it rotate: part of the substep's motion is left for the next substep.
     CHECK(deepest > -0.5 * walk * dt / 2.0);
     CHECK(lasting > -5e-3 * reach);
     CHECK(lasting < 2e-3 * reach);
     uint32_t met = 0, far = 0;
     for (size_t i = 0; i < laid.size(); ++i) {
         const double away = std::abs(laid[i][2]);
-        if (away < radius * 0.8) { // nothing under the foot's overhang
+        if (away < radius * 0.8) { // no body below the rounded end
             ++met;
             CHECK(woke[i] == 1);
         }

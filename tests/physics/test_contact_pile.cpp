@@ -10,7 +10,7 @@ namespace {
 
 constexpr double gravity = 9.81;
 
-// Kinetic energy with the fluid's, and that of position, weight less buoyancy; one for each body.
+// Kinetic energy including the fluid's, and potential energy of weight minus buoyancy, per body.
 std::vector<double> energies(const World& world, lr_batch batch, const lr_asset_info& info) {
     const lr_batch_view v = view_of(world, batch);
     std::vector<std::pair<uint32_t, double>> found;

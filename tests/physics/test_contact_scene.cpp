@@ -1,4 +1,4 @@
-// Hundreds of bodies of several shapes that land on all kinds of colliders at once: energy, rest, where they lie.
+// Hundreds of bodies of several shapes land on all kinds of colliders at once: energy, sleep, final places.
 #include "support/contact.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace {
 
 constexpr double gravity = 9.81;
 
-// Kinetic energy with the fluid's, and that of position, weight less buoyancy.
+// Kinetic energy including the fluid's, and potential energy of weight minus buoyancy.
 double energy_of(const lr_asset_info& info, const lr_body_state& s) {
     const Quat q = quat(s.orientation);
     const Vec v = to_body(q, vec(s.linear_velocity)), w = to_body(q, vec(s.angular_velocity));
@@ -22,7 +22,7 @@ double energy_of(const lr_asset_info& info, const lr_body_state& s) {
     return sum;
 }
 
-// Two metres across: ground, box, ball, capsule, wedge, a net of triangles in the air, and a terrain that runs into it.
+// Two metres across: ground, box, ball, capsule, wedge, a net of triangles in the air, and a terrain that crosses it.
 void furnish(const World& world) {
     const auto add = [&](lr_collider_desc d, Vec at, Quat turn = {0, 0, 0, 1}) {
         put(d.position, at);
@@ -100,7 +100,7 @@ TEST_CASE("bodies of all shapes come to rest on colliders of all kinds, and gain
         for (lr_batch batch : batches) awake += view_of(world, batch).awake_count;
         double lowest = 1.0;
         for (lr_body body : bodies) lowest = std::min(lowest, wide(state_of(world, body).position[1]));
-        // Where terrain and net cross, what is between them is pushed out and up (docs/maintainers/contact.md, 7).
+        // Where terrain and net cross, bodies between them are pushed out and up (docs/maintainers/contact.md, 7).
         CHECK(rise < 3e-4 * first);
         CHECK(gains < 5e-3 * first);
         CHECK(fastest < std::sqrt(2.0 * gravity * 1.2));

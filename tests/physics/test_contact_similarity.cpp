@@ -1,4 +1,4 @@
-// Nothing in contact has a size, a place, a heading or a speed of its own: the same scene elsewhere ends alike.
+// Contact has no length, place, heading or speed of its own: a transformed scene ends alike.
 #include "support/contact.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 constexpr double gravity = 9.81;
 constexpr uint32_t thrown = 60;
 
-// A scene of lengths about 1, and how it is carried over: lengths times `length`, times and speeds times its root.
+// A scene of lengths about 1, and its scaling: lengths by `length`, times and speeds by its root.
 struct Frame {
     double length = 1.0, yaw = 0.0;
     Vec origin{0, 0, 0}, velocity{0, 0, 0};
@@ -26,7 +26,7 @@ struct Frame {
     }
 };
 
-// A room: a floor or ground with a step, a ball, a capsule, a wedge and a ramp on it, and what is thrown in.
+// A room: a floor or ground with a step, a ball, a capsule, a wedge and a ramp on it, and bodies thrown in.
 class Room {
 public:
     Room(const Frame& frame, uint32_t bodies, double restitution, uint64_t seed) : frame_(frame) {
@@ -57,7 +57,7 @@ public:
         room.run(seconds);
         return room.positions();
     }
-    // Times, lengths and speeds here and below are those of a scene of length 1.
+    // Times, lengths and speeds here and below are for a scene of length 1.
     void run(double seconds) {
         constexpr double dt = 1.0 / 64.0;
         steps(world_, static_cast<int>(seconds / dt), narrow(dt * frame_.root()), 4);
@@ -116,7 +116,7 @@ double farthest_apart(const std::vector<Vec>& a, const std::vector<Vec>& b) {
     for (size_t i = 0; i < a.size(); ++i) most = std::max(most, length(a[i] - b[i]));
     return most;
 }
-// Of bodies of so many, how many are within `near` of where they were.
+// The share of bodies within `near` of their earlier places.
 size_t alike(const std::vector<Vec>& a, const std::vector<Vec>& b, double near) {
     size_t found = 0;
     for (size_t i = 0; i < a.size(); ++i) found += length(a[i] - b[i]) < near ? 1u : 0u;
@@ -153,7 +153,7 @@ TEST_CASE("a scene that is turned about the vertical ends turned") {
     }
 }
 
-// Nothing is at rest in the world, and yet comes to rest on what it lies on.
+// Nothing is at rest in the world, but bodies come to rest relative to their support.
 TEST_CASE("in a room that moves evenly all comes to rest in it") {
     for (const Vec& velocity : {Vec{0, 1, 0}, Vec{0, -1, 0}, Vec{2, 0, 1}}) {
         CAPTURE(velocity[0]);
@@ -169,7 +169,7 @@ TEST_CASE("in a room that moves evenly all comes to rest in it") {
     }
 }
 
-// Far away positions are rounded to 6e-5 m, and contact takes 1e-6 of them for touching.
+// Far away, positions are rounded to 6e-5 m, and contact treats 1e-6 of the position as touching.
 TEST_CASE("a kilometre from the origin bodies of a decimetre come to rest on the ground, and not in it") {
     Frame frame;
     frame.origin = {1000, 0, -1000};

@@ -1,4 +1,4 @@
-// What the default scheme promises for any body and any step: it stays finite, and the energy is what the loads put in.
+// Guarantees of the default scheme for any body and step: states stay finite, and energy grows only by the loads' work.
 #include "support/lost_bodies.h"
 #include "support/random.h"
 #include "support/reference_body.h"
@@ -20,7 +20,7 @@ struct Draw {
     bool couples = false; // lift has a moment, which does work
 };
 
-// Confetti of 2 mm to banners of 1 m, as thin as 1:1000, barely heavier than the fluid to 10^4 times, and bubbles.
+// Confetti of 2 mm to banners of 1 m, down to 1:1000 thin, from barely heavier than the fluid to 10^4 times; and bubbles.
 Draw draw_body(Random& random, int i, bool noise) {
     Draw out;
     const double size = 0.5 * random.logarithmic(2e-3, 1.0);
@@ -53,7 +53,7 @@ struct DrawnLoads {
 DrawnLoads draw_loads(Random& random, const World& world, lr_batch batch, bool noise, Draw& draw) {
     DrawnLoads out;
     if (random.below(4) == 0) {
-        // Turbulence with the SPEED clock grows with the body's own speed: with more energy than the stream, without end.
+        // Turbulence with the SPEED clock grows with the body's own speed: it can have unlimited energy.
         const double chi = random.logarithmic(1e-3, 1e3);
         set_constant_table(world, batch, chi, chi * random.logarithmic(1e-4, 0.03), 2.0);
     }
@@ -104,7 +104,7 @@ double energy(const ReferenceBody& body, const lr_batch_view& v, uint32_t i, Vec
     return sum;
 }
 
-// The speed, as a root of twice an energy, that weight and the couple of buoyancy at their largest give in a second.
+// The speed, as the root of twice an energy, that the largest weight and buoyancy couple give in a second.
 double pull(const ReferenceBody& body) {
     const Matrix6 m = inverse(body.mass);
     double trace_v = 0.0, trace_w = 0.0;
@@ -114,9 +114,9 @@ double pull(const ReferenceBody& body) {
            std::sqrt(trace_w) * body.displaced * length(body.buoyancy_arm) * g;
 }
 
-// What the couple of the lift can add to the same root in a substep: it acts four times for h/4 each, in each not above
-// rho sum_k (|m_k| + |m_stalled_k|)^2, rooted, times |v|^2/2, and it makes the rim no more than once or eight times as
-// fast as the stream in each direction (docs/maintainers/numerics.md).
+// Bound of the lift couple's contribution to the same root in a substep: it acts four times for h/4, each time at most the root of
+// rho sum_k (|m_k| + |m_stalled_k|)^2 times |v|^2/2, and makes the rim at most once or eight times as fast as the stream in each
+// direction (docs/maintainers/numerics.md).
 class CoupleBound {
 public:
     CoupleBound(const ReferenceBody& body, const lr_asset_info& info, const DrawnLoads& loads, double scale) {
@@ -132,12 +132,12 @@ public:
             0.5 * info.fluid_density * std::pow(scale, 3.0) * loads.lift_gain * std::sqrt(sum) * std::sqrt(trace_w);
         rim_ = std::sqrt(3.0 * inertia) / (info.length_d * scale);
     }
-    // The root of the energy after a substep, from that before it.
+    // The root of the energy after a substep, from its value before.
     double after(double root, double h, double pull) const {
         root += h * pull;
         for (int i = 0; i < 4; ++i) {
             const double v = fastest_ * root;
-            // Not as fast at the ends, where no spin drag acts against it.
+            // Slower at the ends, where spin drag does not oppose it.
             const double rim = i == 0 || i == 3 ? rim_ : 8.0 * rim_;
             root += std::min(0.25 * h * strongest_ * v * v, rim * v);
         }
@@ -148,14 +148,13 @@ private:
     double fastest_, strongest_, rim_;
 };
 
-// What single precision may add in a step.
+// The rounding error of single precision in a step.
 constexpr double rounding_share = 1e-4;
 
 } // namespace
 
-// The root of the kinetic energy is a norm of the velocities. Drag, lift, Munk moment and added mass cannot make it
-// grow; weight and buoyancy by no more than their impulse, h times the norm of the force, and the couple of the lift by its own.
-// That holds for any step.
+// The root of the kinetic energy is a norm of the velocities. For any step, drag, lift, Munk moment and added mass cannot increase
+// it; weight and buoyancy at most by their impulse, h times the norm of the force, and the couple of the lift by its bound.
 TEST_CASE("random bodies at random steps gain no more energy than weight and the couple of the lift give them") {
 #ifdef LR_TEST_QUICK
     const int batches = 100;
@@ -185,7 +184,7 @@ TEST_CASE("random bodies at random steps gain no more energy than weight and the
             couples.emplace_back(reference.back(), info, loads, wide(b.scale));
         }
         const bool coupled = draw.couples && draw.batch.load_model == LR_LOADS_AERODYNAMIC;
-        // Diagonal batches drop what lies off the diagonals: nothing of a whole ellipsoid.
+        // Diagonal batches drop entries off the diagonals, which a whole ellipsoid does not have.
         const float dt = static_cast<float>(random.logarithmic(1e-4, 0.1));
         const uint32_t substeps = 1 + random.below(3);
         std::vector<double> before(bodies);
@@ -202,7 +201,7 @@ TEST_CASE("random bodies at random steps gain no more energy than weight and the
                     for (uint32_t j = 0; j < substeps; ++j)
                         most = couples[k].after(most, wide(dt) / substeps, pull(reference[k]));
                 }
-                // The wind itself is added to and taken from single numbers.
+                // Adding and subtracting the wind rounds single numbers.
                 const double rounding =
                     1e-6 *
                     (before[k] +
@@ -228,9 +227,9 @@ TEST_CASE("random bodies at random steps gain no more energy than weight and the
     CHECK(gained > 0);
 }
 
-// With the coefficients of the shape's own and its wake's noise, for as long as it falls: no load holds more energy in a body than
-// it began with, or than falls at terminal speed edge on, with the spin at which the couple of the lift and the spin drag
-// agree: at terminal speed, or in the fastest stream that its energy at first can make. The wake carries a body along with up to 3 I^2 of the square of its speed, on average over bodies.
+// With the shape's own coefficients and wake noise, during a long fall: no load keeps more energy in a body than at its start, or than
+// at terminal speed edge on with the spin at which lift couple and spin drag balance: at terminal speed, or in the fastest stream
+// from its initial energy. The wake carries a body along with up to 3 I^2 of the square of its speed, averaged over bodies.
 TEST_CASE("falls with couples of the lift and noise keep to the energy of their terminal speed") {
 #ifdef LR_TEST_QUICK
     const int batches = 50;
@@ -265,7 +264,7 @@ TEST_CASE("falls with couples of the lift and noise keep to the energy of their 
         const ReferenceBody& body = reference.front();
         const double s = wide(b.scale), edge = *std::min_element(a.drag, a.drag + 3);
         const double terminal2 = 2.0 * std::abs(body.weight) * g / (info.fluid_density * edge * s * s);
-        // The couple c v_i v_j is at most c E/(2 sqrt(m_i m_j)) whatever of the energy E at first is in motion along those axes.
+        // The couple c v_i v_j is at most c E/(2 sqrt(m_i m_j)), whatever share of the initial energy E moves along those axes.
         double mass = 0.0, spinning = 0.0, spun = 0.0;
         for (size_t k = 0; k < 3; ++k) {
             mass = std::max(mass, body.mass[k][k]);
@@ -301,7 +300,7 @@ TEST_CASE("falls with couples of the lift and noise keep to the energy of their 
     MESSAGE("largest share of it ", worst);
 }
 
-// Wind that changes between steps by up to 60 m/s and blows in gusts, noise, gains, and moments of the lift.
+// Wind that changes by up to 60 m/s between steps and has gusts, noise, gains, and lift moments.
 TEST_CASE("random bodies in changing winds with noise stay finite") {
 #ifdef LR_TEST_QUICK
     const int batches = 60;
@@ -333,7 +332,7 @@ TEST_CASE("random bodies in changing winds with noise stay finite") {
     CHECK(all.lost == 0);
 }
 
-// Steps far longer than a body takes to settle leave it where drag and weight agree.
+// Steps much longer than a body's settling time leave it where drag and weight balance.
 TEST_CASE("terminal velocity is right at steps of a tenth of a second") {
     for (const double size : {1e-4, 1e-3, 1e-2, 0.1})
         for (const double ratio : {0.01, 0.5, 1.01, 8.0, 1e3}) {
@@ -362,9 +361,9 @@ TEST_CASE("terminal velocity is right at steps of a tenth of a second") {
         }
 }
 
-// The couple of the lift has no reaction on the motion along the stream, so that it does work. Against the stream's share of
-// the spin drag it is at most c_k^2 n_i^2 n_j^2/(4 d_k) rho s^3 about each axis, c_k the moment's coefficient and d_k
-// spin_drag_stream; form drag takes 1/2 sum drag_i n_i^2 rho s^3. More is lost than gained in every direction n = v/s.
+// The couple of the lift has no reaction on the motion along the stream, so it does work. With the stream's share of the spin drag
+// it is at most c_k^2 n_i^2 n_j^2/(4 d_k) rho s^3 about each axis, c_k the moment's coefficient and d_k spin_drag_stream; form
+// drag takes 1/2 sum drag_i n_i^2 rho s^3. The loss exceeds the gain in every direction n = v/s.
 TEST_CASE("couples of the lift do less work than drag takes") {
     double most = 0.0;
     for (uint64_t i = 0; i < 2000; ++i) {

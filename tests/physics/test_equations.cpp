@@ -1,4 +1,4 @@
-// The kernel against an independent integration of the equations, and the order at which it gets there.
+// The kernel against an independent integration of the equations, and its order of convergence.
 #include "support/random.h"
 #include "support/reference_body.h"
 #include "support/scene.h"
@@ -45,8 +45,8 @@ std::vector<Case> cases() {
         {"speed, sheet in air", paper, 1.0, still, LR_LOADS_LANGEVIN, LR_CLOCK_SPEED, false, 0.5, 5.0}};
 }
 
-// Every coefficient of the loads at work, sized by the body's own; without its wake. A ballasted body gets axes of its own,
-// and where the full path takes it a centre.
+// All load coefficients, scaled to the body; without its wake. A ballasted body gets other axes, and on the full path a
+// centre.
 lr_aerodynamics lively(const Case& c, const Asset& asset) {
     lr_aerodynamics a = initialised(lr_aerodynamics_init);
     REQUIRE(lr_asset_get_aerodynamics(asset.get(), &a) == LR_OK);
@@ -79,7 +79,7 @@ lr_aerodynamics lively(const Case& c, const Asset& asset) {
 constexpr double chi = 1.5, c0 = 2.0, u0 = 0.5; // of the table: alpha = (1/2 + 3/4 C0) chi = 3/s at u0
 
 struct Error {
-    double position, angle, velocity, spin; // relative to the motion's own size, worst of all bodies
+    double position, angle, velocity, spin; // relative to the motion's size, largest over bodies
     double mean_square;                     // of all of these
     double worst() const { return std::max({position, angle, velocity, spin}); }
 };
@@ -135,7 +135,7 @@ Error compare(const Case& c, int32_t integrator, double time, int count, uint32_
         const lr_body_state s = state_of(world, ids[i]);
         const Vec v = reference.velocity(expected[i]), w = reference.spin(expected[i]);
         const Quat q = quat(s.orientation);
-        // The turn from one to the other, by its sine: a cosine of floats cannot tell 5e-4 from nothing.
+        // The rotation between them, by its sine: in single precision a cosine cannot resolve 5e-4.
         const Quat e = expected[i].q, apart = product(q, {-e[0], -e[1], -e[2], e[3]});
         const double speed = c.speed + length(v), spin = c.spin + length(w);
         const auto most = [&](double& to, double from) {
@@ -152,8 +152,8 @@ Error compare(const Case& c, int32_t integrator, double time, int count, uint32_
 
 } // namespace
 
-// At 0.5 ms rates of 30/s make 0.015 a step: RK4's error is nothing, a second-order scheme's some 1e-4 of the state.
-// Rounding is 1000 substeps of 1e-7. Half a second of tumbling makes up to a hundred times as much of either.
+// At 0.5 ms rates of 30/s give 0.015 per step: RK4's error is negligible, a second-order scheme's about 1e-4 of the state.
+// Rounding is 1000 substeps of 1e-7. Half a second of tumbling amplifies either up to a hundredfold.
 TEST_CASE("the motion is that of the equations" * doctest::test_suite("exact")) {
     for (const Case& c : cases())
         for (int32_t integrator : {LR_INTEGRATOR_RK4, LR_INTEGRATOR_DEFAULT}) {
@@ -169,8 +169,8 @@ TEST_CASE("the motion is that of the equations" * doctest::test_suite("exact")) 
 TEST_CASE("RK4 converges at fourth order, the default at second order" * doctest::test_suite("exact")) {
     for (const Case& c : cases())
         for (int32_t integrator : {LR_INTEGRATOR_RK4, LR_INTEGRATOR_DEFAULT}) {
-            // Small bodies move quicker. Rounding shows in the smallest error, which grows again with the number of
-            // steps; the order is that of the last halving well above it.
+            // Small bodies move faster. Rounding limits the smallest error, which grows again with the number of steps; the order is
+            // that of the last halving well above it.
             std::vector<double> errors;
             for (int count = 16; count <= 512; count *= 2)
                 errors.push_back(std::sqrt(compare(c, integrator, 0.25 * std::min(1.0, c.scale), count).mean_square));

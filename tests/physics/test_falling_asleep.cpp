@@ -1,4 +1,4 @@
-// Coming to rest by going nowhere: what only trembles does, what creeps, rolls or turns does not.
+// Falling asleep by lack of progress: a trembling body sleeps, a creeping, rolling or rotating one does not.
 #include "support/contact.h"
 
 #include <cmath>
@@ -55,11 +55,11 @@ TEST_CASE("coins, rods and bricks come to rest on uneven ground") {
     }
 }
 
-TEST_CASE("what slides or turns slowly but steadily does not come to rest") {
+TEST_CASE("a body that slides or turns slowly but steadily does not fall asleep") {
     const World world = make(world_desc());
     const Asset asset = make(rigid_box(0.1, 0.05, 0.1, 500.0));
     const lr_batch batch = add_batch(world, unloaded(), asset, 2);
-    // A belt, and a plate that turns: 3 % of the reach in a second.
+    // A belt, and a rotating plate: 3 % of the reach in a second.
     const float reach = narrow(0.5 * std::sqrt(0.1 * 0.1 + 0.05 * 0.05 + 0.1 * 0.1));
     lr_collider_desc belt = box_collider(1.0f, 0.1f, 1.0f), table = belt;
     belt.position[1] = table.position[1] = -0.1f;
@@ -78,7 +78,7 @@ TEST_CASE("what slides or turns slowly but steadily does not come to rest") {
     }
     CHECK(wide(state_of(world, slides).position[0]) ==
           doctest::Approx(5.0 * wide(belt.linear_velocity[0])).epsilon(0.05));
-    // And they do when these stop.
+    // They sleep when these stop.
     for (lr_collider id : {belt_id, table_id}) {
         const lr_collider_motion stop = motion_of(id, LR_MOVE_VELOCITY);
         REQUIRE(lr_collider_move(world.get(), &stop, 1) == LR_OK);

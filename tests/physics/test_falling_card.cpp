@@ -1,5 +1,5 @@
-// A card that falls in a plane: the AERODYNAMIC loads against the model of Andersen, Pesavento and Wang (J. Fluid Mech. 541,
-// 2005), integrated here on its own.
+// A card that falls in a plane: the AERODYNAMIC loads against the model of Andersen, Pesavento and Wang (J. Fluid Mech. 541, 2005),
+// integrated independently here.
 #include "support/random.h"
 #include "support/scene.h"
 #include "support/vector.h"
@@ -49,7 +49,7 @@ State fall(const Card& c, State s, double time, int count) {
     return s;
 }
 
-// The card in SI units: semi-chord 1 m, fluid 1 kg/m^3, a metre of it; chord along x, normal along y.
+// The card in SI units: semi-chord 1 m, fluid 1 kg/m^3, per metre of span; chord along x, normal along y.
 struct Scene {
     World world;
     lr_body body{};
@@ -130,7 +130,7 @@ TEST_CASE("a card in a plane falls as the model of falling cards does") {
                 const State expected = fall(c.card, c.start, time, 6000);
                 const lr_body_state got = state_of(s.world, s.body);
                 const double angle = 2.0 * std::atan2(wide(got.orientation[2]), wide(got.orientation[3])) - expected[2];
-                // Some have flutters and turns behind them, which make up to a hundred times as much of a difference.
+                // After flutters and turns, which amplify differences up to a hundredfold.
                 const double bound = integrator == LR_INTEGRATOR_RK4 ? 1e-3 : 3e-3;
                 CAPTURE(c.card.inertia);
                 CAPTURE(integrator);
@@ -139,7 +139,7 @@ TEST_CASE("a card in a plane falls as the model of falling cards does") {
                 CHECK(std::abs(wide(got.position[1]) - expected[1]) < bound);
                 CHECK(std::abs(std::remainder(angle, 2.0 * pi)) < bound);
                 CHECK(std::abs(wide(got.angular_velocity[2]) - expected[5]) < bound);
-                // And it stays in the plane, to the last bit.
+                // It stays in the plane, to the last bit.
                 CHECK(got.position[2] == 0.0f);
                 CHECK(got.orientation[0] == 0.0f);
                 CHECK(got.angular_velocity[0] == 0.0f);
@@ -147,7 +147,7 @@ TEST_CASE("a card in a plane falls as the model of falling cards does") {
             }
 }
 
-// Their figure 9: means of (Vx, Vy, w), up to the side it drifts to.
+// Their figure 9: means of (Vx, Vy, w), up to the direction of drift.
 TEST_CASE("a card with I* = 1.4 tumbles with the published means, with I* = 1.1 it flutters") {
     for (double inertia : {1.1, 1.4}) {
         const Scene s = scene({.inertia = inertia}, {0.0, 0.0, 0.3, 0.1, -0.2, 0.05}, LR_INTEGRATOR_DEFAULT, false);

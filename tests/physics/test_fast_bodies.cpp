@@ -1,4 +1,4 @@
-// Fast cards against others: none passes through without having touched.
+// Fast cards against others: none passes through without contact.
 #include "support/body_contact.h"
 
 #include <numbers>
@@ -22,7 +22,7 @@ Quat any_turn(Random& random) {
 
 } // namespace
 
-// Targets stand in the air far from each other, one for each shot; all that matters is what a shot's target knows of it.
+// Targets are far apart in the air, one for each shot; only contacts between a shot and its target count.
 TEST_CASE("cards at 10 to 20 m/s do not pass through cards at rest or in the air without touching") {
     const Asset card = make(vacuum_box(0.06, 0.0004, 0.04, 600.0)), wall = make(vacuum_box(0.2, 0.0004, 0.2, 6000.0));
     Random random(9);
@@ -34,7 +34,7 @@ TEST_CASE("cards at 10 to 20 m/s do not pass through cards at rest or in the air
         const lr_batch shot = add_batch(world, unloaded(), card, shots),
                        target = add_batch(world, unloaded(), wall, shots);
         for (lr_batch b : {shot, target}) set_contact(world, b, contact_desc(0.3f, 0.2f));
-        const bool control = volley == volleys - 1; // so that what is counted can fail
+        const bool control = volley == volleys - 1; // without contact, to show that the count can fail
         set_pair(world, shot, target, !control);
         std::vector<lr_body> flying, standing;
         std::vector<Vec> velocity;
@@ -63,7 +63,7 @@ TEST_CASE("cards at 10 to 20 m/s do not pass through cards at rest or in the air
         steps(world, 5, 1.0f / 60.0f, volley % 4 < 2 ? 1 : 2);
         for (uint32_t i = 0; i < shots; ++i) {
             ++fired;
-            // What nothing touches flies on as it flew; without a fluid the way is straight.
+            // Untouched shots keep their velocity; without a fluid their path is straight.
             const Vec now = vec(state_of(world, flying[i]).linear_velocity);
             const bool touched = length(now - velocity[i]) > 0.01 * length(velocity[i]);
             if (control)

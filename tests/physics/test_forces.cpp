@@ -1,4 +1,4 @@
-// Forces from outside, against the inertia of body and fluid together.
+// External forces, against the inertia of body and fluid together.
 #include "support/random.h"
 #include "support/reference_body.h"
 #include "support/scene.h"
@@ -59,7 +59,7 @@ double largest(const Six& t) {
     return most;
 }
 void check_close(const Six& got, const Six& expected, double tolerance) {
-    // Spins are some hundred times as large as velocities here: each half against its own size.
+    // Spins are some hundred times as large as velocities here: compare each half relative to its own size.
     for (size_t half = 0; half < 2; ++half) {
         double error = 0.0, size = 0.0;
         for (size_t i = 3 * half; i < 3 * half + 3; ++i) {
@@ -196,7 +196,7 @@ TEST_CASE("an acceleration is the body's, whatever its mass and the fluid's") {
     }
 }
 
-// Half a second of tumbling under forces in both frames: in each substep at its own orientation.
+// Half a second of tumbling under forces in both frames, with the orientation of each substep.
 TEST_CASE("motion under steady forces is that of the equations, on single bodies and on a batch with the same bits") {
     Random random(12);
     lr_ellipsoid_desc shape = in_water(ellipsoid(0.04, 0.02, 0.01, 1200.0));
@@ -258,7 +258,7 @@ TEST_CASE("motion under steady forces is that of the equations, on single bodies
     }
 }
 
-// Drag of the AGE clock is linear: rho (V + A) alpha v. The force relaxes against it as the weight does, exactly.
+// Drag of the AGE clock is linear: rho (V + A) alpha v. Velocity relaxes towards the force's balance exactly, as for weight.
 TEST_CASE("a body under a steady force settles at its terminal velocity at any step") {
     const Asset asset = make(in_water(ellipsoid(0.02, 0.02, 0.02, 1500.0)));
     const lr_asset_info info = info_of(asset);
@@ -307,7 +307,7 @@ TEST_CASE("a pending force goes along with its body when others are destroyed") 
     push(world, force_on(ids[0], LR_FORCE_MODE_FORCE, LR_FRAME_WORLD, {0.0, 0.0, 1.0}));
     push(world, force_on(ids[2], LR_FORCE_MODE_FORCE, LR_FRAME_WORLD, {0.0, 1.0, 0.0}));
     push(world, force_on(ids[3], LR_FORCE_MODE_FORCE, LR_FRAME_WORLD, {1.0, 0.0, 0.0}));
-    REQUIRE(lr_body_destroy(world.get(), &ids[0], 1) == LR_OK); // the last takes its place
+    REQUIRE(lr_body_destroy(world.get(), &ids[0], 1) == LR_OK); // the last body takes its place
     REQUIRE(lr_body_destroy(world.get(), &ids[2], 1) == LR_OK);
     const lr_body spawned = add_body(world, batch, body_desc());
     steps(world, 1, 0.01f);
@@ -355,7 +355,7 @@ TEST_CASE("arrays of forces do what single forces do, with any stride and from a
         }
 }
 
-// Pending forces are part of the state: a game that rolls back to the start of a tick has applied that tick's already.
+// Pending forces are part of the state: a game that rolls back to the start of a tick has already applied that tick's.
 TEST_CASE("pending and steady forces go through snapshots") {
     const Asset asset = foil();
     const auto scene = [&](lr_batch& batch) {
@@ -386,7 +386,7 @@ TEST_CASE("pending and steady forces go through snapshots") {
         steps(*w, 5, 0.01f, 2);
         CHECK(hash_of(*w) == expected);
     }
-    // And none of it is left where a snapshot has none.
+    // A snapshot without pending forces removes them.
     REQUIRE(lr_world_snapshot_restore(world.get(), snapshot.data(), snapshot.size()) == LR_OK);
     REQUIRE(lr_world_snapshot_restore(world.get(), calm.data(), calm.size()) == LR_OK);
     CHECK(snapshot_of(world) == calm);

@@ -1,4 +1,4 @@
-// Force-free motion in an ideal fluid, Kirchhoff's equations: what is conserved must stay so.
+// Force-free motion in an ideal fluid, Kirchhoff's equations: conserved quantities stay constant.
 #include "support/random.h"
 #include "support/reference_body.h"
 #include "support/scene.h"
@@ -15,7 +15,7 @@ struct Invariants {
     double p_squared, p_dot_l;
 };
 
-// From what get_state and get_info say, and nothing else.
+// From get_state and get_info alone.
 Invariants invariants(const ReferenceBody& reference, const lr_body_state& s) {
     const Quat q = quat(s.orientation);
     const Six twist = join(to_body(q, vec(s.linear_velocity)), to_body(q, vec(s.angular_velocity)));
@@ -27,7 +27,7 @@ Invariants invariants(const ReferenceBody& reference, const lr_body_state& s) {
 }
 
 struct Drift {
-    double energy = 0.0, p = 0.0, p_dot_l = 0.0, impulse = 0.0, moment = 0.0; // relative, worst of all bodies
+    double energy = 0.0, p = 0.0, p_dot_l = 0.0, impulse = 0.0, moment = 0.0; // relative, largest over bodies
 };
 
 // Many random bodies for `seconds`.
@@ -44,7 +44,7 @@ Drift drift(const Asset& asset, lr_batch_desc desc, int count, float dt, uint32_
         lr_body_desc d = body_desc();
         d.scale = narrow(scale);
         for (float& q : d.orientation) q = random.real(-1.0, 1.0);
-        // Speeds at which a body turns once in a second or so and travels its own length in a quarter of one.
+        // Speeds at which a body rotates about once per second and moves its own length in a quarter of one.
         for (float& v : d.linear_velocity) v = random.real(-0.2, 0.2) * narrow(scale);
         for (float& w : d.angular_velocity) w = random.real(-5.0, 5.0);
         ids.push_back(add_body(world, batch, d));
@@ -60,7 +60,7 @@ Drift drift(const Asset& asset, lr_batch_desc desc, int count, float dt, uint32_
             worst.p = std::max(worst.p, std::abs(std::sqrt(b.p_squared / a.p_squared) - 1.0));
             worst.p_dot_l = std::max(worst.p_dot_l, std::abs(b.p_dot_l - a.p_dot_l) / (std::sqrt(a.p_squared) * l));
             worst.impulse = std::max(worst.impulse, length(b.impulse - a.impulse) / length(a.impulse));
-            // The moment about the origin grows out of position times impulse: measure it by both.
+            // The moment about the origin is position times impulse: scale its error by both.
             const double arm = length(vec(state_of(world, ids[i]).position)) * length(a.impulse);
             worst.moment = std::max(worst.moment, length(b.moment - a.moment) / (l + arm));
         }
@@ -78,10 +78,10 @@ Asset ballasted() {
 
 } // namespace
 
-// 12 s are some 30 turns in 23040 substeps. A substep rounds each of some 40 operations to 6e-8 of the state; were all
-// of one sign over a turn's 700 substeps and random between turns, that would be 2e-4; without a sign it is 1e-5 at
-// most. RK4's own error at 0.01 rad a substep is far below. The default solves its implicit step in single precision,
-// which rounds to one side: 23040 times 1e-7, and some.
+// 12 s are about 30 turns in 23040 substeps. A substep rounds each of about 40 operations to 6e-8 of the state. If all errors
+// had one sign over a turn's 700 substeps and were random between turns, the sum would be 2e-4; with random signs it is at most
+// 1e-5. RK4's own error at 0.01 rad per substep is much smaller. The default solves its implicit step in single precision, with a
+// bias: 23040 times about 1e-7.
 TEST_CASE("force-free motion keeps energy, momentum, p.l, and the impulse and its moment in the world") {
 #ifdef LR_TEST_QUICK
     const int count = 60;
@@ -118,7 +118,7 @@ TEST_CASE("with RK4 the drift of the invariants falls by sixteen and more when t
     const Asset offset = ballasted();
     lr_batch_desc d = batch_desc();
     d.integrator = LR_INTEGRATOR_RK4;
-    // 0.3 rad a substep at the fastest, so that truncation lies far above rounding.
+    // 0.3 rad per substep for the fastest, so that truncation is far above rounding.
     const Drift coarse = drift(offset, d, 8, 0.25f, 8), fine = drift(offset, d, 8, 0.25f, 16);
     CHECK(coarse.energy > 2e-5);
     CHECK(std::log2(coarse.energy / fine.energy) > 3.7);
@@ -139,24 +139,24 @@ TEST_CASE("a spinning force-free sphere goes straight") {
             b.linear_velocity[0] = 1.0f, b.linear_velocity[1] = -0.5f, b.linear_velocity[2] = 0.25f;
             b.angular_velocity[0] = 10.0f, b.angular_velocity[1] = 15.0f, b.angular_velocity[2] = -5.0f;
             const lr_body id = add_body(world, batch, b);
-            // 0.02 rad a substep for 3 s: 9 turns.
+            // 0.02 rad per substep for 3 s: 9 turns.
             steps(world, 180, 1.0f / 60.0f, 16);
             const lr_body_state s = state_of(world, id);
             CHECK(length(vec(s.position) - 3.0 * vec(b.linear_velocity)) < 3e-4);
             CHECK(length(vec(s.linear_velocity) - vec(b.linear_velocity)) < 4e-4);
             CHECK(length(vec(s.angular_velocity) - vec(b.angular_velocity)) < 2e-3);
-            // And it has turned by |w| t about w.
+            // It has rotated by |w| t about w.
             const Quat expected = about(vec(b.angular_velocity), 3.0 * length(vec(b.angular_velocity)));
             const Quat got = quat(s.orientation);
             double cosine = 0.0;
             for (size_t i = 0; i < 4; ++i) cosine += expected[i] * got[i];
-            // Half the angle between the two; the default's angle may be off by h^2 w^2/24 of the 56 rad turned.
+            // Half the angle between the two; the default's angle can differ by h^2 w^2/24 of the 56 rad.
             CHECK(std::acos(std::min(1.0, std::abs(cosine))) < 2e-3);
         }
 }
 
 TEST_CASE("a force-free body spins steadily about its longest and shortest axis and tumbles about the middle one") {
-    // In a vacuum's place: a fluid of a thousandth of the body's density changes nothing of it.
+    // Nearly a vacuum: a fluid of a thousandth of the body's density.
     const Asset asset = make(ellipsoid(0.04, 0.02, 0.01, 1200.0));
     const World world = weightless();
     lr_batch_desc d = batch_desc();

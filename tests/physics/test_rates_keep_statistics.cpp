@@ -1,4 +1,4 @@
-// Batches at lower rates, by divisors and by a budget, fall as the same bodies do at the world's own rate.
+// Batches at lower rates, by divisors and by a budget, fall like the same bodies at the world's own rate.
 #include "support/scene.h"
 
 #include <cmath>

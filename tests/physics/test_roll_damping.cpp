@@ -1,4 +1,4 @@
-// Roll damping of the AERODYNAMIC loads: closed form, what it leaves alone, and the tumbling that it keeps straight.
+// Roll damping of the AERODYNAMIC loads: closed form, unaffected motions, and the tumbling that it keeps straight.
 #include "support/scene.h"
 #include "support/vector.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double density = 1000.0, volume = 1e-6, inertia = 2e-8, damping = 4e-9;
 
-// Weightless, without added mass or any other load, driving along (1, 2, -2)/3 at 0.5 m/s with the given spin.
+// Weightless, without added mass or any other load, moving along (1, 2, -2)/3 at 0.5 m/s with the given spin.
 lr_body_state driven(int32_t integrator, bool full, const float spin[3], double seconds) {
     lr_aerodynamics loads = initialised(lr_aerodynamics_init);
     for (double& r : loads.roll_damping) r = damping;
@@ -88,7 +88,7 @@ TEST_CASE("roll damping: holds a tumbling disc in its plane, which it leaves wit
         a.intensity = 0.0;
         REQUIRE(lr_batch_set_aerodynamics(world.get(), batch, &a) == LR_OK);
         lr_body_desc b = body_desc();
-        // Standing on edge, spinning about the horizontal x, its normal a hundredth off the plane of the fall.
+        // On edge, spinning about the horizontal x, its normal a hundredth off the plane of the fall.
         b.orientation[1] = 0.005f, b.orientation[3] = 1.0f;
         b.linear_velocity[1] = -1.0f;
         b.angular_velocity[0] = 100.0f;

@@ -1,4 +1,4 @@
-// Nothing that the API takes may blow up in the default scheme.
+// No accepted value makes the default scheme diverge.
 #include "support/lost_bodies.h"
 #include "support/random.h"
 #include "support/scene.h"
@@ -9,7 +9,7 @@
 
 using namespace test;
 
-// Bodies of all sizes, shapes and speeds, at the steps that engines take: nothing blows up in the default scheme.
+// Bodies of all sizes, shapes and speeds, at the steps of engines: no state grows without bound in the default scheme.
 TEST_CASE("the default integrator keeps every body finite at every step") {
     Random random(77);
     const World world = make(world_desc());
@@ -42,12 +42,12 @@ TEST_CASE("the default integrator keeps every body finite at every step") {
         CAPTURE(dt);
         MESSAGE("dt ", dt, ": fastest ", all.fastest, " m/s");
         CHECK(all.lost == 0);
-        // Free fall for 67 s without loads reaches 660 m/s; no load adds to that.
+        // Free fall for 67 s without loads reaches 660 m/s; loads add nothing.
         CHECK(all.fastest < 2000.0);
     }
 }
 
-// Sizes from a micrometre to a kilometre, scales, speeds and spins up to what lr_body_create takes, steps up to 1 s.
+// Sizes from a micrometre to a kilometre, scales, speeds and spins up to the limits of lr_body_create, steps up to 1 s.
 TEST_CASE("the default integrator keeps every body finite at the limits of the API") {
 #ifdef LR_TEST_QUICK
     const uint64_t worlds = 4;

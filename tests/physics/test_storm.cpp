@@ -1,4 +1,4 @@
-// Storms that run by themselves: rules, emitters and snapshots together, for long.
+// Long storms without calls: rules, emitters and snapshots together.
 #include "support/lifecycle.h"
 
 #include <cmath>
@@ -9,7 +9,7 @@ using namespace test;
 
 namespace {
 
-// A column of leaves that fall for 4 m out of a slab and begin again.
+// A column of leaves that fall for 4 m from a slab and respawn.
 struct Storm {
     Asset asset = leaf();
     World world;
@@ -113,7 +113,7 @@ TEST_CASE("a storm is the same rolled back, in another world, and with any numbe
     const uint64_t expected = hash_of(storm.world);
     const lr_batch_counts events = counts_of(storm.world, storm.batch);
     for (uint32_t workers : {0u, 1u, 3u}) {
-        const Storm other(workers, 2500, workers == 1); // with rules of its own, or none
+        const Storm other(workers, 2500, workers == 1); // with its own rules, or none
         REQUIRE(lr_world_snapshot_restore(other.world.get(), snapshot.data(), snapshot.size()) == LR_OK);
         CHECK(hash_of(other.world) == at);
         CHECK(snapshot_of(other.world) == snapshot);
@@ -126,7 +126,7 @@ TEST_CASE("a storm is the same rolled back, in another world, and with any numbe
         CHECK(got.total_missed == events.total_missed);
         CHECK(got.respawned == events.respawned);
     }
-    // A snapshot without any of it ends it.
+    // A snapshot without rules removes them.
     const Storm bare(0, 2500, false);
     const std::vector<unsigned char> empty = snapshot_of(bare.world);
     REQUIRE(lr_world_snapshot_restore(storm.world.get(), empty.data(), empty.size()) == LR_OK);
@@ -135,7 +135,7 @@ TEST_CASE("a storm is the same rolled back, in another world, and with any numbe
     CHECK(info_of(storm.world).body_count == 0);
 }
 
-// How often a body has respawned decides where it does so next: it is part of the hash.
+// The number of respawns determines a body's next place: it is part of the hash.
 TEST_CASE("two bodies in one state but with other lives behind them hash differently") {
     uint64_t hashes[2];
     for (int lives : {1, 2}) {

@@ -1,4 +1,4 @@
-// What must not matter: who moves, which way is up, how large the unit is.
+// Invariance: a moving frame, the direction of up, the unit of length.
 #include "support/random.h"
 #include "support/scene.h"
 #include "support/vector.h"
@@ -18,7 +18,7 @@ struct Run {
     std::vector<lr_body_state> states;
 };
 
-// `count` random bodies, changed by `change` before they are made, for `frames` of dt.
+// `count` random bodies, changed by `change` before their creation, for `frames` of dt.
 Run run(const World& world, const lr_batch_desc& desc, const Asset& asset, int frames, float dt, uint32_t substeps,
         const std::function<void(lr_body_desc&)>& change = {},
         const std::function<void(const World&, lr_batch)>& prepare = {}, bool full = false) {
@@ -57,8 +57,8 @@ double apart(const float a[3], const float b[3], double unit) {
 
 } // namespace
 
-// The two runs differ by the rounding of velocities of some 5 m/s, 3e-7 m/s a frame, and by what tumbling in turbulence
-// makes of it in 0.4 s: a factor of some hundred, which quasi-steady lift reaches in 0.3 s.
+// The two runs differ by the rounding of velocities of about 5 m/s, 3e-7 m/s per frame, and by its growth in turbulent tumbling
+// over 0.4 s: a factor of some hundred, which quasi-steady lift reaches in 0.3 s.
 TEST_CASE("a body in a uniform wind is the body in still air, carried along") {
     const Vec wind = {3.0, -1.0, 2.5};
     for (const Asset& asset : {sheet(), keel()})
@@ -106,7 +106,7 @@ TEST_CASE("wind that changes acts from the next step, and bodies keep their worl
     set_wind(world, 2.0f, 0.0f, 0.0f);
     CHECK(length(vec(state_of(world, id).linear_velocity)) == 0.0);
     steps(world, 600, 0.01f, 2);
-    // A body left alone in a wind ends up with it: relative drag, not drag of the world.
+    // A free body in a wind ends up with the wind's velocity: drag is relative to the fluid.
     CHECK(wide(state_of(world, id).linear_velocity[0]) == doctest::Approx(2.0).epsilon(0.2));
     const float before = state_of(world, id).linear_velocity[0];
     set_wind(world, 0.0f, 0.0f, 0.0f);
@@ -115,8 +115,8 @@ TEST_CASE("wind that changes acts from the next step, and bodies keep their worl
     CHECK(std::abs(state_of(world, id).linear_velocity[0]) < 0.4f);
 }
 
-// Lengths, speeds and gravity by L at the same time step: everything dimensionless is the same, and with L a power of
-// two every rounding too.
+// Lengths, speeds and gravity by L at the same time step: all dimensionless numbers are the same, and for L a power of two
+// so is every rounding.
 TEST_CASE("twice as large in twice the gravity is twice the motion, to the last bit") {
     for (const Asset& asset : {sheet(), keel()})
         for (int32_t integrator : integrators)
@@ -128,7 +128,7 @@ TEST_CASE("twice as large in twice the gravity is twice the motion, to the last 
                 bd.load_model = loads;
                 wd.fluid_viscosity = 1.5e-5f;
                 const World small = make(wd);
-                // Also of the viscosity, for which a length and a speed count.
+                // Also of the viscosity, which scales with length times speed.
                 for (float& g : wd.gravity) g *= 4.0f;
                 wd.fluid_viscosity *= 16.0f;
                 const World large = make(wd);
@@ -144,7 +144,7 @@ TEST_CASE("twice as large in twice the gravity is twice the motion, to the last 
                 for (size_t i = 0; i < a.states.size(); ++i)
                     for (size_t k = 0; k < 3; ++k) {
                         CHECK(b.states[i].position[k] == 4.0f * a.states[i].position[k]);
-                        // Stored in the body frame: the world's value carries one more rounding, of the same bits.
+                        // Stored in the body frame: the world's value has one more rounding, of the same bits.
                         CHECK(b.states[i].linear_velocity[k] == 4.0f * a.states[i].linear_velocity[k]);
                         CHECK(b.states[i].angular_velocity[k] == a.states[i].angular_velocity[k]);
                         CHECK(b.states[i].orientation[k] == a.states[i].orientation[k]);
@@ -158,7 +158,7 @@ TEST_CASE("four times slower in a sixteenth of the gravity is the same path, to 
     for (int32_t integrator : integrators) {
         lr_world_desc wd = world_desc();
         wd.seed = 8;
-        // Viscosity has a time of its own: AERODYNAMIC loads do not scale so.
+        // Viscosity has its own time scale: AERODYNAMIC loads do not scale this way.
         lr_batch_desc bd = langevin();
         bd.integrator = integrator;
         const World quick = make(wd);
@@ -204,7 +204,7 @@ TEST_CASE("a body of scale s moves as the asset with axes s times as long") {
                 CAPTURE(s);
                 CAPTURE(integrator);
                 for (size_t i = 0; i < a.states.size(); ++i) {
-                    // Powers of two change no bit; others round constants once, and tumbling makes some of it.
+                    // Powers of two change no bit; other factors round constants once, and tumbling amplifies this.
                     const double bound = s == 2.0 ? 0.0 : 2e-3;
                     CHECK(apart(a.states[i].position, b.states[i].position, 0.1) <= bound);
                     CHECK(apart(a.states[i].linear_velocity, b.states[i].linear_velocity, 1.0) <= bound);
@@ -215,8 +215,8 @@ TEST_CASE("a body of scale s moves as the asset with axes s times as long") {
 
 TEST_CASE("no axis of the world is special") {
     const Asset asset = keel();
-    // The turn that takes x to y, y to z, z to x, and a turn that takes no axis to another. The wake's own velocity is drawn
-    // in the world's frame: it is off.
+    // The rotation of x to y, y to z, z to x, and a rotation that maps no axis to another. The wake's own velocity is drawn in the
+    // world's frame: it is off.
     lr_load_gains calm = initialised(lr_load_gains_init);
     calm.turbulence = 0.0f;
     const auto without_wake = [&](const World& w, lr_batch b) {

@@ -1,4 +1,4 @@
-// The Langevin model's statistics, and how the clocks read the table.
+// Statistics of the Langevin model, and the clocks' reading of the table.
 #include "support/random.h"
 #include "support/scene.h"
 #include "support/vector.h"
@@ -64,7 +64,7 @@ TEST_CASE("stationary Langevin: variance of each axis, Gaussian tails, decay of 
                 const std::vector<Vec> half = velocities(world, ids);
                 steps(world, 1, 20 * h, 20);
                 const std::vector<Vec> one = velocities(world, ids);
-                steps(world, 4, 20 * h, 20); // to the next round: exp(-6) of the correlation of squares is left
+                steps(world, 4, 20 * h, 20); // to the next round: exp(-6) of the correlation of squares remains
                 for (size_t i = 0; i < now.size(); ++i) {
                     for (size_t a = 0; a < 3; ++a) {
                         square[a] += now[i][a] * now[i][a];
@@ -78,7 +78,7 @@ TEST_CASE("stationary Langevin: variance of each axis, Gaussian tails, decay of 
             const double n = static_cast<double>(crowd) * rounds;
             const double all = square[0] + square[1] + square[2];
             // Standard errors: of a variance sqrt(2/n), of a correlation at most sqrt(1/n), of a kurtosis sqrt(96/n).
-            // Five of them, and the scheme's own bias.
+            // Five of them, plus the scheme's own bias.
             CAPTURE(integrator);
             for (double s : square)
                 CHECK(s / n / expected == doctest::Approx(1.0).epsilon(5.0 * std::sqrt(2.0 / n) + 1e-3));
@@ -114,8 +114,8 @@ TEST_CASE("the stationary variance does not depend on the step, in the default s
     }
 }
 
-// From rest and before the damping acts: a random walk of each velocity and spin about the body's own axes, pushed by
-// rho (V + A) beta and rho D beta/ell on body and added mass together, ell half the largest extent.
+// From rest and before damping acts: a random walk of each velocity and spin about the body's own axes, driven by rho (V + A) beta
+// and rho D beta/ell on body and added mass together, ell half the largest extent.
 TEST_CASE("the noise kicks each axis by its own weights") {
     const double chi = 1.0, epsilon = 0.5, c0 = 2.0, beta = std::sqrt(c0 * epsilon), ell = 0.04;
     const Asset asset = make(in_water(ellipsoid(0.04, 0.02, 0.01, 1300.0)));
@@ -171,7 +171,7 @@ TEST_CASE("the noise gain multiplies the noise's amplitude, and a seed or a nois
     const Vec one = end(1.0f, 1, 7);
     CHECK(length(one) > 0.01);
     CHECK(length(end(0.0f, 1, 7)) == 0.0);
-    // The sphere turns as well, by a twentieth of a turn at most: what is linear is the size.
+    // The sphere also rotates, by a twentieth of a turn at most: the size is linear in the noise.
     CHECK(length(end(2.0f, 1, 7)) / length(one) == doctest::Approx(2.0).epsilon(0.05));
     CHECK(length(end(1.0f, 2, 7) - one) > 0.01);
     CHECK(length(end(1.0f, 1, 8) - one) > 0.01);
@@ -214,7 +214,7 @@ TEST_CASE("the AGE clock reads the table at the body's age, holds its end or beg
                 const lr_body id = add_body(world, batch, b);
                 double log_v = std::log(2.0), age = spawned;
                 for (int quarter = 0; quarter < 7; ++quarter) {
-                    // A step never crosses a sample: the middle of it is the mean over it.
+                    // A step never crosses a sample: the value in its middle is its mean.
                     steps(world, 32, 1.0f / 256.0f, 2);
                     for (int i = 0; i < 64; ++i)
                         log_v -= unit * chi_at(age + (i + 0.5) / 512.0, end == LR_TABLE_LOOP) / 512.0;

@@ -56,7 +56,7 @@ TEST_CASE("a floating body comes to rest at Archimedes' draught" * doctest::test
             no_turbulence(world, batch);
             steps(world, 14400, 1.0f / 60.0f, 2);
             const lr_body_state s = state_of(world, body);
-            // Drag with the square of the speed takes long over the last of it.
+            // Quadratic drag takes long to end the motion.
             CHECK(std::abs(wide(s.position[1]) + 0.05 * draught(density)) < 5e-4);
             CHECK(std::abs(s.linear_velocity[1]) < 0.006f);
         }
@@ -100,7 +100,7 @@ TEST_CASE("a floating body bobs with its closed form's frequency") {
 
 namespace {
 
-// A ball that moves up and down, without drag, by its own small steps in double precision: (M v)' = F on the way in,
+// A ball that bobs up and down without drag, by independent small steps in double precision: (M v)' = F on the way in,
 // M v' = F on the way out.
 struct BallInDouble {
     double radius, density, y, v;
@@ -223,8 +223,8 @@ TEST_CASE("deep under the surface everything is as in a world of water, above it
                         const World world = make(wd);
                         if (with_surface) {
                             lr_water_desc surface = water_desc();
-                            // A dry body that is near is stepped by the same code as a wet one: a callback's reach
-                            // brings all near.
+                            // A dry body near the surface is stepped by the same code as a wet one: a callback's reach includes all
+                            // bodies.
                             surface.position[1] = wet ? 100.0f : -5.0f;
                             surface.reach = 1000.0f;
                             set_water(world, surface);
@@ -252,7 +252,7 @@ TEST_CASE("deep under the surface everything is as in a world of water, above it
 }
 
 TEST_CASE("between the fluids the full path agrees with the diagonal one") {
-    // The bodies are the same; the full path finds its inverses and modes for each lane by itself.
+    // The bodies are equal; the full path finds inverses and modes for each lane separately.
     for (int32_t model : {LR_LOADS_NONE, LR_LOADS_LANGEVIN, LR_LOADS_AERODYNAMIC})
         for (int32_t integrator : {LR_INTEGRATOR_DEFAULT, LR_INTEGRATOR_RK4})
             for (double height : {-0.005, 0.0, 0.008}) {
@@ -307,7 +307,7 @@ TEST_CASE("a leaf comes to lie flat on the water") {
     const lr_batch batch = add_batch(world, loads(LR_LOADS_AERODYNAMIC), asset, 1);
     no_turbulence(world, batch);
     lr_body_desc d = at_height(0.05);
-    d.orientation[0] = narrow(std::sin(-pi / 4.0 + 0.2)); // the leaf's normal is its own z
+    d.orientation[0] = narrow(std::sin(-pi / 4.0 + 0.2)); // the leaf's normal is its z axis
     d.orientation[3] = narrow(std::cos(-pi / 4.0 + 0.2));
     const lr_body body = add_body(world, batch, d);
     steps(world, 1200, 1.0f / 60.0f, 4);
@@ -406,7 +406,7 @@ TEST_CASE("a current carries what floats") {
     CHECK(speed < 1.01f);
 }
 
-TEST_CASE("what is small rides on long waves") {
+TEST_CASE("small bodies ride on long waves") {
     const Asset ball = make(ellipsoid(0.02, 0.02, 0.02, 500.0));
     const World world = make(world_desc());
     lr_water_desc d = water_desc();
@@ -461,8 +461,8 @@ TEST_CASE("a callback's surface is as good as a plane there, and one that is non
     CHECK(same_bits(run(0.25f, 2.0f, true), run(0.25f, 0.0f, true))); // beyond its reach
 }
 
-// What they may gain: test_water_energy.cpp.
-TEST_CASE("whatever crosses the surface stays finite, with noise and among waves") {
+// Bound on gains: test_water_energy.cpp.
+TEST_CASE("bodies that cross the surface stay finite, with noise and among waves") {
     for (uint32_t i = 0; i < 600; ++i) {
         CAPTURE(i);
         Random random(i);

@@ -1,4 +1,4 @@
-// What crossing a surface does to the energy of body and fluid together: docs/reference/wind_and_water.md, "Energy".
+// The effect of crossing a surface on the energy of body and fluid: docs/reference/wind_and_water.md, "Energy".
 #include "support/floating_body.h"
 #include "support/random.h"
 
@@ -13,10 +13,10 @@ struct Draw {
     lr_ellipsoid_desc shape;
     int32_t loads;
     bool full = false;
-    double couples = 0.0; // multiplies the moment of the lift
+    double couples = 0.0; // factor on the moment of the lift
 };
 
-// Beads, needles, films and boards from foam to lead, every other one with its weight off centre.
+// Beads, needles, films and boards from foam to lead, every second one with its weight off centre.
 lr_ellipsoid_desc draw_shape(Random& random, uint32_t i) {
     lr_ellipsoid_desc e = ellipsoid(random.logarithmic(1e-3, 1.0), random.logarithmic(1e-3, 1.0),
                                     random.logarithmic(1e-4, 1.0), random.logarithmic(2.0, 2e4));
@@ -57,7 +57,7 @@ public:
     void step() { steps(world, 1, narrow(h_)); }
 
     struct Energy {
-        double least, most; // J, kinetic: what single precision leaves open of the fraction under water
+        double least, most; // J, kinetic: the range left by single precision in the fraction under water
         double potential;   // J
         double fraction;
         double total() const { return 0.5 * (least + most) + potential; }
@@ -78,8 +78,8 @@ public:
         }
         return out;
     }
-    // Of weight and buoyancy, however the body lies: the norm whose square is twice the kinetic energy that their impulse
-    // gives in a second.
+    // Of weight and buoyancy in any orientation: the norm whose square is twice the kinetic energy from their impulse in a
+    // second.
     double pull() const {
         const lr_asset_info info = info_of(asset_);
         double most = 0.0;
@@ -87,8 +87,8 @@ public:
             const Matrix6 mobility = inverse(reference_.mass(f));
             const double fluid =
                 info.volume * (air_density + f * (water_density - air_density)) * FloatingBody::gravity;
-            // f.N f <= |f|^2 trace N, N positive definite. Along each axis the submerged centre lies off the other one
-            // by no more than 3/16 of the semi-axis.
+            // f.N f <= |f|^2 trace N, N positive definite. Along each axis the submerged centre is off the other one by at most 3/16 of the
+            // semi-axis.
             double sum = std::sqrt(mobility[0][0] + mobility[1][1] + mobility[2][2]) *
                          std::abs(info.mass * FloatingBody::gravity - fluid);
             const auto arm = [&](size_t k) {
@@ -111,8 +111,8 @@ private:
     FloatingBody reference_;
 };
 
-// Roots of energies over the lowest that each body's potential comes to, as norms: by how much the largest is over the
-// first, in parts of that and of what weight and buoyancy give in a step.
+// Roots of energies above each body's lowest potential, as norms: the excess of the largest over the first, relative to that
+// and to the gain by weight and buoyancy in a step.
 double largest_gain(Floats& floats, int frames, double impulse) {
     const std::vector<Floats::Energy> first = floats.energies();
     std::vector<double> most(first.size()), lowest(first.size());
@@ -133,8 +133,8 @@ double largest_gain(Floats& floats, int frames, double impulse) {
     return gain;
 }
 
-// The largest return of any body's energy over the least that it has been, in parts of the first over the lowest potential;
-// and what of their volume all bodies together have moved through the surface.
+// The largest rise of any body's energy above its minimum so far, relative to the first energy above the lowest potential;
+// and the share of their volume that all bodies together have moved through the surface.
 struct Return {
     double ripple, passed;
 };
@@ -162,8 +162,8 @@ Return follow(Floats& floats, int frames) {
 
 } // namespace
 
-// As test_energy_bounds.cpp holds it for one fluid: the norm of the velocities grows by no more than the impulse of weight and
-// buoyancy. What the surface does to the mass matrix may only take.
+// As in test_energy_bounds.cpp for one fluid: the norm of the velocities grows by at most the impulse of weight and buoyancy.
+// The surface's effect on the mass matrix can only reduce it.
 TEST_CASE("at any step a body that crosses the surface gains no more than weight and buoyancy give") {
 #ifdef LR_TEST_QUICK
     const uint32_t batches = 60;
@@ -202,8 +202,8 @@ TEST_CASE("at any step a body that crosses the surface gains no more than weight
     CHECK(crossings > batches * 100);
 }
 
-// Once something is lost it does not come back: through all of many crossings the energy lies nowhere above where it has
-// been, but for the scheme's own ripple of second order.
+// Lost energy does not come back: over many crossings the energy never rises above its earlier values, except for the
+// scheme's second-order ripple.
 TEST_CASE("bobbing and rolling through the surface pump no energy, with couples and without" *
           doctest::test_suite("exact")) {
     const double shapes[][3] = {{0.05, 0.05, 0.05}, {0.1, 0.02, 0.03}, {0.08, 0.06, 0.006}, {0.02, 0.1, 0.02}};
@@ -240,8 +240,8 @@ TEST_CASE("bobbing and rolling through the surface pump no energy, with couples 
     MESSAGE("largest return: without loads ", worst[0][0], ", without couples ", worst[1][0], ", with ", worst[1][1]);
 }
 
-// With couples the equations lose energy (test_energy_bounds.cpp); steps that are too long for a body's turning may not, but the
-// couple is held to what it can do within them.
+// With couples the equations lose energy (test_energy_bounds.cpp). Steps too long for a body's rotation need not, but within them
+// the couple is limited.
 TEST_CASE("long steps and couples of the lift drive no body on its way through the surface") {
 #ifdef LR_TEST_QUICK
     const uint32_t batches = 40, driven = 1;
@@ -269,5 +269,5 @@ TEST_CASE("long steps and couples of the lift drive no body on its way through t
     CHECK(bare < 0.8);
     CHECK(gain[0] < 0.2);
     CHECK(gain[1] < 0.5);
-    CHECK(beyond > 1.0); // the measure sees what drives
+    CHECK(beyond > 1.0); // the measure detects driven motion
 }

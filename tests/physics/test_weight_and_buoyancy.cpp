@@ -28,9 +28,9 @@ lr_ellipsoid_desc float_with_keel(double offset) {
     return d;
 }
 
-// The rate, squared, of small rocking about body x: torque rho V g offset sin(angle), against the inertia of the body
-// and of the water that rocks with it. The momentum along y stays zero, and with it the centre of what moves: with m
-// body and A water, the offset adds to the inertia as m A/(m + A) offset^2.
+// The squared rate of small rocking about body x: torque rho V g offset sin(angle), against the inertia of the body and of the
+// water that rocks with it. The momentum along y stays zero, and with it the centre of the moving mass: with m body and A water,
+// the offset adds m A/(m + A) offset^2 to the inertia.
 double rocking_rate_squared(double offset) {
     const double volume = 4.0 / 3.0 * std::numbers::pi * 8e-6, m = 1000.0 * volume;
     const double b2 = 4e-4, c2 = 1e-4;
@@ -72,7 +72,7 @@ TEST_CASE("buoyancy above the centre of mass is stable, and rocks at the rate of
         const World world = up_is_z();
         const lr_batch batch = add_batch(world, calm(LR_LOADS_NONE, integrator), asset, 1);
         const lr_body id = add_tilted(world, batch, 0.02);
-        // Zero crossings over five periods, between steps by a straight line.
+        // Zero crossings over five periods, with linear interpolation between steps.
         const double period = 2.0 * std::numbers::pi / rate, dt = period / 200.0;
         double before = tilt(world, id), largest = 0.0, first = 0.0, last = 0.0;
         int crossings = 0;
@@ -87,7 +87,7 @@ TEST_CASE("buoyancy above the centre of mass is stable, and rocks at the rate of
             before = now;
         }
         REQUIRE(crossings >= 5);
-        // The amplitude lengthens the period by 1/16 of its square; a second-order scheme by (2 pi/400)^2/12.
+        // The amplitude lengthens the period by 1/16 of its square, a second-order scheme by (2 pi/400)^2/12.
         const double measured = 2.0 * std::numbers::pi * (crossings - 1) / (last - first);
         CHECK(measured == doctest::Approx(rate).epsilon(3e-4));
         CHECK(largest < 0.0201);
@@ -104,7 +104,7 @@ TEST_CASE("buoyancy below the centre of mass is unstable, and falls over at the 
         const lr_body id = add_tilted(world, batch, start);
         steps(world, 300, narrow(3.0 / rate / 300.0), 2);
         CHECK(tilt(world, id) == doctest::Approx(start * std::cosh(3.0)).epsilon(3e-3));
-        // And it goes on over: upside down, at three quarters of a turn's half at least.
+        // It turns over: upside down, at least three quarters of half a turn.
         double most = 0.0;
         for (int i = 0; i < 600; ++i) {
             steps(world, 1, narrow(0.01 / rate), 2);

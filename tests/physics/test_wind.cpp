@@ -1,4 +1,4 @@
-// Bodies in wind that changes, in time and along their way: the force of the fluid's acceleration, added mass, shear.
+// Bodies in wind that changes in time and along their path: the force of the fluid's acceleration, added mass, shear.
 #include "support/random.h"
 #include "support/wind.h"
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-// A sphere in water without weight in it, or of another density.
+// A sphere, neutrally buoyant or of another density.
 Asset sphere(double density) {
     return make(in_water(ellipsoid(0.1, 0.1, 0.1, density)));
 }
@@ -33,7 +33,7 @@ struct Single {
     Vec position() const { return vec(state_of(world, body).position); }
 };
 
-// Added mass of a sphere: half the displaced fluid. What a free body gets of the fluid's acceleration.
+// Added mass of a sphere: half the displaced fluid. The response of a free body to the fluid's acceleration.
 double share(double density) {
     return 1.5 * 1000.0 / (density + 500.0);
 }
@@ -71,8 +71,8 @@ TEST_CASE("a body is carried along during the step in which the wind changes") {
 }
 
 TEST_CASE("an anisotropic and a ballasted body answer a change of the wind as theory does") {
-    // Momentum through the fluid: P = (m + rho A) v_r; the change of wind acts as (rho V - m) on it. In still fluid and
-    // without loads a short step is the initial value problem.
+    // Momentum through the fluid: P = (m + rho A) v_r; the change of wind acts on it as (rho V - m). In still fluid without loads a
+    // short step is the initial value problem.
     lr_ellipsoid_desc d = in_water(ellipsoid(0.08, 0.04, 0.02, 2500.0));
     const Asset asset = make(d);
     const lr_asset_info info = info_of(asset);
@@ -86,7 +86,7 @@ TEST_CASE("an anisotropic and a ballasted body answer a change of the wind as th
         const double displaced = 1000.0 * info.volume, added = info.added_mass[axis * 7];
         CHECK(s.velocity()[axis] == doctest::Approx(0.5 * (displaced + added) / (info.mass + added)).epsilon(1e-5));
     }
-    // The centre of buoyancy above the centre of mass: the fluid's pressure turns it.
+    // Centre of buoyancy above the centre of mass: the fluid's pressure rotates the body.
     d.center_of_mass[1] = -0.01;
     const Asset ballasted = make(d);
     const lr_asset_info b = info_of(ballasted);
@@ -94,7 +94,7 @@ TEST_CASE("an anisotropic and a ballasted body answer a change of the wind as th
     steps(s.world, 1, 1e-4f, 1);
     set_wind(s.world, 0.5f, 0.0f, 0.0f);
     steps(s.world, 1, 1e-4f, 2);
-    // 6x6 with coupling between vx and wz alone among what is set in motion.
+    // 6x6 with coupling only between vx and wz among the moving components.
     const double m11 = b.mass + b.added_mass[0], m16 = b.added_mass[5], m66 = b.inertia[8] + b.added_mass[35];
     const double displaced = 1000.0 * b.volume, force = (displaced - b.mass) * 0.5;
     const double torque = -displaced * b.center_of_buoyancy[1] * 0.5; // r_b x rho V a
@@ -108,7 +108,7 @@ TEST_CASE("the same wind again, the first wind, and setting a state kick nothing
     const Asset asset = sphere(1000.0);
     lr_body_desc at = body_desc();
     Single first(asset, at);
-    set_wind(first.world, 3.0f, 0.0f, 0.0f); // before any step: it has always been there
+    set_wind(first.world, 3.0f, 0.0f, 0.0f); // before any step: accelerates nothing
     steps(first.world, 2, 0.01f, 2);
     CHECK(length(first.velocity()) == 0.0);
     set_wind(first.world, 3.0f, 0.0f, 0.0f);
@@ -143,7 +143,7 @@ TEST_CASE("a change of wind split over two worlds' substeps, and through a snaps
     add_body(one, batch, body_desc());
     steps(one, 5, 0.01f, 2);
     set_wind(one, 4.0f, 1.0f, 0.0f);
-    const std::vector<unsigned char> snapshot = snapshot_of(one); // with the change to come
+    const std::vector<unsigned char> snapshot = snapshot_of(one); // with the pending change
     REQUIRE(lr_world_snapshot_restore(two.get(), snapshot.data(), snapshot.size()) == LR_OK);
     for (const World* w : {&one, &two}) steps(*w, 2, 0.01f, 2);
     CHECK(hash_of(one) == hash_of(two));
@@ -167,7 +167,7 @@ TEST_CASE("gusts carry a neutrally buoyant sphere along exactly, a heavy one by 
 }
 
 TEST_CASE("a tracer follows the fluid of a vortex with second order") {
-    // Without damping: nothing but the pressure of the curved flow keeps it on its circle.
+    // Without damping: only the pressure of the curved flow keeps it on its circle.
     const double radius = 0.8, core = 0.5, circulation = 3.0;
     const double speed = circulation / (2.0 * pi * radius) * (1.0 - std::exp(-radius * radius / core / core));
     double errors[3];
@@ -190,7 +190,7 @@ TEST_CASE("a tracer follows the fluid of a vortex with second order") {
     CHECK(errors[1] / errors[2] == doctest::Approx(4.0).epsilon(0.2));
 }
 
-// The caller's own field: a fluid that turns as a solid, ever faster.
+// A wind callback: a fluid in solid rotation, ever faster.
 TEST_CASE("a callback's gradient and rate carry a tracer along as a source's do") {
     const auto turning = [](void*, const lr_wind_query* q) {
         const auto spin = static_cast<float>(1.0 + q->time);
@@ -362,7 +362,7 @@ TEST_CASE("bodies stay finite in any wind at any step, and no faster than the wi
             set_wind(world, random.real(-20.0, 20.0), random.real(-20.0, 20.0), 0.0f);
             steps(world, 1, dt, 1 + random.below(3));
         }
-        steps(world, 1, 1e-40f, 1); // and where 1/h is no number
+        steps(world, 1, 1e-40f, 1); // 1/h overflows
         steps(world, 1, dt, 1);
         double worst = 0.0;
         bool finite = true;

@@ -1,4 +1,4 @@
-// What air does to bodies at colliders: wind that lifts those at rest, and the cushion under a sheet.
+// Effects of air at colliders: wind that lifts sleeping bodies, and the cushion under a sheet.
 #include "support/contact.h"
 
 #include <cmath>
@@ -23,8 +23,8 @@ double farthest(const World& world, lr_batch batch) {
 
 } // namespace
 
-// A wind at v presses on a plate that lies with its edge to it by about 1/2 rho v^2 times a part of its area: far less than
-// the friction of steel, more than that of paper.
+// Wind at v presses on a plate that lies edge on to it with about 1/2 rho v^2 times a part of its area: much less than the
+// friction of steel, more than that of paper.
 TEST_CASE("wind wakes and moves what its loads can move, and nothing else") {
     const World world = make(world_desc());
     const Asset paper = make(rigid_box(0.06, 0.0004, 0.04, 200.0)), steel = make(rigid_box(0.06, 0.004, 0.04, 7800.0));
@@ -49,7 +49,7 @@ TEST_CASE("wind wakes and moves what its loads can move, and nothing else") {
     CHECK(awake(world, heavy) == 0);
     const double lay = farthest(world, light);
     blow(world, 10.0f);
-    steps(world, 17, 1.0f / 60.0f, 2); // everybody has had a turn
+    steps(world, 17, 1.0f / 60.0f, 2); // each body has been checked
     CHECK(awake(world, light) == 200);
     CHECK(awake(world, heavy) == 0);
     steps(world, 60, 1.0f / 60.0f, 2);
@@ -59,7 +59,7 @@ TEST_CASE("wind wakes and moves what its loads can move, and nothing else") {
     CHECK(awake(world, light) == 0);
 }
 
-// Put to rest in mid-air by the caller: nothing is under it, and it stays there in any wind.
+// Put to sleep in mid-air by a call: it has no support, and stays there in any wind.
 TEST_CASE("wind does not wake what was put to rest in the air") {
     const World world = make(world_desc());
     const Asset asset = make(rigid_box(0.06, 0.0004, 0.04, 200.0));
@@ -68,7 +68,7 @@ TEST_CASE("wind does not wake what was put to rest in the air") {
     lr_body_desc d = body_desc();
     d.position[1] = 3.0f;
     const lr_body body = add_body(world, batch, d);
-    steps(world, 1, 1e-6f, 1); // a collider that has just been made wakes what it reaches
+    steps(world, 1, 1e-6f, 1); // a new collider wakes bodies near it
     REQUIRE(lr_body_set_sleep(world.get(), &body, 1, LR_SLEEP_ASLEEP) == LR_OK);
     blow(world, 20.0f);
     steps(world, 40, 1.0f / 60.0f, 2);

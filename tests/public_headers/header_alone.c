@@ -5,7 +5,7 @@
 #define LR_STRUCT(name, initial) const name name##_initial = initial;
 #include "../../src/api/structs.inc"
 
-/* Layouts that bindings in other languages rely on: no padding that differs between compilers. */
+/* Layouts for bindings in other languages: no padding that differs between compilers. */
 typedef char status_is_32_bits[sizeof(lr_status) == 4 ? 1 : -1];
 typedef char batch_is_32_bits[sizeof(lr_batch) == 4 ? 1 : -1];
 typedef char body_is_64_bits[sizeof(lr_body) == 8 ? 1 : -1];

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# What the library is not made for is refused while it is configured, and by the compiler where there is no CMake, each time with
-# a sentence that says why. Clang knows these targets without their headers; no program is made.
+# Unsupported platforms are refused by the configuration, and without CMake by the compiler, each time with a sentence that says why.
+# Clang knows these targets without their headers; no program is built.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 work=$(mktemp -d)
@@ -29,7 +29,7 @@ refused() { # target, processor, why
     elif ! tr -s ' \n' ' ' <<<"$said" | grep "Langevin Rigid $3" >/dev/null; then
         echo "FAILED: CMake for $1 does not say \"$3\":"; tail -n 8 <<<"$said"; good=false
     fi
-    # UINTPTR_MAX is all that the header takes from its include.
+    # The header uses only UINTPTR_MAX of its include.
     echo '#define UINTPTR_MAX __UINTPTR_MAX__
 #define UINT64_MAX __UINT64_MAX__' >"$work/cstdint"
     if said=$("$clang" --target="$1" -x c++ -std=c++20 -nostdinc -I "$work" -I "$root/src" -fsyntax-only "$root/src/base/supported_platform.h" 2>&1); then
@@ -38,7 +38,7 @@ refused() { # target, processor, why
         echo "FAILED: the compiler for $1 says: $said"; good=false
     fi
 }
-accepted() { # what the header takes
+accepted() { # the header's input
     "$clang" --target="$1" -x c++ -std=c++20 -nostdinc -I "$work" -I "$root/src" -fsyntax-only -w "$root/src/base/supported_platform.h" ||
         { echo "FAILED: the compiler refuses $1"; good=false; }
 }

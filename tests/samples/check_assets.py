@@ -9,9 +9,9 @@ import subprocess
 import sys
 import tempfile
 
-EXPECTED = {  # mm^3: closed forms where there are any, else the size of the sheet
+EXPECTED = {  # mm^3: closed forms if they exist, else the size of the sheet
     "confetti.obj": (7.2, 1e-6), "paper.obj": (777.0, 1e-6), "ellipsoid_leaf.obj": (4.0 / 3.0 * math.pi * 40 * 10 * 0.05, 0.01),
-    # Triangles inscribed in the surface miss 0.8 %, a quarter of them 3.1 %.
+    # Triangles inscribed in the surface miss 0.8 %; a quarter as many, 3.1 %.
     "ellipsoid_rubber.obj": (4.0 / 3.0 * math.pi * 40 * 20 * 10, 0.01),
     "ellipsoid_rubber_coarse.obj": (4.0 / 3.0 * math.pi * 40 * 20 * 10 * 0.969, 0.005),
     "leaf.obj": (515.0, 0.05), "leaf_maple.obj": (460.0, 0.05), "paper_plane.obj": (518.0, 0.05), "petal.obj": (11.8, 0.05),

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Runs leaf_storm as users do: results, exit codes, files.    usage: check_leaf_storm.py LEAF_STORM ASSET.lrb [MESH.obj]
-With a mesh it draws, too (needs EGL).    SPDX-License-Identifier: MIT"""
+"""Runs leaf_storm like a user: results, exit codes, files.    usage: check_leaf_storm.py LEAF_STORM ASSET.lrb [MESH.obj]
+With a mesh it also draws (needs EGL).    SPDX-License-Identifier: MIT"""
 import csv
 import json
 import os
@@ -11,7 +11,7 @@ import sys
 import tempfile
 import zlib
 
-# Another instruction set than the best of most machines.
+# An instruction set that is not the best of most machines.
 SIMPLEST = "sse4" if platform.machine().lower() in ("x86_64", "amd64") else "neon"
 
 
@@ -22,7 +22,7 @@ def run(*arguments, code=0):
 
 
 def pixels(path):
-    """Rows of a PNG of 8-bit RGB, as bytes."""
+    """Rows of an 8-bit RGB PNG, as bytes."""
     with open(path, "rb") as file:
         data = file.read()
     place, packed = 8, b""
@@ -50,7 +50,7 @@ def pixels(path):
 
 
 def check_ground(asset, mesh, path):
-    """Leaves that land, lie, are walked through, and blow away."""
+    """Leaves land, sleep, are crossed by a walker, and blow away."""
     scene = ["--asset", asset, "--count", 400, "--seconds", 14, "--ground", "--fall", 2, "--walk", 9, "--gusts", 11,
              "--at", "1,8.5,11,14", "--check", "--quiet", "--width", 320, "--height", 180]
 
@@ -76,7 +76,7 @@ def check_ground(asset, mesh, path):
         assert int(rows[8.5]["at_rest"]) == checks[1]["at_rest"]
         return {time: int(row["bodies"]) for time, row in rows.items()}
 
-    # Some are woken by the walker's feet, who comes by from 9 s on: as many as without, and then more.
+    # The walker's feet wake some from 9 s on: as many as without the walker, then more.
     walked = awake()
     walk = scene.index("--walk")
     del scene[walk:walk + 2]
@@ -102,7 +102,7 @@ def check_ground(asset, mesh, path):
 
 
 def check_heap(asset, mesh, path):
-    """Leaves that meet each other lie on each other; those that do not all lie on the ground."""
+    """Leaves with body contact lie on each other; without it, all lie on the ground."""
     scene = ["--asset", asset, "--count", 300, "--seconds", 4, "--ground", "--fall", 0.5, "--substeps", 2, "--at", "4", "--check",
              "--wind", "0,0,0", "--quiet", "--mesh", mesh]
 
@@ -147,7 +147,7 @@ def main(asset, mesh):
         assert len(rows) == 11 and all(int(row["bodies"]) == 600 for row in rows)
         assert abs(float(rows[-1]["time_s"]) - 1.0) < 1e-5
 
-        # One storm, one hash: whatever the threads and the instruction set; another seed or wind, another hash.
+        # A storm has one hash, for any threads and instruction set; another seed or wind has another.
         for more in (["--threads", 3], ["--simd", SIMPLEST], ["--png", path("p.png"), "--mesh", mesh] if mesh else []):
             assert report(*more)["state_hash"] == first["state_hash"], more
         for more in (["--seed", 2], ["--wind", "-1,0,2"], ["--noise", 0], ["--substeps", 5]):
@@ -177,7 +177,7 @@ def main(asset, mesh):
         for bad in (["--asset", path("bad.lrb"), "--quiet"], [*storm, "--csv", path("none/x.csv")],
                     [*storm, "--png", folder], [*storm, "--csv", "/dev/full"]):
             assert "what to do" in run(*bad, code=2).stderr, bad
-        # A link is written through, never replaced; and nothing half-written is left behind.
+        # A link is written through, never replaced; no half-written file stays.
         os.symlink(path("real.csv"), path("link.csv"))
         run(*storm, "--csv", path("link.csv"))
         assert os.path.islink(path("link.csv")) and os.path.getsize(path("real.csv")) > 0

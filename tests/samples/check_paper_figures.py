@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs paper_figures small, as users do.    usage: check_paper_figures.py PAPER_FIGURES LR_BAKE ROOT WORK_DIR
+"""Runs a small paper_figures like a user.    usage: check_paper_figures.py PAPER_FIGURES LR_BAKE ROOT WORK_DIR
 SPDX-License-Identifier: MIT"""
 import json
 import os
@@ -32,11 +32,11 @@ def main(lr_bake, root, work):
             assert len(found) == 1, (figure, of, begin, len(found))
             return found[0]["value"]
 
-        # Fig. 2: the closed form of the decay, at the paper's Reynolds number; a body keeps the turbulence alive.
+        # Fig. 2: the closed form of the decay, at the paper's Reynolds number; a body sustains the turbulence.
         assert abs(value("2", "table", "Reynolds") / 3.8e3 - 1.0) < 0.01
         assert value("2", "table", "largest error") < 1e-9
         assert value("2", "table with wake", "chi where") > 2.0 * value("2", "table", "chi at last") * value("2", "table", "chi at first")
-        # Fig. 3: what the leaf does whatever the coefficients: it turns about its long axis, tumbles, and comes down.
+        # Fig. 3: the leaf's behaviour for any coefficients: it turns about its long axis, tumbles, and comes down.
         for model in ("LANGEVIN", "AERODYNAMIC"):
             for figure in ("3a", "3b"):
                 assert value(figure, model, "share that turns about the long axis") >= 0.5, (figure, model)
@@ -46,16 +46,16 @@ def main(lr_bake, root, work):
                 assert value("4", model, f"share that turns {turn}, within 3 s") >= 0.5, (model, turn)
             # Fig. 5b
             assert value("5b", model, "largest tilt") >= 1.2, model
-        # Its nose drops at once. A fold that is a degree off turns it sideways soon, as even folds do not.
+        # Its nose drops at once. A fold that is a degree off soon turns it sideways; even folds do not.
         front, sideways = (f"share that turns {turn}, within 1.5 s" for turn in ("front (nose 45 degrees up or down)", "sideways (heading by 45 degrees)"))
         uneven = "AERODYNAMIC, a fold 1 degree off"
         assert value("4", "AERODYNAMIC", front) >= 0.95 and value("4", uneven, front) >= 0.95
         assert value("4", uneven, sideways) >= value("4", "AERODYNAMIC", sideways) + 0.15
         assert value("4", uneven, sideways.replace("1.5 s", "3 s")) >= 0.8
-        # What docs/maintainers/measurements.md says of LANGEVIN alone.
+        # Statements of docs/maintainers/measurements.md on LANGEVIN alone.
         assert value("3b", "LANGEVIN", "share that tumbles") >= 0.5
         assert value("5b", "LANGEVIN", "share that swings in two directions") >= 0.5
-        # Fig. 5a: without loads energy is kept, and with it the swing stays within that of the release.
+        # Fig. 5a: without loads energy is conserved, so the swing stays within that of the release.
         assert 9.0 < value("5a", "no loads", "largest tilt") < 11.0
         assert value("5a", "no loads", "descent") > 0.5
         costs = [r["value"] for r in rows if r["figure"] == "table2" and r["unit"] == "ns"]
@@ -67,7 +67,7 @@ def main(lr_bake, root, work):
                 head = file.read(24)
             assert head[:8] == b"\x89PNG\r\n\x1a\n" and struct.unpack(">I", head[16:20])[0] == width, figure
 
-        # The same seed gives the same numbers and picture, another seed others.
+        # The same seed gives the same numbers and picture, another seed gives others.
         def picture():
             with open(os.path.join(folder, "figure_3a.png"), "rb") as file:
                 return file.read()

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Runs the viewer as users do: pictures, films, keys and mouse, messages.    usage: check_viewer.py BUILD_DIR ROOT
-BUILD_DIR: of the samples; ROOT: of the project. Needs EGL; a window only where there are Xvfb and xdotool.
+"""Runs the viewer like a user: pictures, films, keys and mouse, messages.    usage: check_viewer.py BUILD_DIR ROOT
+BUILD_DIR: of the samples; ROOT: of the project. Needs EGL; tests a window only with Xvfb and xdotool.
 SPDX-License-Identifier: MIT"""
 import math
 import os
@@ -26,10 +26,10 @@ def run(*arguments, code=0, env=None):
 
 
 class Report:
-    """What the viewer says at its end."""
+    """The viewer's final report."""
 
     def __init__(self, text):
-        said = re.search(r"scene (\w+): (\d+) pictures, t = ([\d.]+) s, (\d+) bodies, (\d+) at rest, lowest (\S+) m, hash (\w+)\n"
+        said = re.search(r"scene (\w+): (\d+) pictures, t = ([\d.]+) s, (\d+) bodies, (\d+) asleep, lowest (\S+) m, hash (\w+)\n"
                          r"camera (\S+),(\S+),(\S+) target (\S+),(\S+),(\S+)( following)?( paused)?\n(.*)\n", text)
         assert said, text
         self.scene, self.pictures, self.time = said[1], int(said[2]), float(said[3])
@@ -49,7 +49,7 @@ def shoot(path, *arguments):
 
 
 def differing(a, b, box=(0, 0, WIDTH, HEIGHT)):
-    """How many pixels of a box are not the same."""
+    """The number of different pixels in a box."""
     left, top, right, bottom = box
     return sum(a[y][3 * x:3 * x + 3] != b[y][3 * x:3 * x + 3] for y in range(top, bottom) for x in range(left, right))
 
@@ -60,7 +60,7 @@ def brightness(rows, x, y, reach=2):
 
 
 def pixel_of(point, azimuth, elevation, distance, target):
-    """Where a point is in the picture, as camera.c has it."""
+    """A point's place in the picture, as in camera.c."""
     a, e = math.radians(azimuth), math.radians(elevation)
     back = (math.cos(e) * math.sin(a), math.sin(e), math.cos(e) * math.cos(a))
     right = (math.cos(a), 0.0, -math.sin(a))
@@ -81,7 +81,7 @@ def check_scenes(path):
         assert len(colours) > 3000, f"{scene}: {len(colours)} colours"
         sky, ground = (sum(sum(row) for row in part) for part in (rows[:20], rows[-20:]))
         assert sky > 0.5 * ground, scene
-    # Leaves land, and those that lie are to be seen where there was grass before.
+    # Leaves land, and lying leaves are visible on the former grass.
     camera = ["--camera", "0,35,2.5", "--target", "0,0,0.6", "--no-overlay", "--count", 2500]
     early, _ = shoot(path("e.png"), "--seconds", 0, *camera)
     rows, late = shoot(path("l.png"), "--seconds", 8, *camera)
@@ -91,7 +91,7 @@ def check_scenes(path):
 
 
 def check_shadows(path):
-    # The box of scene paper from above: on either side of it, towards the sun and away, half a metre from its middle.
+    # The box of scene paper from above: points on either side of it, towards the sun and away, half a metre from its middle.
     view = {"azimuth": 0, "elevation": 80, "distance": 3.5, "target": (0.85, 0, -0.7)}
     arguments = ["--scene", "paper", "--no-overlay", "--camera", "0,80,3.5", "--target", "0.85,0,-0.7"]
     alone, report = shoot(path("a.png"), *arguments, "--count", 1, "--seconds", 0)
@@ -100,7 +100,7 @@ def check_shadows(path):
     away = 0.48 / math.hypot(*sun)
     lit, dark = (brightness(alone, *pixel_of((0.85 + s * away * sun[0], 0, -0.7 + s * away * sun[1]), **view)) for s in (1, -1))
     assert dark < 0.65 * lit, (dark, lit)
-    # Sheets are brighter than boards: what gets much darker lies in their shadows.
+    # Sheets are brighter than boards: much darker pixels lie in their shadows.
     crowd, report = shoot(path("b.png"), *arguments, "--count", 500, "--seconds", 2)
     darker = sum(sum(crowd[y][3 * x:3 * x + 3]) < 0.65 * sum(alone[y][3 * x:3 * x + 3]) for y in range(HEIGHT) for x in range(WIDTH))
     assert report.bodies > 50 and 60 < darker < 0.3 * WIDTH * HEIGHT, (darker, vars(report))
@@ -118,18 +118,18 @@ def check_pictures(path):
     other, report = shoot(path("2.png"), "--count", 800, "--seed", 5, "--seconds", 122 / 60)
     assert report.hash != first.hash and differing(rows, other) > 300
     assert Report(run(*SIZE, "--png", path("2.png"), *scene, "--seconds", 122 / 60, "--threads", 3).stdout).hash == first.hash
-    # A film: numbered pictures, of which the second is the picture at its time.
+    # A film: numbered pictures; the second equals the picture at its time.
     done = Report(run(*SIZE, *scene, "--seconds", 2, "--frames", 3, "--png", path("f_%02d.png")).stdout)
     assert done.pictures == 3 and sorted(n for n in os.listdir(path("")) if n.startswith("f_")) == [f"f_{i:02d}.png" for i in range(3)]
     film = [pixels(path(f"f_{i:02d}.png")) for i in range(3)]
     assert film[1] == rows
     assert min(differing(film[0], film[1]), differing(film[1], film[2])) > 200
-    # The panel covers a part of the picture and nothing else.
+    # The panel covers a part of the picture, and the rest is unchanged.
     bare, _ = shoot(path("3.png"), *scene, "--seconds", 122 / 60, "--no-overlay")
     hidden, _ = shoot(path("3.png"), *scene, "--seconds", 122 / 60, "--press", "1:h")
     assert hidden == bare
     assert differing(rows, bare, (12, 12, 150, 150)) > 10000 and differing(rows, bare, (262, 60, WIDTH, 130)) == 0
-    # Arrows where there is wind, none where there is none; ribbons.
+    # Arrows in wind, none without wind; trails.
     still = [*scene, "--seconds", 1, "--no-overlay", "--wind", 0, "--gusts", 0, "--turbulence", 0]
     assert shoot(path("4.png"), *still)[0] == shoot(path("5.png"), *still, "--arrows")[0]
     windy = [*scene, "--seconds", 1, "--no-overlay", "--wind", 4]
@@ -161,10 +161,10 @@ def check_keys(path):
     assert turned.azimuth < plain.azimuth - 10 and turned.elevation > plain.elevation + 10
     assert after("1:scroll@5").distance < 0.6 * plain.distance
     assert after("1:drag@0.85/0.5/0.95/0.6,1.5:c").azimuth == plain.azimuth
-    # The slider of the wind is 72 px wide from 91.6 px on, in the first row of the panel: in its middle, half of 12 m/s.
+    # The wind slider is 72 px wide from 91.6 px on, in the panel's first row: its middle is half of 12 m/s.
     assert after(f"1:click@{127.6 / WIDTH}/{42 / HEIGHT}").settings["wind"] == "6.00 m/s"
     assert after(f"1:drag@{127.6 / WIDTH}/{42 / HEIGHT}/{300 / WIDTH}/{42 / HEIGHT}").settings["wind"] == "12.00 m/s"
-    # Some of many clicks meet a body, and the camera goes along with it.
+    # Some of many clicks hit a body, and the camera follows it.
     clicks = "0.5:h," + ",".join(f"1:click@{0.5 + 0.05 * i}/{0.2 + 0.1 * k}" for i in range(6) for k in range(6))
     followed = after(clicks, "--count", 6000, scene="confetti")
     assert followed.following and math.dist(followed.target, after("1:h", scene="confetti").target) > 0.05
@@ -186,7 +186,7 @@ def check_own(path, baked, meshes):
 
 
 def check_ffmpeg(path):
-    """A stand-in for ffmpeg keeps what it is sent."""
+    """A stand-in for ffmpeg that stores its input."""
     folder = path("bin")
     os.mkdir(folder)
     tool = os.path.join(folder, "ffmpeg")

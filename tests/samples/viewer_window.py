@@ -8,7 +8,7 @@ from check_leaf_storm import pixels
 
 
 def missing(program):
-    """What is needed and not there, with how to get it; or None."""
+    """A missing tool and how to install it; or None."""
     for tool, package in (("Xvfb", "xvfb"), ("xdotool", "xdotool")):
         if not shutil.which(tool):
             return f"{tool}: apt-get install {package}"
@@ -17,7 +17,7 @@ def missing(program):
 
 
 def start_server():
-    """An X server on a display that is free, which it names itself."""
+    """An X server on a free display, which it reports itself."""
     ours, its = os.pipe()
     server = subprocess.Popen(["Xvfb", "-displayfd", str(its), "-screen", "0", "640x480x24", "-nolisten", "tcp"], pass_fds=[its],
                               stderr=subprocess.DEVNULL)
@@ -29,7 +29,7 @@ def start_server():
 
 
 def play(program, picture, display):
-    """Keys and mouse as a user's hand would; the viewer says at its end what came of them."""
+    """Keys and mouse like a user's; checks the viewer's final report."""
     env = {**os.environ, "DISPLAY": display}
 
     def tool(*arguments):
@@ -62,7 +62,7 @@ def play(program, picture, display):
 
 
 def check(program, picture, report_of):
-    """Returns whether there was a window to check."""
+    """Returns whether a window was checked."""
     want = missing(program)
     if want:
         print(f"SKIPPED: the viewer in a window, for want of {want}")

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# What cmake/hardening.cmake asks for, looked for in built files: shared libraries and programs, ELF or PE. docs/maintainers/testing.md
-#   check_hardening.sh [--plain] FILE...     --plain: of files without the flags for what ships, such as tests
+# Checks built files for the flags of cmake/hardening.cmake: shared libraries and programs, ELF or PE. docs/maintainers/testing.md
+#   check_hardening.sh [--plain] FILE...     --plain: files without the flags of shipped ones, such as tests
 set -euo pipefail
 faults=0
 plain=false
@@ -38,7 +38,7 @@ check_elf() {
     *) return ;;
     esac
     command -v "$objdump" >/dev/null || { echo "SKIPPED: $file: entries of functions, for want of $objdump"; return; }
-    # Each exported function begins with a mark of where indirect calls may go; of a program, main.
+    # Each exported function, or a program's main, begins with a landing mark for indirect calls.
     local exported count
     exported=$(nm -D --defined-only "$file" | awk '$2 == "T" && $3 ~ /^lr_/ { sub(/@.*/, "", $3); print $3 }')
     [ -n "$exported" ] || return 0

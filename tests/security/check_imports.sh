@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# What a shared library takes from others, held against a committed list: a new name there is a new thing that the runtime can do to
-# its host. docs/maintainers/testing.md
+# Compares a shared library's imports with a committed list: a new name is a new ability of the runtime in its host.
+# docs/maintainers/testing.md
 #   check_imports.sh LIBRARY LIST
 #   check_imports.sh --list LIBRARY     the names, for a list
 set -euo pipefail
@@ -16,9 +16,9 @@ if [ "$1" = --list ]; then
     imports "$2"
     exit
 fi
-# Whatever a list says: other files, the network, other programs, other code, the environment, the end of the host.
+# Forbidden in any list: other files, the network, other programs, other code, the environment, the end of the host.
 never='^(.*:)?(getenv|secure_getenv|setenv|putenv|environ|system|popen|fork|vfork|exec[vl][pe]*|posix_spawn.*|socket|connect|bind|listen|accept4?|send(to|msg)?|recv(from|msg)?|getaddrinfo|gethostby.*|dlopen|dlsym|open|openat|creat|unlink|remove|rename|mkdir|rmdir|opendir|readdir|mkstemp|tmpfile|chmod|chdir|signal|sigaction|setlocale|exit|_exit|quick_exit|printf|puts|gets|scanf|strcpy|strcat|rand|srand|time|WSA.*|WinExec|ShellExecute.*|CreateProcess.*|CreateFile.*|Reg[A-Z].*)$'
-# msvcrt's own start-up and winpthreads, which MinGW links into every DLL, have some of these; and one file is read, that of an asset.
+# Exceptions: msvcrt's start-up code and winpthreads, which MinGW links into every DLL, have some; and the runtime reads one file, the asset.
 allowed=$(sed 's/ *#.*//; /^$/d' "${2:?which list}" | LC_ALL=C sort -u)
 bad=$(LC_ALL=C comm -23 <(imports "$1") <(echo "$allowed"))
 banned=$(imports "$1" | grep -E "$never" | grep -vFx -f <(sed -n 's/^\([^ ]*\) *# \(by the C runtime\|lr_asset_load_file\).*/\1/p' "$2") || true)

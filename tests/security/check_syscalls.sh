@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# What the runtime asks of the system, by strace: while an asset loads that very file, afterwards memory and threads, in steps
-# nothing but to wait and wake. docs/maintainers/testing.md
+# The runtime's system calls, by strace: while an asset loads, only for that file; afterwards memory and threads; in steps only
+# waiting and waking. docs/maintainers/testing.md
 #   check_syscalls.sh FOLDER ASSET     FOLDER: with liblangevin_rigid.so
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -14,13 +14,13 @@ trap 'rm -rf "$work"' EXIT
 "${CC:-cc}" -std=gnu99 -Wall -Wextra -Werror -O1 -I "$here/../../include" "$here/quiet_scene.c" -L "$library" -llangevin_rigid \
     -Wl,-rpath,"$library" -o "$work/quiet_scene"
 
-# Calls of one phase, as name and arguments; those that are cut by another thread's have their second half left out.
-phase() { # name of its mark, that of the next
+# Calls of a phase, as name and arguments; for calls interrupted by another thread's, without the second half.
+phase() { # its mark, the next phase's mark
     sed -e 's/^\[pid *[0-9]*\] //' -e 's/^[0-9]* *//' "$work/trace" | sed -n "/lr-mark-$1\"/,/lr-mark-$2\"/p" |
         grep -vE 'lr-mark-|^<\.\.\.|^\+\+\+|^---|^strace:' | grep -vE '^rt_sigaction\(SIGRT_[0-9]' || true # glibc's own, with its first thread
 }
 trace() { strace -f -qq -s 200 -o "$work/trace" "$work/quiet_scene" "$@"; }
-# By each phase: what it may call.
+# Permitted calls by phase.
 memory='brk|mmap|munmap|mremap|mprotect|madvise'
 threads='clone|clone3|set_robust_list|rseq|rt_sigprocmask|sched_getaffinity|exit|gettid|prlimit64'
 waiting='futex|sched_yield|clock_nanosleep|nanosleep|restart_syscall'
@@ -47,7 +47,7 @@ for name in load scene steps look end; do grep -q "lr-mark-$name" "$work/trace" 
 judge || { echo "FAILED: the runtime asks the system for more than docs/maintainers/testing.md says"; exit 1; }
 echo "system calls: $(phase scene end | sed 's/(.*//' | sort | uniq -c | sort -rn | awk '{printf "%s%s %s", sep, $1, $2; sep=", "}')"
 
-# That this would see something.
+# Checks that a violation would be detected.
 trace "$asset" open
 if judge >/dev/null; then
     echo "FAILED: a file that is opened in the middle of a step was not seen"

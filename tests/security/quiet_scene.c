@@ -1,9 +1,9 @@
 /*
  * SPDX-License-Identifier: MIT
  *
- * All that a host does with the library, between marks that strace sees (check_syscalls.sh): files that are asked for and do not
- * exist. It calls the system for nothing else in between, and takes its memory from the library's own allocator, the C library's.
- *   quiet_scene leaf.lrb [open]     with that a callback breaks the rule: the check must see it
+ * Makes all typical calls of a host on the library, between marks that strace shows (check_syscalls.sh): accesses to files that do
+ * not exist. Otherwise it makes no system calls, and it uses the library's default allocator, the C library's.
+ *   quiet_scene leaf.lrb [open]     open: a callback breaks the rule, which the check must detect
  */
 #include <langevin_rigid.h>
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# check_hardening.sh and check_imports.sh refuse libraries and programs that lack one thing each.
+# check_hardening.sh and check_imports.sh refuse libraries and programs that lack a single flag.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 work=$(mktemp -d)
@@ -24,7 +24,7 @@ x86_64) flags+=(-fcf-protection=full) unmarked=-fcf-protection=none ;;
 aarch64) flags+=(-mbranch-protection=standard) unmarked=-mbranch-protection=none ;;
 esac
 good=true
-expect() { # accepted or refused, what it says, flags
+expect() { # accepted or refused, expected message, flags
     "${CC:-cc}" "${flags[@]}" "${@:3}" library.c -o library.so
     local said result=accepted
     said=$("$here/check_hardening.sh" library.so 2>&1) || result=refused

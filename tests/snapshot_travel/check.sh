@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Snapshots between processes: saved on each instruction set that the processor has, byte for byte what is held in this folder, and
-# what is held there restored on each, with the held hashes then and after more steps. So any two processors that pass restore each
-# other's.
+# Snapshots between processes. Each instruction set of the processor saves exactly the stored file of this folder, and restores it
+# with the stored hashes, then and after more steps. So any two processors that pass this test restore each other's
+# snapshots.
 #   tests/snapshot_travel/check.sh PROGRAM [EMULATOR...]       PROGRAM: snapshot_file
 #   LR_UPDATE_GOLDEN=1 tests/snapshot_travel/check.sh PROGRAM  holds new ones: after a change of src/world/snapshot/snapshot_format.h or the scene
 set -euo pipefail

@@ -1,7 +1,7 @@
-// A snapshot that goes from one process to another, also of another processor: tests/snapshot_travel/check.sh.
+// A snapshot between processes, also of different processors: tests/snapshot_travel/check.sh.
 //     snapshot_file targets                instruction sets that this processor can run, by number
-//     snapshot_file save FILE [TARGET]     of the scene; prints its hash, and that after it has gone on
-//     snapshot_file resume FILE [TARGET]   prints the same two of what is restored
+//     snapshot_file save FILE [TARGET]     saves the scene; prints its hash now and after more steps
+//     snapshot_file resume FILE [TARGET]   restores it and prints the same two hashes
 // SPDX-License-Identifier: MIT
 #include "support/travelling_scene.h"
 

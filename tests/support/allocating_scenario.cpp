@@ -30,7 +30,7 @@ WholeScenario::Kit::Kit()
         bodies[i].position[1] = 0.6f + 0.05f * static_cast<float>(i);
         bodies[i].angular_velocity[i % 3] = 3.0f;
     }
-    for (size_t i = 0; i < heap.size(); ++i) { // so near that they touch as they fall
+    for (size_t i = 0; i < heap.size(); ++i) { // so close that they touch as they fall
         heap[i].position[0] = 4.0f + 0.062f * static_cast<float>(i % 3);
         heap[i].position[1] = 0.02f + 0.043f * static_cast<float>(i / 9);
         heap[i].position[2] = 0.033f * static_cast<float>(i / 3 % 3);
@@ -94,7 +94,7 @@ void WholeScenario::add_worlds() {
     }
 }
 
-// Over the first size of the world's table.
+// Beyond the first size of the world's table.
 void WholeScenario::add_batches(uint32_t which) {
     for (size_t i = 0; i < batches; ++i)
         add("lr_batch_create", [=, this] {
@@ -271,7 +271,7 @@ void WholeScenario::add_snapshots() {
     add_step(0, 1, 1);
     add("lr_world_snapshot_restore", [this] { return lr_world_snapshot_restore(world_[0], snapshot_.data(), saved_); });
     add_step(0, 1, 1);
-    // Another world, in which nothing has been reserved but what is named by its hash.
+    // Another world, without any reserved memory except that of its hash.
     add_batches(1);
     add("lr_world_add_wind_grid", [this] { return add_wind(world_[1], &kit_.winds[6], &wind_[1][0]); });
     add_colliders(1);

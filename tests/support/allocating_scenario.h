@@ -1,5 +1,5 @@
-// Every call of the API that may take memory, one after the other, for tests in which memory fails. What callers need memory for
-// is there before the first.
+// Every call of the API that can allocate, in sequence, for tests with failing memory. The callers' own memory is allocated before
+// the first call.
 #pragma once
 
 #include "support/colliders.h"
@@ -32,11 +32,11 @@ public:
     const std::string& name(size_t call) const { return calls_[call].name; }
     bool steps(size_t call) const { return calls_[call].steps; }
     bool creates_world(size_t call) const { return calls_[call].creates; }
-    // The same one again after an error, or the next.
+    // The same call again after an error, or the next.
     lr_status run(size_t call) { return calls_[call].call(); }
 
     lr_world* world(uint32_t which) const { return world_[which]; }
-    // Since the scenario began: of bodies that went without something for want of memory.
+    // Since the scenario began: bodies that lacked a result because of failed memory.
     uint32_t warnings() const { return warnings_; }
 
 private:

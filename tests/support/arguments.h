@@ -1,4 +1,4 @@
-// Arguments of a call as a tuple, and the call with another pointer in place of one of them.
+// The arguments of a call as a tuple, and the call with one pointer replaced.
 #pragma once
 
 #include "langevin_rigid_research.h"
@@ -10,7 +10,7 @@
 
 namespace test {
 
-// Pointers that must be given, and others.
+// Required pointers, and others.
 template <class T> struct Must { T* pointer; };
 template <class T> struct May { T* pointer; };
 template <class T> Must<T> must(T* pointer) {
@@ -26,7 +26,7 @@ concept Pointer = requires(A a) {
     a.pointer;
 };
 
-// With another pointer in place of one.
+// Calls with one pointer replaced.
 template <size_t Replaced, class... P, class... A>
 lr_status call(lr_status (*function)(P...), const std::tuple<A...>& arguments, void* instead) {
     const auto argument = [&]<size_t I, class T>(std::integral_constant<size_t, I>, T*) -> T {

@@ -1,4 +1,4 @@
-// Asset files for tests, and what FlatBuffers' own code does not offer: changing a file and sealing it again.
+// Asset files for tests; changes a file and reseals it, which FlatBuffers' own code cannot do.
 #pragma once
 
 #include "asset/asset_data.h"
@@ -12,7 +12,7 @@
 
 namespace test {
 
-// A leaf with everything that a baked file has.
+// A leaf with everything that a baked file contains.
 inline lr::AssetData leaf_data() {
     lr::shape::EllipsoidSpec spec;
     spec.semi_axes = {0.04, 0.01, 0.0005};
@@ -27,8 +27,8 @@ inline lr::AssetData leaf_data() {
     return data;
 }
 
-// Byte offset of a field of the root table, from the FlatBuffers layout: root offset, table, vtable. 0 when absent, or
-// when the way to it leads out of the bytes.
+// Byte offset of a field of the root table, from the FlatBuffers layout: root offset, table, vtable. 0 if absent, or if the path
+// to it leads outside the bytes.
 inline size_t root_field(const std::vector<uint8_t>& bytes, size_t id) {
     uint32_t root = 0;
     int32_t back = 0;
@@ -42,7 +42,7 @@ inline size_t root_field(const std::vector<uint8_t>& bytes, size_t id) {
     return offset == 0 || size_t{root} + offset + 8 > bytes.size() ? 0 : root + offset;
 }
 
-// Puts the right checksum into changed bytes.
+// Writes the correct checksum into changed bytes.
 inline void seal(std::vector<uint8_t>& bytes) {
     const size_t at = root_field(bytes, 1);
     if (at == 0) return;
@@ -53,7 +53,7 @@ inline void seal(std::vector<uint8_t>& bytes) {
     std::memcpy(bytes.data() + at, &sum, 8);
 }
 
-// As in a file that was written without this field.
+// Like a file written without this field.
 inline void drop_root_field(std::vector<uint8_t>& bytes, size_t id) {
     uint32_t root = 0;
     int32_t back = 0;

@@ -1,4 +1,4 @@
-// Bodies that meet each other, for tests.
+// Body contact, for tests.
 #pragma once
 
 #include "support/contact.h"
@@ -11,7 +11,7 @@ namespace test {
 inline void set_pair(const World& w, lr_batch a, lr_batch b, bool on = true) {
     REQUIRE(lr_batch_set_body_contact(w.get(), a, b, on ? 1 : 0) == LR_OK);
 }
-// Next to no fluid, and none of it moves along: momentum is that of the bodies.
+// Almost no fluid, so that momentum is that of the bodies.
 inline lr_rigid_desc vacuum_box(double x, double y, double z, double density) {
     lr_rigid_desc d = rigid_box(x, y, z, density);
     d.fluid_density = 1e-3;
@@ -27,7 +27,7 @@ inline lr_body_desc at_rest_at(const Vec& position) {
     return d;
 }
 
-// What a body has, of a diagonal asset without a fluid.
+// Mass and inertia of a diagonal asset without a fluid.
 struct Moving {
     double mass;
     Vec inertia; // about body axes, at scale 1 and for `mass` at the body's scale

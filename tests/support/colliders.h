@@ -1,4 +1,4 @@
-// Descriptions of colliders.
+// Descs of colliders.
 #pragma once
 
 #include "support/random.h"
@@ -51,7 +51,7 @@ struct Triangles {
     std::vector<uint32_t> indices;
 };
 
-// A bumpy sheet of 2 n^2 triangles, side 1 m, and one triangle that is far larger.
+// A bumpy sheet of 2 n^2 triangles, side 1 m, and a much larger triangle.
 inline Triangles bumpy_sheet(uint32_t n, uint64_t seed) {
     Random random(seed);
     Triangles t;

@@ -1,4 +1,4 @@
-// Counts what is allocated, remembers each block's size and alignment, and fails on demand.
+// Counts allocations, remembers each block's size and alignment, and fails on demand.
 #pragma once
 
 #include "langevin_rigid.h"
@@ -35,13 +35,13 @@ public:
 
     uint64_t calls = 0;       // of allocate
     uint64_t fail_at = never; // the call that returns null, counted from 0
-    bool fail_after = false;  // and all that follow
+    bool fail_after = false;  // and all later calls
     uint64_t bytes = 0;       // live
-    bool mismatch = false;    // a block came back with another size or alignment, or was not ours
+    bool mismatch = false;    // a block came back with another size or alignment, or was foreign
     size_t live() const { return blocks_; }
 
 private:
-    // What was asked for lies in front of each block, so that counting takes nothing from operator new.
+    // The request is stored in front of each block, so that counting does not use operator new.
     struct Block {
         CountingAllocator* owner;
         uint64_t size, alignment;
@@ -58,7 +58,7 @@ private:
         }
         auto* const whole = static_cast<unsigned char*>(aligned_memory(front, (front + size + 127) / 128 * 128));
         if (!whole) return nullptr;
-        std::memset(whole, 0xa5, front + size); // fresh memory is never zero in the field
+        std::memset(whole, 0xa5, front + size); // real fresh memory is never zero
         const Block block{&self, size, alignment};
         std::memcpy(whole, &block, sizeof block);
         ++self.blocks_;
@@ -83,8 +83,8 @@ private:
     size_t blocks_ = 0;
 };
 
-// Calls of the global operator new in this process, also from inside the library: support/counting_new.cpp. Sanitizers
-// bring their own operator new, which stays in place; a DLL of Windows has its own.
+// Calls of the global operator new in this process, also from inside the library: support/counting_new.cpp. Sanitizers have
+// their own operator new, which stays in place; a DLL of Windows has its own.
 #if defined(LR_TEST_QUICK) || defined(_WIN32)
 inline constexpr bool counts_global = false;
 #else
@@ -92,7 +92,7 @@ inline constexpr bool counts_global = true;
 #endif
 extern std::atomic<uint64_t> global_allocations;
 extern std::atomic<uint64_t> global_live;
-// The call of operator new that throws, counted down from here; 0 for none.
+// The call of operator new that throws, counted down from here; 0: none.
 extern std::atomic<uint64_t> global_fail_in;
 
 } // namespace test

@@ -27,7 +27,7 @@ void discounted(void* memory) {
 
 } // namespace
 
-// The nothrow and array forms of the standard library come down to these.
+// The standard library's nothrow and array forms call these.
 void* operator new(size_t size) {
     return counted(size, alignof(std::max_align_t));
 }

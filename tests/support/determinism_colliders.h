@@ -1,4 +1,4 @@
-// What bodies land on in the scenes for tests of determinism.
+// Colliders of the scenes for tests of determinism.
 #pragma once
 
 #include "support/colliders.h"
@@ -10,9 +10,9 @@ namespace test {
 
 enum class Solids {
     none,
-    terrain, // a heightfield and a plane: never asks libccd
-    ground,  // also a sphere, a capsule that moves, a box
-    edges,   // a heightfield, hulls of which one turns, and a mesh
+    terrain, // a heightfield and a plane: libccd is never used
+    ground,  // also a sphere, a moving capsule, a box
+    edges,   // a heightfield, hulls (one of them turning), and a mesh
 };
 
 class PlayedColliders {
@@ -20,14 +20,14 @@ public:
     explicit PlayedColliders(Solids which) : which_(which) {
         if (which == Solids::none) return;
         Random random(7);
-        // Of one slope: several at a time are asked of libccd.
+        // Of one slope: several at a time are queries for libccd.
         for (float& h : heights_) h = which == Solids::terrain ? 0.05f : random.real(-0.05, 0.25);
         sheet_ = bumpy_sheet(6, 3);
         corners_.resize(3 * size_t{12});
         for (float& x : corners_) x = random.real(-0.4, 0.4);
     }
 
-    // Those with data alone: what a world must have for a snapshot to come back into it.
+    // Colliders with data: a world must have them to restore a snapshot.
     void prepare(const World& w) const {
         std::vector<lr_collider_desc> all = descs();
         std::reverse(all.begin(), all.end());
@@ -37,7 +37,7 @@ public:
     void place(const World& w) {
         for (const lr_collider_desc& d : descs()) ids_.push_back(add_collider(w, d));
     }
-    // To and fro, by all three ways of moving.
+    // To and fro, by all three ways to move.
     void move(const World& w, int frame) const {
         if (ids_.size() < 3 || frame % 4 != 3) return;
         constexpr int32_t modes[] = {LR_MOVE_VELOCITY, LR_MOVE_TO, LR_MOVE_PLACE};
@@ -67,7 +67,7 @@ private:
         } else if (which_ == Solids::ground) {
             lr_collider_desc capsule = collider_desc(LR_COLLIDER_CAPSULE);
             capsule.size[0] = 0.2f, capsule.size[1] = 0.4f;
-            capsule.orientation[2] = 0.9f; // leans
+            capsule.orientation[2] = 0.9f; // tilted
             add(capsule, -1.0f, 0.2f, 1.0f);
             add(collider_desc(LR_COLLIDER_PLANE), 0.0f, 0.0f, 0.0f).restitution = 0.5f;
             add(sphere_collider(0.4f), -1.0f, 0.1f, -1.0f).friction = 0.1f;

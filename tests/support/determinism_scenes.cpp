@@ -26,7 +26,7 @@ std::vector<PlayedScene> played_scenes() {
         scene.loads = loads, scene.clock = clock;
         return scene;
     };
-    // Runge-Kutta blows up where substeps are long: of that there are scenes of their own.
+    // Runge-Kutta diverges for long substeps: separate scenes cover that.
     const auto rk4 = [](PlayedScene& scene, uint32_t substeps = 3) {
         scene.integrator = LR_INTEGRATOR_RK4, scene.substeps = substeps;
     };
@@ -45,7 +45,7 @@ std::vector<PlayedScene> played_scenes() {
     with("aerodynamic_age", LR_LOADS_AERODYNAMIC, LR_CLOCK_AGE);
     rk4(with("aerodynamic_age_rk4", LR_LOADS_AERODYNAMIC, LR_CLOCK_AGE));
 
-    // Wind: uniform, and each kind of source, by itself and all together. The ground changes the uniform wind.
+    // Wind: uniform, and each kind of source, alone and all together. The ground wind changes the uniform wind.
     add("wind").windy = true;
     const auto blown = [&](const char* name, std::vector<Source> sources) -> PlayedScene& {
         PlayedScene& scene = add(name);
@@ -67,7 +67,7 @@ std::vector<PlayedScene> played_scenes() {
     blown("wind_kirchhoff", {Source::gusts, Source::turbulence}).loads = LR_LOADS_NONE;
     rk4(blown("wind_of_all_rk4", every), 23);
 
-    // A surface.
+    // Water.
     const auto at_sea = [&](const char* name, int32_t loads, int32_t clock = LR_CLOCK_SPEED) -> PlayedScene& {
         PlayedScene& scene = with(name, loads, clock);
         scene.afloat = true;
@@ -83,7 +83,7 @@ std::vector<PlayedScene> played_scenes() {
     PlayedScene& swell = at_sea("sea_wind_and_callbacks", LR_LOADS_LANGEVIN, LR_CLOCK_AGE);
     swell.sources = every, swell.windy = swell.called_back = true, swell.bodies = 75;
 
-    // Forces, births and deaths.
+    // Forces, spawns and ends.
     add("forces").forced = true;
     PlayedScene& forces_rk4 = add("forces_rk4");
     rk4(forces_rk4), forces_rk4.forced = true;
@@ -94,7 +94,7 @@ std::vector<PlayedScene> played_scenes() {
     const auto paced = [&](const char* name, uint32_t a, uint32_t b) -> PlayedScene& {
         PlayedScene& scene = add(name);
         scene.divisors[0] = a, scene.divisors[1] = b, scene.windy = true;
-        scene.dt = 1.0f / 240.0f; // long steps leave a divisor nothing to do
+        scene.dt = 1.0f / 240.0f; // in long steps a divisor has no effect
         return scene;
     };
     paced("rates", 2, 7);
@@ -107,7 +107,7 @@ std::vector<PlayedScene> played_scenes() {
     PlayedScene& little = paced("budget_for_part_of_a_batch", 1, 1);
     little.budget = 50, little.sources = {Source::gusts}, little.governed = true;
 
-    // Bodies that are put to rest, and woken in every way.
+    // Bodies that are put to sleep, and woken in every way.
     PlayedScene& still = add("rest");
     still.resting = still.windy = still.forced = true, still.bodies = 600;
     PlayedScene& still_in_everything = paced("rest_in_everything", 3, 6);
@@ -115,7 +115,7 @@ std::vector<PlayedScene> played_scenes() {
     still_in_everything.afloat = still_in_everything.governed = still_in_everything.called_back = true;
     still_in_everything.born_and_dying = still_in_everything.resting = true, still_in_everything.bodies = 300;
 
-    // Leaves and bricks that land, some of which lie still in the end.
+    // Leaves and bricks that land, some of them asleep at the end.
     const auto landing = [&](const char* name, Solids on) -> PlayedScene& {
         PlayedScene& scene = with(name, LR_LOADS_AERODYNAMIC);
         scene.solids = on, scene.windy = true, scene.dt = 0.05f;
@@ -151,7 +151,7 @@ std::vector<PlayedScene> played_scenes() {
     apart_pile.divisors[0] = 3, apart_pile.divisors[1] = 1, apart_pile.resting = true;
     apart_pile.dt = 0.0125f, apart_pile.frames = 90;
 
-    // Bodies that leave physics by forces, and in a scheme that blows up by itself: in air, wind, water, in front of colliders, in a heap.
+    // Bodies that diverge by forces, and in an unstable scheme: in air, wind, water, in front of colliders, in a heap.
     const auto faulty = [&](PlayedScene& scene) -> PlayedScene& {
         scene.faulty = true;
         return scene;
@@ -166,7 +166,7 @@ std::vector<PlayedScene> played_scenes() {
     PlayedScene& faults_in_pile = faulty(pile("faults_in_a_pile", Solids::ground));
     rk4(faults_in_pile, 2);
 
-    // Storms of more bodies than are stepped in one piece.
+    // Storms of more bodies than a single chunk.
     const auto storm = [&](const char* name) -> PlayedScene& {
         PlayedScene& scene = add(name);
         scene.windy = scene.born_and_dying = true, scene.bodies = 1100;
@@ -191,7 +191,7 @@ Play::Play(const PlayedScene& scene, const Circumstances& how) : scene_(scene), 
     for (size_t b = 0; b < 2 && scene_.meeting; ++b)
         for (size_t with = 0; with <= b; ++with)
             REQUIRE(lr_batch_set_body_contact(world.get(), batches[b], batches[with], 1) == LR_OK);
-    if (scene_.afloat) set_water(world, sea()); // not anew after a snapshot: that brings it back
+    if (scene_.afloat) set_water(world, sea()); // not after a snapshot, which restores it
     for (size_t b = 0; b < 2; ++b) {
         populate(b);
         if (scene_.forced) push_batch(b);
@@ -250,7 +250,7 @@ void Play::build() {
         bd.integrator = scene_.integrator;
         batches[b] = add_batch(world, bd, assets_[b], scene_.bodies + 40, scene_.full);
     }
-    // Not part of snapshots: callbacks, and the samples of a grid, which may lie elsewhere.
+    // Not part of snapshots: callbacks, and a grid's samples, which can have another address.
     if (scene_.called_back) {
         REQUIRE(lr_world_set_wind_callback(world.get(), shear, nullptr) == LR_OK);
         REQUIRE(lr_world_set_water_callback(world.get(), swell, nullptr) == LR_OK);
@@ -301,7 +301,7 @@ lr_body_desc Play::body(uint32_t noise_seed) const {
         for (float& x : d.position) x *= 0.4f;
         d.position[1] = 0.15f * d.position[1] + 0.35f;
     }
-    if (scene_.meeting) // over the box, the sphere and the open ground alike
+    if (scene_.meeting) // spread over the box, the sphere and the open ground
         for (size_t k = 0; k < 3; ++k) d.position[k] = k == 1 ? d.position[k] : 0.12f * d.position[k] + 0.5f;
     for (float& q : d.orientation) q = random.real(-1.0, 1.0);
     for (float& v : d.linear_velocity) v = random.real(-0.5, 0.5);
@@ -316,7 +316,7 @@ void Play::check_faults() const {
         lr_batch_counts e = initialised(lr_batch_counts_init);
         REQUIRE(lr_batch_get_counts(world.get(), batch, &e) == LR_OK);
         CHECK(e.total_diverged > 5);
-        if (batch == batches[0]) CHECK(view_of(world, batch).count > 10); // in the other they end
+        if (batch == batches[0]) CHECK(view_of(world, batch).count > 10); // in the other batch they end
     }
 }
 
@@ -341,7 +341,7 @@ void Play::populate(size_t b) {
     const uint32_t first = b == 0 ? 1 : 100001;
     for (uint32_t i = 0; i < scene_.bodies; ++i) descs.push_back(body(first + i));
     if (how_.permuted) {
-        // Others live and die first, so that slots and generations are no longer in order either.
+        // Create and destroy other bodies first, so that slots and generations are out of order too.
         std::vector<lr_body> ghosts(30);
         const std::vector<lr_body_desc> ghost(30, body(999));
         REQUIRE(lr_body_create(world.get(), batches[b], ghost.data(), 30, ghosts.data()) == LR_OK);

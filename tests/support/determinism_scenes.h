@@ -1,4 +1,4 @@
-// Scenes with everything that a world can do, written once, for tests of determinism and for the held hashes.
+// Scenes with all features of a world, for tests of determinism and for the stored hashes.
 #pragma once
 
 #include "support/determinism_colliders.h"
@@ -19,34 +19,34 @@ struct PlayedScene {
     bool windy = false;
     bool born_and_dying = false;
     bool forced = false;              // forces on bodies and on batches
-    bool afloat = false;              // a sea, its surface amid the bodies
+    bool afloat = false;              // a sea, with its surface amid the bodies
     bool governed = false;            // rules that destroy in one batch and respawn in the other, and emitters
     std::vector<Source> sources = {}; // of wind
-    bool called_back = false;         // wind from a callback, and of a sea its surface
+    bool called_back = false;         // wind from a callback, and over a sea also its surface
     uint32_t divisors[2] = {1, 1};    // of the batches' rates
-    bool resting = false;             // bodies come to rest and wake
-    Solids solids = Solids::none;     // to land on: bodies begin near them, the second batch's are bricks
-    bool meeting = false;             // all bodies meet each other, close together over what they land on
-    uint64_t budget = 0;              // body-substeps a step
-    bool faulty = false;              // some bodies are carried out of physics: held in one batch, ended in the other
+    bool resting = false;             // bodies fall asleep and wake
+    Solids solids = Solids::none;     // to land on: bodies begin near them; those of the second batch are bricks
+    bool meeting = false;             // contact between all bodies, which start close together above the colliders
+    uint64_t budget = 0;              // body-substeps per step
+    bool faulty = false;              // some bodies diverge: held in one batch, ended in the other
     float dt = 1.0f / 60.0f;          // s
-    uint32_t substeps = 3;            // neither a power of two nor an even division: every rounding is there
+    uint32_t substeps = 3;            // neither a power of two nor an even division, so that everything rounds
     int frames = 30;                  // steps of dt
     uint32_t bodies = 150;            // in each of two batches: one diagonal, one with its weight off centre
 };
 
 std::vector<PlayedScene> played_scenes();
 
-// What must not change the outcome.
+// Variations that must not change the result.
 struct Circumstances {
     int32_t simd = LR_SIMD_AUTO;
     uint32_t workers = 0;
-    bool permuted = false;         // bodies lie in another order
-    bool through_snapshot = false; // half-way into a new world
+    bool permuted = false;         // another order of bodies
+    bool through_snapshot = false; // half-way, into a new world
     lr_job_system jobs{};
     const lr_recording_desc* recording = nullptr;
-    int record_at = -1;  // the frame before which that begins; -1: before anything is made
-    uint32_t checks = 0; // LR_CHECK_*: what is said of misuse fails the play
+    int record_at = -1;  // first recorded frame; -1: from the start
+    uint32_t checks = 0; // LR_CHECK_*: a reported misuse fails the test
 };
 
 class Play {
@@ -65,19 +65,19 @@ private:
     static void swell(void*, const lr_water_query* q);
     bool all_finite() const;
     void check_faults() const;
-    // The same body for the same noise seed, wherever and whenever it is made.
+    // The same body for the same noise seed, in any place and at any time.
     lr_body_desc body(uint32_t noise_seed) const;
     void populate(size_t b);
-    // Not made anew with the world after a snapshot: that must bring them back.
+    // Not created again after a snapshot, which must restore them.
     void push_batch(size_t b);
     void govern(size_t b);
-    // What pushes a body depends on its noise seed and place, not on its index.
+    // Forces depend on a body's noise seed and place, not on its index.
     void push();
-    // By noise seed: beyond all measure.
+    // By noise seed: extreme values.
     void carry_off(uint32_t frame);
-    // Bodies with certain noise seeds die, new ones are spawned: by noise seed, not by place.
+    // Bodies with certain noise seeds end, new ones are created: by noise seed, not by index.
     void turn_over();
-    // By noise seed; for a while one batch rests as a whole.
+    // By noise seed; for a while a whole batch sleeps.
     void lie_and_wake(uint32_t frame);
 
     PlayedScene scene_;

@@ -1,6 +1,6 @@
-// Every call of the header with arguments that are right: api/calls.inc, which bindings/generator/runtime.py writes, holds
+// Every call of the header with valid arguments: api/calls.inc, written by bindings/generator/runtime.py, has
 //     LR_CALL(function, arguments...)
-//     LR_PLAIN_CALL(function, arguments...), where these are numbers or one struct that points to nothing
+//     LR_PLAIN_CALL(function, arguments...), for numbers or a struct without pointers
 // where `s` is a Stage. Numbers are int or float.
 #pragma once
 
@@ -25,7 +25,7 @@ concept Sized = requires(T s) {
 #include "../src/api/structs.inc"
 #undef LR_STRUCT
 
-// What calls are made on and with.
+// Objects and arguments for the calls.
 struct Stage {
     Asset shape = leaf();
     World place = make(world_desc());
@@ -39,7 +39,7 @@ struct Stage {
     std::vector<std::shared_ptr<void>> kept; // until the call is over
 
     Stage() { wind_source = wind_source_of(lr_world_add_gusts); }
-    // A source of the kind that this function adds.
+    // A source of the function's kind.
     template <class D> lr_wind_source wind_source_of(lr_status (*add)(lr_world*, const D*, lr_wind_source*)) {
         lr_wind_source source{};
         REQUIRE(add(world, of<D>(), &source) == LR_OK);
@@ -50,7 +50,7 @@ struct Stage {
         kept.push_back(std::make_shared<std::array<uint64_t, 32>>());
         return static_cast<T*>(kept.back().get());
     }
-    // For an asset or a world, which ends with the stage.
+    // An asset or a world that is freed with the stage.
     template <class T> T* out() {
         T* const result = memory<T>();
         const auto end = [memory = kept.back()](T* one) {
@@ -62,7 +62,7 @@ struct Stage {
         kept.emplace_back(result, end);
         return result;
     }
-    // A struct that is right.
+    // A valid struct.
     template <Sized T> T* of() {
         const auto one = std::make_shared<T>();
         REQUIRE(init(one.get(), sizeof(T)) == LR_OK);

@@ -1,4 +1,4 @@
-// An ellipsoid under a flat, still surface at height 0, in double: how much of it is wet, and its energy (docs/reference/wind_and_water.md).
+// An ellipsoid under a flat, still surface at height 0, in double: its wet share and energy (docs/reference/wind_and_water.md).
 #pragma once
 
 #include "support/reference_body.h"
@@ -13,7 +13,7 @@ class FloatingBody {
 public:
     static constexpr double gravity = 9.81;
 
-    // h: s, of a substep, within which a body counts as no thinner than it falls.
+    // h: s, the substep; a body counts as at least as thick as its fall in a substep.
     FloatingBody(const lr_asset_info& info, double h)
         : air_(info), more_(info), mass_(info.mass), volume_(info.volume), blur_(gravity * h * h) {
         for (size_t i = 0; i < 3; ++i) {
@@ -42,7 +42,7 @@ public:
         for (size_t i = 0; i < 3; ++i) stretched[i] = squared_[i] * n[i], square += stretched[i] * n[i];
         const double half = std::sqrt(square), height = position[1] + dot(n, center_);
         const double s = std::clamp(-height / half, -1.0, 1.0);
-        // Of the displaced water: its force is rho V f g, and what it lies below the surface the integral of f.
+        // Displaced water: its force is rho V f g, and its depth the integral of f.
         const double lifted =
             -height > half ? -height : half * ((2.0 * s + 1.5 * s * s - 0.25 * s * s * s * s) / 4.0 + 3.0 / 16.0);
         return {(2.0 + 3.0 * s - s * s * s) / 4.0,
@@ -50,7 +50,7 @@ public:
                            (water_density - air_density) * volume_ * lifted),
                 half};
     }
-    // Of body and fluid; twist in the body's frame, through the fluid.
+    // Of body and fluid; twist in the body frame, through the fluid.
     double kinetic(double fraction, const Six& twist) const {
         const Six a = air_.mass * twist, b = more_.mass * twist;
         double sum = 0.0;

@@ -12,7 +12,7 @@
 namespace test {
 namespace {
 
-// Often the least or the most, else of any order of magnitude between.
+// Often the minimum or maximum, else of any magnitude between.
 float wild(Random& random, double least, double most) {
     switch (random.below(4)) {
     case 0:
@@ -31,7 +31,7 @@ bool chance(Random& random, uint32_t one_in) {
     return random.below(one_in) == 0;
 }
 
-// By place alone: numbers, very large ones, and what is none.
+// By place alone: numbers, very large numbers, and non-finite ones.
 float nonsense(float a, float b) {
     uint32_t bits = 0;
     const float sum = a * 3.0f + b;
@@ -210,7 +210,7 @@ void HostileWorld::add_batches(Random& random) {
         if (chance(random, 3)) d.damping_gain = d.noise_gain = 100.0f;
         lr_batch batch{};
         if (lr_batch_create(world.get(), &d, &batch) != LR_OK)
-            continue; // its mass matrix may be singular in that fluid
+            continue; // its mass matrix can be singular in that fluid
         batches.push_back(batch);
         if (chance(random, 3)) {
             const float chi[2] = {wild(random, 1e-6, 1e6), wild(random, 1e-6, 3e38)};
@@ -334,7 +334,7 @@ void HostileWorld::push(Random& random) {
             const float size = wild(random, 1e-6, chance(random, 2) ? 1e30 : 1e6);
             f.force[random.below(3)] = size;
             f.torque[random.below(3)] = wild(random, 1e-12, 1e6);
-            // More than one force may give is refused, but not what many add up to.
+            // A single force beyond the limit is refused, but not the sum of many.
             if (lr_body_add_force(world.get(), &f, 1) == LR_OK)
                 for (int more = 0; more < 20; ++more) lr_body_add_force(world.get(), &f, 1);
         }

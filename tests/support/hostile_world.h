@@ -1,4 +1,4 @@
-// Worlds of everything that the API takes, as extreme as it takes it.
+// Worlds with all features, at the limits of the API.
 #pragma once
 
 #include "support/random.h"
@@ -10,7 +10,7 @@
 
 namespace test {
 
-// Of a batch's bodies as they can be seen: a number that is none, or that the header says no body has. Empty when all is well.
+// Checks the observable state of a batch's bodies for non-finite numbers and values outside the header's ranges. Empty: valid.
 std::string beyond_limits(const World& world, lr_batch batch);
 
 class HostileWorld {
@@ -23,9 +23,9 @@ public:
     HostileWorld(uint64_t seed, const How& how);
 
     static constexpr int frames = 10;
-    void step(int frame); // what happens to it, and a step; every body is within limits, or a check fails
+    void step(int frame); // changes the world and steps it; every body must stay within limits
     uint64_t faults() const { return faults_; }
-    uint64_t faults_ever = 0; // by events
+    uint64_t faults_ever = 0; // counted by events
 
     World world;
     std::vector<lr_batch> batches;

@@ -1,4 +1,4 @@
-// Bodies that a step has lost, of a batch as it can be seen from outside.
+// Counts non-finite bodies after a step, from outside.
 #pragma once
 
 #include "support/scene.h"
@@ -11,7 +11,7 @@ namespace test {
 
 struct Extremes {
     uint32_t lost = 0;    // bodies with a number that is not finite
-    double fastest = 0.0; // m/s, of the others
+    double fastest = 0.0; // m/s, of the finite bodies
 
     void add(const lr_batch_view& v) {
         for (uint32_t i = 0; i < v.count; ++i) {

@@ -1,5 +1,5 @@
-// The quasi-steady loads of docs/maintainers/physics.md section 5 in double, written down apart from the kernel: force and torque about
-// the centre of mass, body axes, in N and N m.
+// The quasi-steady loads of docs/maintainers/physics.md section 5 in double, implemented independently of the kernel: force and torque
+// about the centre of mass, body axes, in N and N m.
 #pragma once
 
 #include "langevin_rigid_research.h"
@@ -10,7 +10,7 @@
 namespace test {
 
 struct ReferenceLoads {
-    lr_aerodynamics at{}; // of scale 1
+    lr_aerodynamics at{}; // at scale 1
     double scale = 1.0;
     double density = 0.0, viscosity = 0.0; // of the fluid
     double length = 0.0;                   // d, scale 1
@@ -53,11 +53,11 @@ struct ReferenceLoads {
                             w[k] -
                         density * roll[k] * rolling / s;
         }
-        double opposing = 0.0; // the part of the drag that is against the velocity
+        double opposing = 0.0; // the part of the drag against the velocity
         for (size_t i = 0; i < 3; ++i) {
             const double part = v[i] * v[i] / (s * s);
             opposing += part * 0.5 * (at.drag[i] + at.drag_blunt[i] * separated) * s2 * s;
-            // Viscous drag acts along each axis on its own.
+            // Viscous drag acts along each axis separately.
             force[i] -= density * v[i] *
                         (at.drag_layer[i] * scale * std::sqrt(scale) * std::sqrt(viscosity * s) +
                          at.drag_stokes[i] * scale * viscosity);

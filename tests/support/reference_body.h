@@ -1,5 +1,5 @@
-// The equations of docs/maintainers/physics.md sections 2 and 3 for one body, in SI units and double, written down apart from the
-// kernel and integrated in small steps: what the kernel must agree with. Noise is off.
+// The equations of docs/maintainers/physics.md sections 2 and 3 for a body, in SI units and double, implemented independently of the
+// kernel and integrated in small steps: the reference for the kernel. Noise is off.
 #pragma once
 
 #include "support/reference_aerodynamics.h"

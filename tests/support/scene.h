@@ -56,7 +56,7 @@ inline lr_turbulence_table table_desc() {
     return initialised(lr_turbulence_table_init);
 }
 
-// In air unless told otherwise.
+// In air by default.
 inline lr_ellipsoid_desc ellipsoid(double a, double b, double c, double density) {
     lr_ellipsoid_desc d = initialised(lr_ellipsoid_desc_init);
     d.semi_axes[0] = a, d.semi_axes[1] = b, d.semi_axes[2] = c;
@@ -77,7 +77,7 @@ inline lr_rigid_desc rigid_plate() {
     d.extents[0] = 0.2, d.extents[1] = 0.1, d.extents[2] = 0.001;
     return d;
 }
-// Its added mass is that of a sphere of its volume, with a little for turning.
+// Its added mass is that of a sphere of its volume, with some rotational added mass.
 inline lr_rigid_desc rigid_box(double x, double y, double z, double density) {
     lr_rigid_desc d = initialised(lr_rigid_desc_init);
     d.volume = x * y * z;
@@ -126,7 +126,7 @@ inline World weightless(uint64_t seed = 0) {
     return make(d);
 }
 
-// full: the path of bodies with a full mass matrix for one that is diagonal. Loads a hair off its centre bring it there.
+// full: puts a diagonal body on the path of full mass matrices, by loads slightly off its centre.
 inline lr_batch add_batch(const World& w, lr_batch_desc d, const Asset& asset, uint32_t capacity, bool full = false) {
     d.asset = asset.get();
     d.capacity = capacity;
@@ -173,7 +173,7 @@ inline lr_batch_view view_of(const World& w, lr_batch batch) {
     REQUIRE(lr_batch_get_view(w.get(), batch, &view) == LR_OK);
     return view;
 }
-// Doctest's checks cost a microsecond or so: one for the whole run.
+// Doctest's checks cost about a microsecond: one check for the whole run.
 inline void steps(const World& w, int count, float dt, uint32_t substeps = 1) {
     lr_status status = LR_OK;
     for (int i = 0; i < count && status == LR_OK; ++i) status = lr_world_step(w.get(), dt, substeps);
@@ -182,7 +182,7 @@ inline void steps(const World& w, int count, float dt, uint32_t substeps = 1) {
 inline void set_wind(const World& w, float x, float y, float z) {
     REQUIRE(lr_world_set_uniform_wind(w.get(), x, y, z) == LR_OK);
 }
-// The same turbulence at every age; for the SPEED clock, that of a body as fast as u0.
+// The same turbulence at every age; for the SPEED clock, that of a body at speed u0.
 inline void set_constant_table(const World& w, lr_batch batch, double chi, double epsilon, double c0, double u0 = 1.0,
                                double l = 0.01) {
     const float chis[1] = {narrow(chi)}, epsilons[1] = {narrow(epsilon)};

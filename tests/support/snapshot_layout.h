@@ -1,4 +1,4 @@
-// A snapshot's bytes as pieces: headers and columns, without a world. For tests that change one of them.
+// A snapshot's bytes as pieces: headers and columns, without a world. For tests that change a piece.
 #pragma once
 
 #include "world/snapshot/snapshot_format.h"
@@ -9,33 +9,33 @@
 namespace lr {
 
 struct SnapshotPiece {
-    uint64_t key;          // what it is: ascending in a snapshot, and the same in others
+    uint64_t key;          // identifies the piece: ascending in a snapshot, and the same in others
     uint64_t begin, words; // 32-bit words
 };
 
 class SnapshotLayout {
 public:
-    // False when the bytes do not begin as a snapshot of this version does, or are fewer than it says.
+    // False if the bytes do not begin like a snapshot of this version, or are fewer than stated.
     bool begin(const unsigned char* bytes, uint64_t size);
     const SnapshotHeader& header() const { return header_; }
     const unsigned char* bytes() const { return bytes_; }
     uint64_t words() const { return header_.size / 4; }
 
-    // The next that is not empty. Together they are all of the snapshot. False at its end, and where it makes no sense.
+    // The next piece that is not empty; together they are the whole snapshot. False at its end, and for invalid contents.
     bool next(SnapshotPiece& piece);
     bool sensible() const { return !wrong_ && at_ == words(); } // after the last
 
 private:
     bool take(SnapshotPiece& piece, uint64_t key, uint64_t words);
-    uint64_t words_of_head(uint32_t piece) const; // 0 where it makes no sense
+    uint64_t words_of_head(uint32_t piece) const; // 0 for invalid contents
 
     const unsigned char* bytes_ = nullptr;
     SnapshotHeader header_{};
     SnapshotBatch batch_{};
     uint64_t at_ = 0;     // words
     uint32_t head_ = 0;   // pieces before the batches
-    uint32_t index_ = 0;  // of the batch
-    uint32_t column_ = 0; // of it; 0: its header
+    uint32_t index_ = 0;  // the present batch
+    uint32_t column_ = 0; // of the batch; 0: its header
     bool wrong_ = false;
 };
 

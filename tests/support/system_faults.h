@@ -1,4 +1,4 @@
-// System calls that fail on demand: those of the library and the baker go through this program's own.
+// System calls that fail on demand: the library and the baker call this program's versions.
 #pragma once
 
 #if defined(__linux__)
@@ -9,24 +9,24 @@
 namespace test {
 
 struct SystemFaults {
-    // Calls that make, write, name or rename files, counted from 0 since the last reset.
+    // Calls that create, write, link or rename files, counted from 0 since the last reset.
     int calls = 0;
-    int fail_at = -1;              // this one does nothing,
-    int reason = 0;                // and returns so, as in errno; 0: the process dies in it by SIGKILL
-    bool fail_after = false;       // and all that follow fail alike
-    bool short_writes = false;     // writes take one byte of two, and every other one is interrupted
-    bool without_nameless = false; // file systems that have no O_TMPFILE
+    int fail_at = -1;              // this call does nothing,
+    int reason = 0;                // and fails with this errno; 0: the process dies in it by SIGKILL
+    bool fail_after = false;       // and all later calls fail alike
+    bool short_writes = false;     // writes take half of the bytes, and every second write is interrupted
+    bool without_nameless = false; // a file system without O_TMPFILE
 
-    // read(): at most so many bytes at a time, interrupted before each, and after so many in all the file ends or breaks.
+    // read(): at most this many bytes at a time, interrupted before each; after this many in all the file ends or fails.
     size_t most = SIZE_MAX;
     bool interrupted = false;
     size_t ends_after = SIZE_MAX;
-    int broken_by = 0; // instead of the end, as in errno
+    int broken_by = 0; // errno instead of the end
     int reads = 0;
 
-    int threads_allowed = -1; // more cannot be started; -1: no limit
+    int threads_allowed = -1; // number of threads that can be started; -1: no limit
 };
-// Null but while a test asks for faults, in its own thread.
+// Null, except while a test asks for faults, in its own thread.
 extern SystemFaults* system_faults;
 
 class WithFaults {

@@ -1,4 +1,4 @@
-// std::jthread, where the C++ library has threads: WebAssembly without -pthread has none, nor the headers for them.
+// std::jthread, if the C++ library has threads: WebAssembly without -pthread has neither threads nor their headers.
 #pragma once
 
 #if defined(__wasm__) && !defined(_REENTRANT)

@@ -1,5 +1,5 @@
-// A small world with some of everything that a snapshot holds, for snapshots that travel: between processes, processors and
-// releases. Through the C API alone; of + - x / and square roots, so that it is the same everywhere.
+// A small world with some of everything in a snapshot, for snapshots between processes, processors and releases. Uses only the C
+// API, + - x / and square roots, so that it is the same everywhere.
 #pragma once
 
 #include "langevin_rigid_research.h"
@@ -15,7 +15,7 @@ public:
     static constexpr float dt = 1.0f / 60.0f;
     static constexpr uint32_t leaves = 70, discs = 33; // capacities
 
-    // An empty world of equal batches, as a snapshot asks for; lived: what the snapshot is taken of.
+    // An empty world with equal batches, as restoring needs; lived: the world to save.
     explicit TravellingScene(int32_t simd = LR_SIMD_AUTO, bool lived = true) {
         lr_world_desc wd;
         good_ = lr_world_desc_init(&wd, sizeof wd) == LR_OK;
@@ -44,7 +44,7 @@ public:
         for (int i = 0; i < count; ++i) need(lr_world_step(world_, dt, 2));
         return good_;
     }
-    // What happens after the snapshot: inputs of all kinds, the same wherever it is restored. Returns the hash.
+    // Continues after the snapshot, with inputs of all kinds, the same after each restore. Returns the hash.
     uint64_t go_on() {
         for (int i = 0; i < 40 && good_; ++i) {
             if (i % 8 == 0) {
@@ -121,7 +121,7 @@ private:
         t.count = 3, t.chi = chi, t.epsilon = epsilon, t.dt = 0.2f, t.u0 = 1.0f, t.l = 0.05f;
         need(lr_batch_set_turbulence_table(world_, batches_[1], &t));
         step(90);
-        // Bodies at rest, holes among the ids, forces that wait for the next step.
+        // Sleeping bodies, holes among the ids, pending forces.
         lr_body_force f;
         need(lr_body_force_init(&f, sizeof f));
         need(lr_body_destroy(world_, ids + 3, 5));

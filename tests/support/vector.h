@@ -1,4 +1,4 @@
-// Vectors and quaternions in double: what tests compute with.
+// Vectors and quaternions in double, for tests.
 #pragma once
 
 #include <array>
@@ -35,7 +35,7 @@ inline double length(Vec a) {
     return std::sqrt(dot(a, a));
 }
 
-// Columns of the rotation matrix, straight from its definition by products of quaternion components.
+// Columns of the rotation matrix, directly from its definition by products of quaternion components.
 using Matrix3 = std::array<Vec, 3>; // rows
 inline Matrix3 rotation(Quat q) {
     const double x = q[0], y = q[1], z = q[2], w = q[3];

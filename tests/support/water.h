@@ -1,4 +1,4 @@
-// Worlds with water in them, for tests.
+// Worlds with water, for tests.
 #pragma once
 
 #include "support/scene.h"

@@ -61,7 +61,7 @@ inline Vec wind_at(const World& w, Vec x) {
     return vec(velocity);
 }
 
-// One of each kind that has a place, near the origin; a grid of which every sample is its own. In this order:
+// A source of each kind with a place, near the origin; each sample of the grid is unique. In this order:
 enum class Source : size_t { gusts, rankine, lamb_oseen, round_blower, slot_blower, turbulence, grid, ground };
 inline std::vector<AnySource> one_of_each(const std::vector<float>& samples) {
     std::vector<AnySource> all;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The first falling bodies: a few of the paper's leaves, let go at different tilts, for two seconds. What samples/hello.c prints, bit
-// for bit.
+// The first falling bodies: a few of the paper's leaves, released at different tilts, for two seconds. Prints the same as
+// samples/hello.c, bit for bit.
 using System;
 using System.Globalization;
 using LangevinRigid;
@@ -13,21 +13,21 @@ static class Hello
     {
         CultureInfo.CurrentCulture = CultureInfo.InvariantCulture;
 
-        // The shape: a thin ellipsoid, 8 cm x 2 cm x 0.1 mm, with its mass and its added mass from closed forms. An asset that
-        // lr_bake made comes from Asset.LoadFile("leaf.lrb").
+        // The shape: a thin ellipsoid, 8 cm x 2 cm x 0.1 mm. Closed forms give its mass and added mass. For an asset made by lr_bake:
+        // Asset.LoadFile("leaf.lrb").
         EllipsoidDesc shape = EllipsoidDesc.Create();
         shape.SemiAxes = new Double3(0.04, 0.01, 0.00005);
         shape.Density = 800.0;
 
-        // A world with still air and gravity along -y, and one batch: all bodies of one asset.
+        // A world with still air, gravity along -y, and a batch: all bodies of one asset.
         WorldDesc desc = WorldDesc.Create();
         desc.Seed = 1;
         using (var world = new World(desc))
         {
             Batch leaves;
-            using (Asset leaf = Asset.CreateEllipsoid(shape)) leaves = world.CreateBatch(leaf, Bodies); // which keeps its own reference
+            using (Asset leaf = Asset.CreateEllipsoid(shape)) leaves = world.CreateBatch(leaf, Bodies); // the batch keeps its own reference
 
-            // Thin direction (body z) turned up, then tilted a little more from leaf to leaf.
+            // The thin axis (body z) points up, then tilts a little more from leaf to leaf.
             var start = new BodyDesc[Bodies];
             for (int i = 0; i < Bodies; ++i)
             {
@@ -37,7 +37,7 @@ static class Hello
             }
             BodyId[] bodies = leaves.CreateBodies(start);
 
-            // Two seconds of frames; an engine would write the transforms into its instance buffer after each.
+            // Two seconds of frames. A renderer would write the transforms into its instance buffer after each.
             var transforms = new float[Bodies * 12];
             for (int frame = 0; frame < 120; ++frame)
             {

@@ -6,8 +6,8 @@ using System.Runtime.InteropServices;
 
 namespace LangevinRigid
 {
-    /// <summary>What one kind of body is: mass, added mass, hull, turbulence. Immutable; one serves any number of worlds and threads. Batches
-    /// hold references of their own, so that an asset may be disposed of once they are made. Any thread.</summary>
+    /// <summary>The baked properties of a shape: mass, added mass, hull, turbulence. Immutable; any number of worlds and threads can share
+    /// it. Batches hold their own references, so that an asset can be disposed of once they exist. Any thread.</summary>
     public sealed unsafe partial class Asset : IDisposable
     {
         private static readonly FaultFn _onFault = OnFault;
@@ -20,7 +20,7 @@ namespace LangevinRigid
             _handle = new AssetHandle(asset);
         }
 
-        /// <summary>Reads an asset that <c>lr_bake</c> made.</summary>
+        /// <summary>Loads an asset file made by <c>lr_bake</c>.</summary>
         /// <exception cref="LangevinException">With all <see cref="LangevinException.Faults"/> of the file.</exception>
         public static Asset LoadFile(string path)
         {
@@ -33,18 +33,18 @@ namespace LangevinRigid
             throw new LangevinException(status, "lr_asset_load_file", path, IsAboutBytes(status) ? FaultsOfFile(path) : null);
         }
 
-        /// <summary>Loads an asset from bytes in memory, which are not kept.</summary>
+        /// <summary>Loads an asset from bytes in memory, which it copies.</summary>
         public static Asset Load(byte[] bytes)
         {
             if (bytes == null) throw new ArgumentNullException("bytes");
             fixed (byte* first = bytes) return Load(first, (ulong)bytes.Length);
         }
 
-        /// <summary>Loads an asset from <paramref name="size"/> bytes of any alignment, which are not kept.</summary>
+        /// <summary>Loads an asset from <paramref name="size"/> bytes of any alignment, which it copies.</summary>
         public static Asset Load(void* bytes, ulong size)
         {
             byte none;
-            if (bytes == null && size == 0) bytes = &none; // an empty array has no address: it is no asset either
+            if (bytes == null && size == 0) bytes = &none; // an empty array has no address, but must be refused as an invalid asset
             LangevinLibrary.EnsureLoaded();
             IntPtr asset;
             Status status = Native.lr_asset_load_memory(bytes, size, &asset);
@@ -52,7 +52,7 @@ namespace LangevinRigid
             throw new LangevinException(status, "lr_asset_load_memory", null, IsAboutBytes(status) ? Check(bytes, size, out status) : null);
         }
 
-        /// <summary>A solid ellipsoid from closed forms: the quickest way to a first falling body.</summary>
+        /// <summary>Creates a solid ellipsoid from closed forms: the quickest way to a first falling body.</summary>
         public static Asset CreateEllipsoid(EllipsoidDesc desc)
         {
             LangevinLibrary.EnsureLoaded();
@@ -61,7 +61,7 @@ namespace LangevinRigid
             return new Asset(asset);
         }
 
-        /// <summary>A body with given numbers, without mesh or file.</summary>
+        /// <summary>Creates a body with given coefficients, without mesh or file.</summary>
         public static Asset CreateRigid(RigidDesc desc)
         {
             LangevinLibrary.EnsureLoaded();
@@ -70,14 +70,14 @@ namespace LangevinRigid
             return new Asset(asset);
         }
 
-        /// <summary>A body with given numbers and coefficients of its loads, in place of <see cref="RigidDesc.Aerodynamics"/>.</summary>
+        /// <summary>Creates a body with given coefficients, also of its loads, instead of <see cref="RigidDesc.Aerodynamics"/>.</summary>
         public static Asset CreateRigid(RigidDesc desc, Aerodynamics aerodynamics)
         {
             desc.Aerodynamics = &aerodynamics;
             return CreateRigid(desc);
         }
 
-        /// <summary>All faults of asset bytes; empty if they would load.</summary>
+        /// <summary>All faults of an asset's bytes; empty if they are valid.</summary>
         public static IReadOnlyList<AssetFault> Check(byte[] bytes)
         {
             if (bytes == null) throw new ArgumentNullException("bytes");
@@ -86,7 +86,7 @@ namespace LangevinRigid
             fixed (byte* first = bytes) return Check(first == null ? &none : first, (ulong)bytes.Length, out status);
         }
 
-        /// <summary>All faults of asset bytes, and the status of <see cref="Load(void*, ulong)"/>.</summary>
+        /// <summary>All faults of an asset's bytes, and the status of <see cref="Load(void*, ulong)"/>.</summary>
         public static IReadOnlyList<AssetFault> Check(void* bytes, ulong size, out Status status)
         {
             LangevinLibrary.EnsureLoaded();
@@ -117,10 +117,10 @@ namespace LangevinRigid
             }
         }
 
-        /// <summary>Its name, as baked.</summary>
+        /// <summary>The name from the bake.</summary>
         public string Name { get { return Info.NameText; } }
 
-        /// <summary>Coefficients of its loads, as baked.</summary>
+        /// <summary>The baked coefficients of its loads.</summary>
         public Aerodynamics Aerodynamics
         {
             get
@@ -192,7 +192,7 @@ namespace LangevinRigid
             }
             catch (Exception e) when (e is IOException || e is UnauthorizedAccessException)
             {
-                return null; // the status is what matters, and the file may have gone since
+                return null; // the status matters more, and the file can be gone by now
             }
         }
 
@@ -206,7 +206,7 @@ namespace LangevinRigid
             }
             catch (Exception)
             {
-                // Out of memory: a fault less in the list; nothing may pass through native code.
+                // Out of memory: the list lacks a fault. An exception must not cross native code.
             }
         }
     }

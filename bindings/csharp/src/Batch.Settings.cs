@@ -5,7 +5,7 @@ namespace LangevinRigid
 {
     public sealed unsafe partial class Batch
     {
-        /// <summary>The same with arrays of equal length in place of the table's pointers and count.</summary>
+        /// <summary>Sets a turbulence table from arrays of equal length; the table's pointers and count are set here.</summary>
         public void SetTurbulenceTable(TurbulenceTable table, float[] chi, float[] epsilon)
         {
             if (chi == null) throw new ArgumentNullException("chi");
@@ -21,7 +21,7 @@ namespace LangevinRigid
             }
         }
 
-        /// <summary>Corners of a box around all bodies; false without bodies.</summary>
+        /// <summary>Reads corners of a box around all bodies; false without bodies.</summary>
         public bool TryGetBounds(out Float3 low, out Float3 high)
         {
             Float3 first = default(Float3), last = default(Float3);
@@ -31,13 +31,13 @@ namespace LangevinRigid
             return low.X <= high.X;
         }
 
-        /// <summary>Forces on bodies in the order of the view, from arrays with one value per body.</summary>
+        /// <summary>Adds forces to bodies in the order of the view, from arrays with a value per body.</summary>
         public void AddForces(ForceArrays arrays)
         {
             Leave(Native.lr_batch_add_forces(EnterChange(), _id, &arrays), "lr_batch_add_forces");
         }
 
-        /// <summary>A force for each body from <paramref name="first"/> on, in the order of the view.</summary>
+        /// <summary>Adds a force to each body from <paramref name="first"/> on, in the order of the view.</summary>
         public void AddForces(ForceMode mode, Float3[] forces, int first = 0)
         {
             if (forces == null) throw new ArgumentNullException("forces");
@@ -56,7 +56,7 @@ namespace LangevinRigid
             }
         }
 
-        /// <summary>The rules at present; false if there are none.</summary>
+        /// <summary>Reads the rules; false without rules.</summary>
         public bool TryGetRules(out BatchRules rules)
         {
             int present;
@@ -66,7 +66,7 @@ namespace LangevinRigid
             return present != 0;
         }
 
-        /// <summary>The emitter at present; false if there is none.</summary>
+        /// <summary>Reads the emitter; false without an emitter.</summary>
         public bool TryGetEmitter(out EmitterDesc desc)
         {
             int present;
@@ -76,7 +76,7 @@ namespace LangevinRigid
             return present != 0;
         }
 
-        /// <summary>Body contact between this batch and another one, or within this one.</summary>
+        /// <summary>Switches contact with the bodies of another batch, or among those of this batch.</summary>
         public void SetBodyContact(Batch other, bool enabled)
         {
             _world.SetBodyContact(this, other, enabled);

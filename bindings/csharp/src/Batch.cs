@@ -3,7 +3,7 @@ using System;
 
 namespace LangevinRigid
 {
-    /// <summary>All bodies of one asset in a world. Ends with the world, or when disposed of.</summary>
+    /// <summary>All bodies of one asset in a world. Lives until it or its world is disposed of.</summary>
     public sealed unsafe partial class Batch : IDisposable
     {
         private readonly World _world;
@@ -17,11 +17,11 @@ namespace LangevinRigid
             Capacity = (int)capacity;
         }
 
-        /// <summary>The world it is in.</summary>
+        /// <summary>The world of the batch.</summary>
         public World World { get { return _world; } }
         /// <summary>Its handle, for <see cref="Native"/>, rays, events and queries of fields.</summary>
         public BatchId Id { get { return _id; } }
-        /// <summary>The most bodies at a time.</summary>
+        /// <summary>Largest number of bodies.</summary>
         public int Capacity { get; private set; }
         /// <summary>Whether it was disposed of, or its world was.</summary>
         public bool IsDisposed { get { return _disposed || _world.IsDisposed; } }
@@ -42,14 +42,14 @@ namespace LangevinRigid
             return body;
         }
 
-        /// <summary>Creates bodies, all or none; <paramref name="ids"/> may be null.</summary>
+        /// <summary>Creates bodies, all or none; <paramref name="ids"/> can be null.</summary>
         public void CreateBodies(BodyDesc* descs, int count, BodyId* ids)
         {
             uint number = Counts.Of(count);
             Leave(Native.lr_body_create(EnterChange(), _id, descs, number, ids), "lr_body_create");
         }
 
-        /// <summary>The same for an array; returns the ids.</summary>
+        /// <summary>Creates bodies from an array, all or none; returns their ids.</summary>
         public BodyId[] CreateBodies(BodyDesc[] descs)
         {
             if (descs == null) throw new ArgumentNullException("descs");
@@ -59,7 +59,7 @@ namespace LangevinRigid
             return ids;
         }
 
-        /// <summary>Spawns bodies now by the emitter, all or none; returns their ids.</summary>
+        /// <summary>Spawns bodies from the emitter now, all or none; returns their ids.</summary>
         public BodyId[] Emit(int count)
         {
             var ids = new BodyId[Counts.Of(count)];
@@ -67,20 +67,20 @@ namespace LangevinRigid
             return ids;
         }
 
-        /// <summary>The same; <paramref name="ids"/> may be null.</summary>
+        /// <summary>Spawns bodies from the emitter now, all or none; <paramref name="ids"/> can be null.</summary>
         public void Emit(int count, BodyId* ids)
         {
             uint number = Counts.Of(count);
             Leave(Native.lr_batch_spawn(EnterChange(), _id, number, ids), "lr_batch_spawn");
         }
 
-        /// <summary>How many bodies there are.</summary>
+        /// <summary>The number of bodies.</summary>
         public int Count { get { return (int)RawView().Count; } }
 
-        /// <summary>How many of them are awake.</summary>
+        /// <summary>The number of awake bodies.</summary>
         public int AwakeCount { get { return (int)RawView().AwakeCount; } }
 
-        /// <summary>The state of all bodies, without a copy. It detects when it is no longer valid.</summary>
+        /// <summary>The state of all bodies, without a copy. It throws once it is no longer valid.</summary>
         public BatchData View()
         {
             BatchView view = RawView();
@@ -95,15 +95,15 @@ namespace LangevinRigid
             return view;
         }
 
-        /// <summary>Bytes of one transform without gaps.</summary>
+        /// <summary>The size of a contiguous transform, in bytes.</summary>
         public static int SizeOf(TransformFormat format)
         {
             return FloatsOf(format) * 4;
         }
 
-        /// <summary>Writes the transforms of the first <paramref name="count"/> bodies, or of all where there are fewer, in the order of
-        /// the view; returns how many. <paramref name="stride"/>: bytes from one to the next, 0 for no gaps. For buffers that keep what was
-        /// written before: docs/reference/bodies.md.</summary>
+        /// <summary>Writes the transforms of the first <paramref name="count"/> bodies, or of all if there are fewer, in the order of the view;
+        /// returns their number. <paramref name="stride"/>: bytes from one transform to the next, 0 for no gaps. For buffers that keep earlier
+        /// transforms: docs/reference/bodies.md.</summary>
         public int WriteTransforms(TransformFormat format, void* to, ulong stride, int count)
         {
             uint room = Counts.Of(count), written = 0;
@@ -111,7 +111,7 @@ namespace LangevinRigid
             return (int)written;
         }
 
-        /// <summary>The same into an array, without gaps: as many as fit into it.</summary>
+        /// <summary>Writes contiguous transforms into an array, as many as fit.</summary>
         public int WriteTransforms(TransformFormat format, float[] to)
         {
             if (to == null) throw new ArgumentNullException("to");

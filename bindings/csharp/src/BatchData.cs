@@ -6,9 +6,9 @@ using System;
 
 namespace LangevinRigid
 {
-    /// <summary>A batch's state where it lies: arrays with one value a body. Bodies that move come first, then those at rest. Valid until the
-    /// next call on the world that is not a query: from then on all but <see cref="IsCurrent"/> throws. Spans and pointers taken
-    /// before are not checked: take them anew after each step.</summary>
+    /// <summary>A batch's state in the library's memory: arrays with a value per body. Awake bodies come first, then sleeping ones. Valid until
+    /// the next call on the world that is not a query; then everything except <see cref="IsCurrent"/> throws. Spans and pointers
+    /// taken before are not checked: take them again after each step.</summary>
     public unsafe readonly ref struct BatchData
     {
         private readonly World _world;
@@ -25,15 +25,15 @@ namespace LangevinRigid
         /// <summary>Whether the arrays are still valid.</summary>
         public bool IsCurrent { get { return _world != null && !_world.IsDisposed && _change == _world.ChangeCount; } }
 
-        /// <summary>Bodies.</summary>
+        /// <summary>The number of bodies.</summary>
         public int Count { get { return (int)Raw.Count; } }
         /// <summary>Bodies [0, AwakeCount) are awake, the others asleep.</summary>
         public int AwakeCount { get { return (int)Raw.AwakeCount; } }
         /// <summary>Changes whenever sleeping bodies wake, end or change places.</summary>
         public ulong Revision { get { return Raw.Revision; } }
 
-        /// <summary>The pointers. Valid as long as this object.</summary>
-        /// <exception cref="InvalidOperationException">The world has been called since.</exception>
+        /// <summary>The pointers. Valid as long as this view.</summary>
+        /// <exception cref="InvalidOperationException">The world has changed since.</exception>
         public BatchView Raw
         {
             get
@@ -86,7 +86,7 @@ namespace LangevinRigid
 
         private static void ThrowStale()
         {
-            throw new InvalidOperationException("The view is stale: its world has been called since by what is not a query. Take it anew.");
+            throw new InvalidOperationException("The view is stale: its world has changed since. Take another one.");
         }
 
 #if LANGEVIN_SPAN
@@ -96,13 +96,13 @@ namespace LangevinRigid
         public ReadOnlySpan<float> PositionY { get { return Span(Raw.PositionY); } }
         /// <summary>m, world frame.</summary>
         public ReadOnlySpan<float> PositionZ { get { return Span(Raw.PositionZ); } }
-        /// <summary>Of the unit quaternion, body to world.</summary>
+        /// <summary>x of the unit quaternion, body to world.</summary>
         public ReadOnlySpan<float> OrientationX { get { return Span(Raw.OrientationX); } }
-        /// <summary>Of the unit quaternion, body to world.</summary>
+        /// <summary>y of the unit quaternion, body to world.</summary>
         public ReadOnlySpan<float> OrientationY { get { return Span(Raw.OrientationY); } }
-        /// <summary>Of the unit quaternion, body to world.</summary>
+        /// <summary>z of the unit quaternion, body to world.</summary>
         public ReadOnlySpan<float> OrientationZ { get { return Span(Raw.OrientationZ); } }
-        /// <summary>Of the unit quaternion, body to world.</summary>
+        /// <summary>w of the unit quaternion, body to world.</summary>
         public ReadOnlySpan<float> OrientationW { get { return Span(Raw.OrientationW); } }
         /// <summary>m/s, body frame.</summary>
         public ReadOnlySpan<float> VelocityX { get { return Span(Raw.VelocityX); } }

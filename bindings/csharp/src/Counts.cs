@@ -3,7 +3,7 @@ using System;
 
 namespace LangevinRigid
 {
-    /// <summary>Counts and lengths that come with pointers and arrays: a wrong one must not reach native code.</summary>
+    /// <summary>Checks counts and lengths of pointers and arrays: a wrong one must not reach native code.</summary>
     internal static class Counts
     {
         public static uint Of(int count)
@@ -12,14 +12,14 @@ namespace LangevinRigid
             return (uint)count;
         }
 
-        /// <summary>Of an array that receives <paramref name="count"/> elements.</summary>
+        /// <summary>Checks the length of an array that receives <paramref name="count"/> elements.</summary>
         public static void CheckRoom(Array array, string name, int count)
         {
             if (array == null) throw new ArgumentNullException(name);
             if (array.Length < count) throw new ArgumentException("It has room for " + array.Length + " elements of " + count + ".", name);
         }
 
-        /// <summary>Of the part of an array that is given.</summary>
+        /// <summary>Checks the given part of an array.</summary>
         public static uint OfPart(Array array, string name, int count)
         {
             if (array == null) throw new ArgumentNullException(name);

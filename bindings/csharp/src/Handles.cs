@@ -4,7 +4,7 @@ using System.Runtime.InteropServices;
 
 namespace LangevinRigid
 {
-    /// <summary>A reference to a native asset. Safe to finalize: assets may be released on any thread.</summary>
+    /// <summary>A reference to a native asset. Safe to finalize: any thread can release assets.</summary>
     internal sealed class AssetHandle : SafeHandle
     {
         public AssetHandle(IntPtr asset) : base(IntPtr.Zero, true)
@@ -21,7 +21,7 @@ namespace LangevinRigid
         }
     }
 
-    /// <summary>A native world and its callbacks. Safe to finalize: a world without references is unused.</summary>
+    /// <summary>A native world and its callbacks. Safe to finalize: no thread uses a world without references.</summary>
     internal sealed class WorldHandle : SafeHandle
     {
         private readonly WorldCallbacks _callbacks;

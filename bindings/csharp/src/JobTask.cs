@@ -5,7 +5,7 @@ using System.Threading;
 
 namespace LangevinRigid
 {
-    /// <summary>Work of one step for an <see cref="IJobSystem"/>. Indices stand for threads, which share the work out among
+    /// <summary>The work of a step for an <see cref="IJobSystem"/>. Indices stand for threads, which share the work among
     /// themselves.</summary>
     public sealed class JobTask
     {
@@ -18,7 +18,7 @@ namespace LangevinRigid
         private int _running;
         private volatile bool _closed;
 
-        /// <summary>How many indices there are.</summary>
+        /// <summary>The number of indices.</summary>
         public int Count { get; private set; }
 
         internal object Token;
@@ -40,7 +40,7 @@ namespace LangevinRigid
             Interlocked.Increment(ref _running);
             try
             {
-                if (_closed) throw new InvalidOperationException("A job began after IJobSystem.Finish had returned: its world may be gone.");
+                if (_closed) throw new InvalidOperationException("A job began after IJobSystem.Finish had returned: its world can be gone.");
                 _run(_task, (uint)begin, (uint)end);
             }
             finally
@@ -58,7 +58,7 @@ namespace LangevinRigid
             while (Volatile.Read(ref _running) != 0) spin.SpinOnce();
         }
 
-        // The library has one such function; a second library in the process would have another.
+        // The library has a single such function; a second library in the process would have its own.
         private static TaskFn FunctionOf(IntPtr run)
         {
             lock (_lastRunLock)

@@ -5,7 +5,7 @@ using System.Text;
 
 namespace LangevinRigid
 {
-    /// <summary>A call that the library refused. It has changed nothing, unless the function's text says otherwise.</summary>
+    /// <summary>A refused call. It has changed nothing, unless the function's text says otherwise.</summary>
     public sealed class LangevinException : Exception
     {
         private static readonly AssetFault[] NoFaults = new AssetFault[0];
@@ -19,7 +19,7 @@ namespace LangevinRigid
         /// <summary>The faults of the bytes, if an asset was not loaded.</summary>
         public IReadOnlyList<AssetFault> Faults { get; private set; }
 
-        /// <summary>For a status that a function returned.</summary>
+        /// <summary>Creates the exception for a function's status.</summary>
         public LangevinException(Status status, string function, string detail = null, IReadOnlyList<AssetFault> faults = null)
             : base(Text(status, function, detail, faults))
         {
@@ -60,7 +60,7 @@ namespace LangevinRigid
         }
     }
 
-    /// <summary>One numbered fault of an asset file; docs/reference/asset_format.md lists them.</summary>
+    /// <summary>A numbered fault of an asset file; docs/reference/asset_format.md lists them.</summary>
     public struct AssetFault
     {
         /// <summary>Its number.</summary>

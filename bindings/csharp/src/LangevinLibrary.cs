@@ -8,21 +8,21 @@ namespace LangevinRigid
     {
         private static volatile bool _loaded;
 
-        /// <summary>Major version of a number as <see cref="Native.lr_version"/> gives it: major, minor and patch in 10, 10 and 12
+        /// <summary>Converts a version number of <see cref="Native.lr_version"/>: major, minor and patch in 10, 10 and 12
         /// bits.</summary>
         public static Version VersionOf(uint number)
         {
             return new Version((int)(number >> 22), (int)(number >> 12 & 0x3ff), (int)(number & 0xfff));
         }
 
-        /// <summary>Version of the header that these sources were made from.</summary>
+        /// <summary>Version of the header behind these sources.</summary>
         public static Version HeaderVersion
         {
             get { return new Version((int)Limits.VersionMajor, (int)Limits.VersionMinor, (int)Limits.VersionPatch); }
         }
 
-        /// <summary>Version of the library that is loaded.</summary>
-        /// <exception cref="LangevinLibraryException">There is none, or one that these sources are not for.</exception>
+        /// <summary>Version of the loaded library.</summary>
+        /// <exception cref="LangevinLibraryException">No library was found, or an incompatible one.</exception>
         public static Version Version
         {
             get
@@ -32,9 +32,9 @@ namespace LangevinRigid
             }
         }
 
-        /// <summary>Loads the library unless it is loaded, and checks that it is one that these sources are for. Everything else here does so
-        /// by itself; call it early to fail early.</summary>
-        /// <exception cref="LangevinLibraryException">What is wrong, and what to do about it.</exception>
+        /// <summary>Loads the library if necessary, and checks that it is compatible with these sources. All other classes do this by themselves;
+        /// call it early to fail early.</summary>
+        /// <exception cref="LangevinLibraryException">The reason and its remedy.</exception>
         public static void EnsureLoaded()
         {
             if (!_loaded) Load();
@@ -64,8 +64,8 @@ namespace LangevinRigid
             _loaded = true;
         }
 
-        /// <summary>Whether sources made from a header can use a library: of the same major version, before 1.0 also of the same minor
-        /// version, and not older than the header, whose functions it might lack.</summary>
+        /// <summary>Whether sources for a header can use a library: the major version must be equal, before 1.0 also the minor version, and the
+        /// library must not be older than the header, because it might lack functions.</summary>
         public static bool IsCompatible(Version library, Version header)
         {
             if (library.Major != header.Major || (header.Major == 0 && library.Minor != header.Minor)) return false;

@@ -3,7 +3,7 @@ using System;
 
 namespace LangevinRigid
 {
-    /// <summary>What to say when the native library cannot be used.</summary>
+    /// <summary>Messages for a native library that cannot be used.</summary>
     internal static class LoadHelp
     {
         private static string Bits { get { return IntPtr.Size == 8 ? "64-bit" : "32-bit"; } }

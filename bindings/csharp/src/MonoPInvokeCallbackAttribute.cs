@@ -3,8 +3,8 @@ using System;
 
 namespace LangevinRigid
 {
-    /// <summary>Marks static methods that native code calls. Ahead-of-time compilers (IL2CPP, Mono's) go by the name alone, and make the way
-    /// in from native code for methods that have it.</summary>
+    /// <summary>Marks static methods that native code calls. Ahead-of-time compilers (IL2CPP, Mono's) recognise it by its name, and generate
+    /// the native entry points of these methods.</summary>
     [AttributeUsage(AttributeTargets.Method)]
     internal sealed class MonoPInvokeCallbackAttribute : Attribute
     {

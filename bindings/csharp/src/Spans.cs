@@ -8,7 +8,7 @@ using System.Runtime.InteropServices;
 
 namespace LangevinRigid
 {
-    // Overloads for spans, of what the other parts have for pointers and arrays.
+    // Overloads for spans.
     public sealed unsafe partial class World
     {
         /// <summary><see cref="DestroyBodies(BodyId[])"/></summary>
@@ -29,7 +29,7 @@ namespace LangevinRigid
             fixed (BodyForce* first = &MemoryMarshal.GetReference(forces)) AddForces(first, forces.Length);
         }
 
-        /// <summary><see cref="CreateColliders(ColliderDesc[])"/>; <paramref name="ids"/> is as long as <paramref name="descs"/>, or
+        /// <summary><see cref="CreateColliders(ColliderDesc[])"/>; <paramref name="ids"/> has the length of <paramref name="descs"/>, or is
         /// empty.</summary>
         public void CreateColliders(ReadOnlySpan<ColliderDesc> descs, Span<ColliderId> ids)
         {
@@ -88,7 +88,7 @@ namespace LangevinRigid
 
     public sealed unsafe partial class Batch
     {
-        /// <summary><see cref="CreateBodies(BodyDesc[])"/>; <paramref name="ids"/> is as long as <paramref name="descs"/>, or empty.</summary>
+        /// <summary><see cref="CreateBodies(BodyDesc[])"/>; <paramref name="ids"/> has the length of <paramref name="descs"/>, or is empty.</summary>
         public void CreateBodies(ReadOnlySpan<BodyDesc> descs, Span<BodyId> ids)
         {
             if (!ids.IsEmpty && ids.Length < descs.Length) throw new ArgumentException("It has no room for all ids.", "ids");
@@ -114,7 +114,7 @@ namespace LangevinRigid
             fixed (byte* first = &MemoryMarshal.GetReference(to)) return WriteTransforms(format, first, 0, to.Length / SizeOf(format));
         }
 
-        /// <summary>Forces from spans with one value a body, for each axis one; empty ones all three for none.</summary>
+        /// <summary>Adds forces from a span per axis with a value per body; all three empty for no force.</summary>
         public void AddForces(ForceMode mode, ForceFrame frame, ReadOnlySpan<float> x, ReadOnlySpan<float> y, ReadOnlySpan<float> z)
         {
             if (x.Length != y.Length || x.Length != z.Length) throw new ArgumentException("All axes have a value for each body.");

@@ -20,13 +20,13 @@ namespace LangevinRigid
         /// <summary>Positions along an axis, 0 to 2: m, <see cref="Count"/> values.</summary>
         public float* Position(int axis) { return axis == 0 ? PositionX : axis == 1 ? PositionY : axis == 2 ? PositionZ : NoAxis(); }
 
-        /// <summary>Velocities to be written, likewise.</summary>
+        /// <summary>Velocities to write, likewise.</summary>
         public float* Velocity(int axis) { return axis == 0 ? VelocityX : axis == 1 ? VelocityY : axis == 2 ? VelocityZ : NoAxis(); }
 
-        /// <summary>Their partial derivatives in time, to be written.</summary>
+        /// <summary>Their partial derivatives in time, to write.</summary>
         public float* Rate(int axis) { return axis == 0 ? RateX : axis == 1 ? RateY : axis == 2 ? RateZ : NoAxis(); }
 
-        /// <summary>d velocity[row] / d position[column], to be written.</summary>
+        /// <summary>d velocity[row] / d position[column], to write.</summary>
         public float* Gradient(int row, int column)
         {
             if ((uint)row > 2 || (uint)column > 2) NoAxis();
@@ -69,7 +69,7 @@ namespace LangevinRigid
             return axis == 0 ? PositionX : axis == 1 ? PositionY : axis == 2 ? PositionZ : WindQuery.NoAxis();
         }
 
-        /// <summary>Normals of the surface, to be read and written, likewise.</summary>
+        /// <summary>Normals of the surface, to read and write, likewise.</summary>
         public float* Normal(int axis) { return axis == 0 ? NormalX : axis == 1 ? NormalY : axis == 2 ? NormalZ : WindQuery.NoAxis(); }
 
         /// <summary>Velocities of the water.</summary>

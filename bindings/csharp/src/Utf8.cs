@@ -4,7 +4,7 @@ using System.Text;
 
 namespace LangevinRigid
 {
-    /// <summary>The library's strings are UTF-8 on every platform, and end with 0.</summary>
+    /// <summary>Strings of the library: UTF-8 on every platform, ending with 0.</summary>
     internal static unsafe class Utf8
     {
         public static string Read(byte* text)
@@ -12,7 +12,7 @@ namespace LangevinRigid
             return Read(text, int.MaxValue);
         }
 
-        /// <summary>Of an array that need not end with 0.</summary>
+        /// <summary>Reads an array that can lack the final 0.</summary>
         public static string Read(byte* text, int capacity)
         {
             if (text == null) return string.Empty;

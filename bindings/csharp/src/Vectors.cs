@@ -73,7 +73,7 @@ namespace LangevinRigid
         public override string ToString() { return string.Format(CultureInfo.InvariantCulture, "({0}, {1})", X, Y); }
     }
 
-    /// <summary>Three numbers of assets, which are in double precision.</summary>
+    /// <summary>Three numbers in double precision, for assets.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public struct Double3 : IEquatable<Double3>
     {

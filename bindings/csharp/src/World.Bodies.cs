@@ -5,7 +5,7 @@ namespace LangevinRigid
 {
     public sealed unsafe partial class World
     {
-        /// <summary>Whether a body exists; false for a destroyed one, and for none.</summary>
+        /// <summary>Whether a body exists; false for a destroyed body and for the null handle.</summary>
         public bool IsValid(BodyId body)
         {
             int valid = Native.lr_body_is_valid(Enter(), body);
@@ -26,7 +26,7 @@ namespace LangevinRigid
             Leave(Native.lr_body_destroy(EnterChange(), bodies, number), "lr_body_destroy");
         }
 
-        /// <summary>The same for an array.</summary>
+        /// <summary>Destroys the bodies of an array, all or none.</summary>
         public void DestroyBodies(BodyId[] bodies)
         {
             if (bodies == null) throw new ArgumentNullException("bodies");
@@ -46,14 +46,14 @@ namespace LangevinRigid
             Leave(Native.lr_body_set_sleep(EnterChange(), bodies, number, rest), "lr_body_set_sleep");
         }
 
-        /// <summary>The same for an array.</summary>
+        /// <summary>Puts the bodies of an array to sleep, or wakes them, all or none.</summary>
         public void SetSleep(BodyId[] bodies, SleepState rest)
         {
             if (bodies == null) throw new ArgumentNullException("bodies");
             fixed (BodyId* first = bodies) SetSleep(first, bodies.Length, rest);
         }
 
-        /// <summary>Wakes all sleeping bodies that overlap a box; returns how many.</summary>
+        /// <summary>Wakes all sleeping bodies that overlap a box; returns their number.</summary>
         public int WakeBox(Float3 low, Float3 high)
         {
             uint woken;
@@ -61,20 +61,20 @@ namespace LangevinRigid
             return (int)woken;
         }
 
-        /// <summary>A force on a body.</summary>
+        /// <summary>Adds a force to a body.</summary>
         public void AddForce(BodyForce force)
         {
             AddForces(&force, 1);
         }
 
-        /// <summary>Forces on bodies of any batches, all or none; a body may occur more than once.</summary>
+        /// <summary>Adds forces to bodies of any batches, all or none; a body can occur more than once.</summary>
         public void AddForces(BodyForce* forces, int count)
         {
             uint number = Counts.Of(count);
             Leave(Native.lr_body_add_force(EnterChange(), forces, number), "lr_body_add_force");
         }
 
-        /// <summary>The same for an array.</summary>
+        /// <summary>Adds the forces of an array, all or none.</summary>
         public void AddForces(BodyForce[] forces)
         {
             if (forces == null) throw new ArgumentNullException("forces");

@@ -13,14 +13,14 @@ namespace LangevinRigid
             return collider;
         }
 
-        /// <summary>Creates colliders, all or none; <paramref name="ids"/> may be null.</summary>
+        /// <summary>Creates colliders, all or none; <paramref name="ids"/> can be null.</summary>
         public void CreateColliders(ColliderDesc* descs, int count, ColliderId* ids)
         {
             uint number = Counts.Of(count);
             Leave(Native.lr_collider_create(EnterChange(), descs, number, ids), "lr_collider_create");
         }
 
-        /// <summary>The same for arrays; returns the ids.</summary>
+        /// <summary>Creates the colliders of an array, all or none; returns their ids.</summary>
         public ColliderId[] CreateColliders(ColliderDesc[] descs)
         {
             if (descs == null) throw new ArgumentNullException("descs");
@@ -30,7 +30,7 @@ namespace LangevinRigid
             return ids;
         }
 
-        /// <summary>The convex hull of points. Kind and vertices of the desc are set here.</summary>
+        /// <summary>Creates the convex hull of points. Sets kind and vertices of the desc.</summary>
         public ColliderId CreateHull(ColliderDesc desc, Float3[] vertices)
         {
             if (vertices == null) throw new ArgumentNullException("vertices");
@@ -43,7 +43,7 @@ namespace LangevinRigid
             }
         }
 
-        /// <summary>A mesh of triangles, three indices each. Kind, vertices and triangles of the desc are set here.</summary>
+        /// <summary>Creates a mesh of triangles, three indices each. Sets kind, vertices and triangles of the desc.</summary>
         public ColliderId CreateMesh(ColliderDesc desc, Float3[] vertices, uint[] indices)
         {
             if (vertices == null) throw new ArgumentNullException("vertices");
@@ -61,8 +61,8 @@ namespace LangevinRigid
             }
         }
 
-        /// <summary>A heightfield with <paramref name="countX"/> samples along x, which varies fastest. Kind, counts and heights of the desc
-        /// are set here.</summary>
+        /// <summary>Creates a heightfield with <paramref name="countX"/> samples along x, which varies fastest. Sets kind, counts and heights of the
+        /// desc.</summary>
         public ColliderId CreateHeightfield(ColliderDesc desc, float[] heights, int countX)
         {
             if (heights == null) throw new ArgumentNullException("heights");
@@ -90,7 +90,7 @@ namespace LangevinRigid
             Leave(Native.lr_collider_destroy(EnterChange(), colliders, number), "lr_collider_destroy");
         }
 
-        /// <summary>The same for an array.</summary>
+        /// <summary>Destroys the colliders of an array, all or none.</summary>
         public void DestroyColliders(ColliderId[] colliders)
         {
             if (colliders == null) throw new ArgumentNullException("colliders");
@@ -110,7 +110,7 @@ namespace LangevinRigid
             Leave(Native.lr_collider_move(EnterChange(), motions, number), "lr_collider_move");
         }
 
-        /// <summary>The same for an array, or its first <paramref name="count"/> elements.</summary>
+        /// <summary>Moves the colliders of an array, or of its first <paramref name="count"/> elements.</summary>
         public void MoveColliders(ColliderMotion[] motions, int count = -1)
         {
             if (motions == null) throw new ArgumentNullException("motions");
@@ -118,7 +118,7 @@ namespace LangevinRigid
             fixed (ColliderMotion* first = motions) MoveColliders(first, (int)number);
         }
 
-        /// <summary>Whether a collider exists; false for a destroyed one, and for none.</summary>
+        /// <summary>Whether a collider exists; false for a destroyed collider and for the null handle.</summary>
         public bool IsValid(ColliderId collider)
         {
             int valid = Native.lr_collider_is_valid(Enter(), collider);
@@ -132,21 +132,21 @@ namespace LangevinRigid
             SetColliderMaterial(&collider, 1, surface);
         }
 
-        /// <summary>Sets one material for colliders, all or none.</summary>
+        /// <summary>Sets the material of several colliders, all or none.</summary>
         public void SetColliderMaterial(ColliderId* colliders, int count, ColliderMaterial surface)
         {
             uint number = Counts.Of(count);
             Leave(Native.lr_collider_set_material(EnterChange(), colliders, number, &surface), "lr_collider_set_material");
         }
 
-        /// <summary>The same for an array.</summary>
+        /// <summary>Sets the material of the colliders of an array, all or none.</summary>
         public void SetColliderMaterial(ColliderId[] colliders, ColliderMaterial surface)
         {
             if (colliders == null) throw new ArgumentNullException("colliders");
             fixed (ColliderId* first = colliders) SetColliderMaterial(first, colliders.Length, surface);
         }
 
-        /// <summary>Copies events of the last step, as many as fit; returns how many.</summary>
+        /// <summary>Copies events of the last step, as many as fit; returns their number.</summary>
         public int CopyEvents(BodyEvent[] to)
         {
             if (to == null) throw new ArgumentNullException("to");

@@ -5,7 +5,7 @@ namespace LangevinRigid
 {
     public sealed unsafe partial class World
     {
-        /// <summary>The first hit of a ray; all 0 if there is none.</summary>
+        /// <summary>The first hit of a ray; all 0 without a hit.</summary>
         public RayHit RayCast(Ray ray)
         {
             RayHit hit;
@@ -20,7 +20,7 @@ namespace LangevinRigid
             Leave(Native.lr_world_ray_cast(Enter(), rays, number, hits), "lr_world_ray_cast");
         }
 
-        /// <summary>The same for arrays of equal length.</summary>
+        /// <summary>The first hit of each ray, for arrays of equal length.</summary>
         public void RayCast(Ray[] rays, RayHit[] hits)
         {
             if (rays == null) throw new ArgumentNullException("rays");
@@ -29,8 +29,8 @@ namespace LangevinRigid
             fixed (RayHit* to = hits) RayCast(from, rays.Length, to);
         }
 
-        /// <summary>Bodies of which a part is in a sphere or box: returns how many there are, and writes their ids if there is room for all
-        /// of them; false where there is not.</summary>
+        /// <summary>Finds bodies that overlap a sphere or box. Returns false if there are more than <paramref name="capacity"/>; then it writes only
+        /// their number.</summary>
         public bool TryOverlap(OverlapDesc desc, BodyId* bodies, int capacity, out int count)
         {
             uint room = Counts.Of(capacity), found = 0;
@@ -51,7 +51,7 @@ namespace LangevinRigid
             return bodies;
         }
 
-        /// <summary>Bytes that <see cref="SaveSnapshot(void*, ulong)"/> needs at present.</summary>
+        /// <summary>The present size of a snapshot, in bytes.</summary>
         public ulong SnapshotSize
         {
             get
@@ -78,7 +78,7 @@ namespace LangevinRigid
             return written;
         }
 
-        /// <summary>Restores a snapshot, also into another world with the same batches.</summary>
+        /// <summary>Restores a snapshot of this world, or of one with the same batches.</summary>
         public void RestoreSnapshot(byte[] bytes)
         {
             if (bytes == null) throw new ArgumentNullException("bytes");
@@ -86,13 +86,13 @@ namespace LangevinRigid
             fixed (byte* first = bytes) RestoreSnapshot(first == null ? &none : first, (ulong)bytes.Length);
         }
 
-        /// <summary>The same from memory.</summary>
+        /// <summary>Restores a snapshot from memory.</summary>
         public void RestoreSnapshot(void* memory, ulong size)
         {
             Leave(Native.lr_world_snapshot_restore(EnterChange(), memory, size), "lr_world_snapshot_restore");
         }
 
-        /// <summary>Body contact between two batches, or within one.</summary>
+        /// <summary>Switches contact between the bodies of two batches, or among those of one batch.</summary>
         public void SetBodyContact(Batch a, Batch b, bool enabled)
         {
             if (a == null) throw new ArgumentNullException("a");

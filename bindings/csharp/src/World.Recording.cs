@@ -6,16 +6,16 @@ namespace LangevinRigid
 {
     public sealed unsafe partial class World
     {
-        /// <summary>Has every call that can change the world written to a stream from now on, with its arguments and what came out, for
-        /// <c>lr_replay</c>: the form of a bug report. The stream is written to within calls on this world; it stays the caller's, who
-        /// closes it after <see cref="StopRecording"/>. What it throws ends the recording, and is thrown again by that call.
+        /// <summary>Writes every call that can change the world to a stream, with its arguments and results, for <c>lr_replay</c> and for bug
+        /// reports. Calls on this world write to the stream. The stream still belongs to the caller, who closes it after
+        /// <see cref="StopRecording"/>. Its exceptions end the recording, and that call rethrows them.
         /// docs/reference/snapshots.md</summary>
         public void StartRecording(Stream to)
         {
             StartRecording(to, RecordingDesc.Create());
         }
 
-        /// <summary>A recording with settings; <see cref="RecordingDesc.Write"/> and <see cref="RecordingDesc.User"/> are set here.</summary>
+        /// <summary>Starts a recording with settings, except <see cref="RecordingDesc.Write"/> and <see cref="RecordingDesc.User"/>.</summary>
         public void StartRecording(Stream to, RecordingDesc desc)
         {
             IntPtr world = Enter();
@@ -33,7 +33,7 @@ namespace LangevinRigid
             Leave(status, "lr_world_record_start");
         }
 
-        /// <summary>Ends a recording, after writing its last bytes.</summary>
+        /// <summary>Ends the recording after writing its last bytes.</summary>
         public void StopRecording()
         {
             IntPtr world = Enter();

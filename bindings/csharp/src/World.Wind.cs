@@ -11,7 +11,7 @@ namespace LangevinRigid
             Leave(Native.lr_world_set_uniform_wind(EnterChange(), velocity.X, velocity.Y, velocity.Z), "lr_world_set_uniform_wind");
         }
 
-        /// <summary>The uniform wind as last set, m/s.</summary>
+        /// <summary>The uniform wind last set, m/s.</summary>
         public Float3 GetUniformWind()
         {
             var velocity = default(Float3);
@@ -19,8 +19,8 @@ namespace LangevinRigid
             return velocity;
         }
 
-        /// <summary>A grid from an array: x, y and z of each sample, x fastest, then y, z and frame; as many as <see
-        /// cref="WindGridDesc.Counts"/> and <see cref="WindGridDesc.Frames"/> say.</summary>
+        /// <summary>Adds a grid from an array: x, y and z of each sample, x fastest, then y, z and frame. <see
+        /// cref="WindGridDesc.Counts"/> and <see cref="WindGridDesc.Frames"/> give its length.</summary>
         public WindSourceId AddWindGrid(WindGridDesc desc, float[] samples)
         {
             CheckSamples(desc, samples);
@@ -48,7 +48,7 @@ namespace LangevinRigid
             Leave(Native.lr_world_remove_wind(EnterChange(), source), "lr_world_remove_wind");
         }
 
-        /// <summary>Whether a source exists; false for a removed one, and for none.</summary>
+        /// <summary>Whether a source exists; false for a removed source and for the null handle.</summary>
         public bool IsValid(WindSourceId source)
         {
             int valid = Native.lr_wind_source_is_valid(Enter(), source);
@@ -56,7 +56,7 @@ namespace LangevinRigid
             return valid != 0;
         }
 
-        /// <summary>The program's own wind field, added to other wind; null removes it. The world keeps it alive.</summary>
+        /// <summary>Sets the program's wind field, which adds to other wind; null removes it. The world keeps it alive.</summary>
         public void SetWindField(WindField field)
         {
             IntPtr world = EnterChange();
@@ -65,14 +65,14 @@ namespace LangevinRigid
                 "lr_world_set_wind_callback");
         }
 
-        /// <summary>The fluid's velocity at <paramref name="count"/> positions x, y, z; both may be the same memory.</summary>
+        /// <summary>The fluid's velocity at <paramref name="count"/> positions x, y, z. Both pointers can be the same.</summary>
         public void SampleWind(float* positions, int count, float* velocities)
         {
             uint number = Counts.Of(count);
             Leave(Native.lr_world_sample_wind(Enter(), positions, number, velocities), "lr_world_sample_wind");
         }
 
-        /// <summary>The same for arrays of equal length.</summary>
+        /// <summary>The fluid's velocity at the positions of an array; both arrays need equal length.</summary>
         public void SampleWind(Float3[] positions, Float3[] velocities)
         {
             if (positions == null) throw new ArgumentNullException("positions");
@@ -89,7 +89,7 @@ namespace LangevinRigid
             return velocity;
         }
 
-        /// <summary>The water at present; false if there is none.</summary>
+        /// <summary>Reads the water's settings; false without water.</summary>
         public bool TryGetWater(out WaterDesc desc)
         {
             int present;
@@ -99,7 +99,7 @@ namespace LangevinRigid
             return present != 0;
         }
 
-        /// <summary>The program's own water surface, used while water is set; null removes it. The world keeps it alive.</summary>
+        /// <summary>Sets the program's water surface, used while water is set; null removes it. The world keeps it alive.</summary>
         public void SetWaterField(WaterField field)
         {
             IntPtr world = EnterChange();

@@ -4,9 +4,9 @@ using System.Threading;
 
 namespace LangevinRigid
 {
-    /// <summary>A world of falling bodies. One thread at a time may use it: a second one that comes while a call runs, or a callback of that
-    /// call, gets an <see cref="InvalidOperationException"/>. Different worlds may be used at the same time.
-    /// <para>Calls that fail throw <see cref="LangevinException"/> and have changed nothing.</para></summary>
+    /// <summary>A world of falling bodies. Only one thread at a time can use it: a second thread during a call, or a callback of that call,
+    /// gets an <see cref="InvalidOperationException"/>. Different worlds can be used at the same time.
+    /// <para>Refused calls throw <see cref="LangevinException"/> and change nothing.</para></summary>
     public sealed unsafe partial class World : IDisposable
     {
         private const int Idle = 0, InCall = 1, Disposed = 2;
@@ -15,17 +15,17 @@ namespace LangevinRigid
         private readonly WorldCallbacks _callbacks;
         private int _state;
 
-        /// <summary>With defaults: still air, gravity along -y, everything on the calling thread.</summary>
+        /// <summary>Creates a world with defaults: still air, gravity along -y, all work on the calling thread.</summary>
         public World() : this(WorldDesc.Create(), null)
         {
         }
 
-        /// <summary>With the settings of a desc.</summary>
+        /// <summary>Creates a world with the settings of a desc.</summary>
         public World(WorldDesc desc) : this(desc, null)
         {
         }
 
-        /// <summary>As a desc says, with services of the program's. They take the place of function pointers in the desc; the log is
+        /// <summary>Creates a world with the settings of a desc and services of the program, which replace the desc's function pointers; the log is
         /// always the binding's.</summary>
         public World(WorldDesc desc, WorldServices services)
         {
@@ -59,7 +59,7 @@ namespace LangevinRigid
         /// <summary>Whether it was disposed of.</summary>
         public bool IsDisposed { get { return Volatile.Read(ref _state) == Disposed; } }
 
-        /// <summary>How often the world has been called by what is not a query, and so how long views are valid: <see
+        /// <summary>The number of calls on the world that were not queries. Views are valid while it stays the same: <see
         /// cref="BatchData.IsCurrent"/>.</summary>
         public ulong ChangeCount { get; private set; }
 
@@ -70,7 +70,7 @@ namespace LangevinRigid
         }
 
         /// <summary>Destroys the world with all its batches and bodies, and ends its threads.</summary>
-        /// <exception cref="InvalidOperationException">A call on it is running: it cannot be disposed of in its own callbacks.</exception>
+        /// <exception cref="InvalidOperationException">A call on it is running: its own callbacks cannot dispose of it.</exception>
         public void Dispose()
         {
             int before = Interlocked.CompareExchange(ref _state, Disposed, Idle);
@@ -81,17 +81,17 @@ namespace LangevinRigid
             _callbacks.Rethrow();
         }
 
-        /// <summary>Advances all bodies by <paramref name="dt"/> seconds in <paramref name="substeps"/> equal parts. At 60 Hz, 2 suit leaves
-        /// and paper of some centimetres, 4 petals and confetti.</summary>
-        /// <exception cref="LangevinException">The step was refused, and not taken. With <see cref="Status.OutOfMemory"/> it has
-        /// been taken, so do not repeat it, but bodies may have passed through each other.</exception>
-        /// <exception cref="Exception">An exception of a callback, after the step, which was taken.</exception>
+        /// <summary>Advances all bodies by <paramref name="dt"/> seconds in <paramref name="substeps"/> equal parts. At 60 Hz take 2 for leaves and
+        /// paper of a few centimetres, 4 for petals and confetti.</summary>
+        /// <exception cref="LangevinException">The step was refused, and not taken. Exception: with <see cref="Status.OutOfMemory"/>
+        /// it was taken without some contacts, so do not repeat it.</exception>
+        /// <exception cref="Exception">An exception of a callback; the step was taken.</exception>
         public void Step(float dt, int substeps = 2)
         {
             Leave(Native.lr_world_step(EnterChange(), dt, substeps < 0 ? 0u : (uint)substeps), "lr_world_step");
         }
 
-        /// <summary>A hash of everything that determines further motion: equal on every machine after equal calls.</summary>
+        /// <summary>A hash of all state that determines further motion: equal on every machine after equal calls.</summary>
         public ulong Hash
         {
             get
@@ -102,7 +102,7 @@ namespace LangevinRigid
             }
         }
 
-        /// <summary>m/s^2, from the next step on.</summary>
+        /// <summary>Sets gravity, m/s^2, from the next step on.</summary>
         public void SetGravity(Float3 gravity)
         {
             Leave(Native.lr_world_set_gravity(EnterChange(), &gravity.X), "lr_world_set_gravity");
@@ -134,7 +134,7 @@ namespace LangevinRigid
             }
         }
 
-        /// <summary>Whether a batch exists; false for one that was disposed of, and for none.</summary>
+        /// <summary>Whether a batch exists; false for a disposed batch and for the null handle.</summary>
         public bool IsValid(BatchId batch)
         {
             int valid = Native.lr_batch_is_valid(Enter(), batch);

@@ -6,8 +6,8 @@ using System.Threading;
 
 namespace LangevinRigid
 {
-    /// <summary>What native code calls for one world. Lives as long as the native world, also while a finalizer destroys that; hence it
-    /// must not hold the <see cref="World"/>, which would never be finalized.</summary>
+    /// <summary>The callbacks of a world for native code. It lives as long as the native world, also while a finalizer destroys that. Hence it
+    /// must not refer to the <see cref="World"/>, which could then never be finalized.</summary>
     internal sealed unsafe class WorldCallbacks
     {
         private readonly WorldServices _services;
@@ -58,7 +58,7 @@ namespace LangevinRigid
             if (thrown != null) thrown.Throw();
         }
 
-        // The first one counts: what other threads throw in the same step has most often the same cause.
+        // Keeps the first exception: those of other threads in the same step most often have the same cause.
         private void Keep(Exception exception)
         {
             Interlocked.CompareExchange(ref _thrown, ExceptionDispatchInfo.Capture(exception), null);

@@ -3,7 +3,7 @@ using System;
 using System.Collections.Generic;
 using LangevinRigid;
 
-/// <summary>What tests say must hold.</summary>
+/// <summary>Assertions.</summary>
 static class Check
 {
     public sealed class Failed : Exception

@@ -52,7 +52,7 @@ static unsafe class LifetimeTests
         asset.Dispose();
         asset.Dispose();
         batch.CreateBody(BodyDesc.Create());
-        world.Step(Scene.Frame, 1); // with an asset that only the batch holds
+        world.Step(Scene.Frame, 1); // only the batch holds the asset
         batch.Dispose();
         batch.Dispose();
         world.Dispose();
@@ -61,7 +61,7 @@ static unsafe class LifetimeTests
         Check.True(asset.IsDisposed && world.IsDisposed && batch.IsDisposed, "disposed");
     }
 
-    // Every public member: one that forgets to look would hand the library a pointer to freed memory.
+    // Every public member: without its check it would pass a pointer to freed memory to the library.
     public static void NothingIsUsedAfterDispose()
     {
         var world = new World();
@@ -94,7 +94,7 @@ static unsafe class LifetimeTests
                 if (type.FullName.StartsWith("System.Span") || type.FullName.StartsWith("System.ReadOnlySpan")) possible = false;
                 if (possible) arguments.Add(Some(type, given));
             }
-            if (!possible || method.ReturnType.Name == "BatchData") continue; // reflection cannot hold them
+            if (!possible || method.ReturnType.Name == "BatchData") continue; // reflection cannot hold ref structs
             try
             {
                 method.Invoke(target, arguments.ToArray());
@@ -150,11 +150,11 @@ static unsafe class LifetimeTests
             InAThread(() => { });
         }
         Check.True(allocator.Total > worlds, "memory was taken: " + allocator.Total);
-        // A word left on a stack may hold one of them: the collector does not know what it is.
+        // A word left on a stack can keep a world alive: the collector is conservative.
         Check.True(allocator.LiveWorlds <= 1, "finalized: " + allocator.LiveWorlds + " of " + worlds + " are left");
     }
 
-    // A stack of its own: nothing on it is left over.
+    // Its own stack, which leaves nothing behind.
     static void InAThread(ThreadStart work)
     {
         var thread = new Thread(work);
@@ -263,7 +263,7 @@ static unsafe class LifetimeTests
     }
 }
 
-/// <summary>Knows what is taken and not given back.</summary>
+/// <summary>Counts allocations that are not released.</summary>
 sealed class CountingAllocator : IWorldAllocator
 {
     readonly Dictionary<IntPtr, ulong> _live = new Dictionary<IntPtr, ulong>();
@@ -275,7 +275,7 @@ sealed class CountingAllocator : IWorldAllocator
     public bool Throws { get; set; }
     public int Live { get { lock (_live) return _live.Count; } }
 
-    /// <summary>Blocks of the size of the first, which is a world.</summary>
+    /// <summary>Allocations of the size of the first one, which is a world.</summary>
     public int LiveWorlds
     {
         get

@@ -3,7 +3,7 @@ using System;
 using System.Threading;
 using LangevinRigid;
 
-/// <summary>What a process says whose library is missing or another one; each needs a process of its own.</summary>
+/// <summary>Messages for a missing or wrong library; each case needs its own process.</summary>
 static class LoadCheck
 {
     public static int Run(string kind)
@@ -27,7 +27,7 @@ static class LoadCheck
         return 0;
     }
 
-    /// <summary>A program that ends while worlds with callbacks and threads are there, and while one is in a step.</summary>
+    /// <summary>Exits while worlds with callbacks and threads exist, one of them in a step.</summary>
     public static int Leave()
     {
         for (int i = 0; i < 3; ++i)

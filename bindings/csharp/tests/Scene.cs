@@ -3,7 +3,7 @@ using System;
 using System.IO;
 using LangevinRigid;
 
-/// <summary>What many tests begin with.</summary>
+/// <summary>Set-up for many tests.</summary>
 static class Scene
 {
     public const float Frame = 1.0f / 60.0f;
@@ -34,7 +34,7 @@ static class Scene
         return descs;
     }
 
-    /// <summary>An asset file from lr_bake, whose path the test script gives.</summary>
+    /// <summary>An asset file of lr_bake; the test script gives its path.</summary>
     public static byte[] BakedBytes()
     {
         return File.ReadAllBytes(BakedPath);

@@ -2,7 +2,7 @@
 using System;
 using LangevinRigid;
 
-/// <summary>Each setting reaches the library and does what it says.</summary>
+/// <summary>Each setting reaches the library and takes effect.</summary>
 static unsafe class SettingsTests
 {
     public static void WindAndItsSources()
@@ -160,7 +160,7 @@ static unsafe class SettingsTests
             gains.Turbulence = 0.0f;
             other.SetLoadGains(gains);
             Check.Equal(gains.Drag, other.GetLoadGains().Drag, "as set");
-            // Far from the first batch's body, flat side down: alone with the air.
+            // Far from the first batch's body, flat side down: only the air acts on it.
             BodyDesc apart = BodyDesc.Create();
             apart.Position = new Float3(5, 0, 0);
             apart.Orientation = new Float4(0.70710678f, 0, 0, 0.70710678f);

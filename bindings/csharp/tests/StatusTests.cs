@@ -5,7 +5,7 @@ using System.IO;
 using System.Runtime.InteropServices;
 using LangevinRigid;
 
-/// <summary>Every status that can be provoked from outside, as an exception where the managed layer can pass it on.</summary>
+/// <summary>Every status that callers can provoke, as an exception if the managed layer can pass it on.</summary>
 static unsafe class StatusTests
 {
     static readonly List<Status> Seen = new List<Status>();
@@ -27,9 +27,9 @@ static unsafe class StatusTests
         Files();
         Snapshots();
         Seen.Add(Status.Ok);
-        // What no caller can bring about: the library returns it only where its own check of what it has built fails.
+        // No caller can provoke it: the library returns it only for a failed internal check.
         Seen.Add(Status.Internal);
-        // And what the class World finds by itself, before it calls.
+        // The class World refuses this by itself, before the call.
         Seen.Add(Status.ConcurrentUse);
         Seen.Add(Status.Reentrant);
         foreach (Status status in Enum.GetValues(typeof(Status)))
@@ -102,7 +102,7 @@ static unsafe class StatusTests
 
     static void WithAddressSpace(ulong bytes, Action action)
     {
-        const int addressSpace = 9; // of Linux
+        const int addressSpace = 9; // RLIMIT_AS on Linux
         Limit before;
         Check.Equal(0, getrlimit(addressSpace, &before), "getrlimit");
         Limit little = before;
@@ -118,13 +118,13 @@ static unsafe class StatusTests
         }
     }
 
-    // Threads that find no address space for their stacks.
+    // Threads without address space for their stacks.
     static void Threads()
     {
         ulong pages = ulong.Parse(File.ReadAllText("/proc/self/statm").Split(' ')[0]);
         WorldDesc desc = WorldDesc.Create();
         desc.WorkerCount = 64;
-        new LangevinException(Status.Threads, "lr_world_create"); // what it takes is loaded while there is memory
+        new LangevinException(Status.Threads, "lr_world_create"); // loads the exception's code while there is memory
         Expect(Status.Threads, () => WithAddressSpace(pages * 4096 + (64ul << 20), () => new World(desc).Dispose()));
         new World(desc).Dispose();
     }
@@ -192,7 +192,7 @@ static unsafe class StatusTests
         File.Delete(path);
     }
 
-    // A field of the file's root table, by the layout of FlatBuffers, and then the checksum, field 1: FNV-1a with its bytes zero.
+    // Changes a field of the file's root table, by the layout of FlatBuffers, then the checksum, field 1: FNV-1a over bytes with it zeroed.
     static byte[] Changed(byte[] bytes, int field, byte[] value)
     {
         var changed = (byte[])bytes.Clone();

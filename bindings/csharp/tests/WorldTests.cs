@@ -144,7 +144,7 @@ static unsafe class WorldTests
             Check.True(length > 1000, "bytes: " + length);
             world.Step(Scene.Frame, 2);
             Check.Equal(length, stream.Length, "after its end");
-            var full = new System.IO.MemoryStream(new byte[64]); // it throws where it ends
+            var full = new System.IO.MemoryStream(new byte[64]); // throws at its end
             Check.Throws<NotSupportedException>(() => world.StartRecording(full), "a stream without room");
             Check.Status(Status.InvalidArgument, () => world.StopRecording());
             world.Step(Scene.Frame, 2);

@@ -1,4 +1,4 @@
-# Two kinds of leaves in a gusty wind; a ball rolls through those on the ground, and an Area3D blows them away.
+# Two kinds of leaves in a gusty wind. A ball rolls through the leaves on the ground, and an Area3D blows them away.
 # SPDX-License-Identifier: MIT
 extends Node3D
 

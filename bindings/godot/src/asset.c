@@ -1,5 +1,5 @@
 /*
- * LangevinAsset: a resource that holds what lr_bake made of a mesh.
+ * LangevinAsset: a resource with a shape baked by lr_bake.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* FileAccess.get_file_as_bytes(String) -> PackedByteArray, static, and so without an object to call it on by name. */
+/* FileAccess.get_file_as_bytes(String) -> PackedByteArray. It is static, so there is no object to call it on by name. */
 #define GET_FILE_AS_BYTES_HASH 659035735
 
 static void report_fault(void* user, uint32_t number, const char* where, const char* what, const char* remedy) {
@@ -28,7 +28,7 @@ static void take(asset_node* self, lr_asset* asset) {
     lr_asset_get_info(asset, &self->info);
 }
 
-/* bytes: a PackedByteArray. A refused asset leaves the old one. */
+/* bytes: a PackedByteArray. If it is refused, the old asset stays. */
 static int load_bytes(asset_node* self, const gd_var* bytes, const char* name) {
     lr_asset* asset = NULL;
     const int64_t count = gd_array_count(bytes);
@@ -200,7 +200,7 @@ const gd_class asset_class = {.name = "LangevinAsset",
 /* ------------------------------------------------------------------------------------------------------------------ */
 /* Loader                                                                                                             */
 
-/* Results of virtual methods are values that exist already. */
+/* Writes a result of a virtual method, whose storage already holds a value. */
 static void give(gdx_type type, gd_var* value, void* ret) {
     if (gd.destroy[type]) gd.destroy[type](ret);
     gd.to_type[type](ret, value);

@@ -1,5 +1,5 @@
 /*
- * LangevinBatch: the bodies of one asset, how they are spawned and end, and what they feel.
+ * LangevinBatch: all bodies of an asset, with their emitter, rules and forces.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -61,7 +61,7 @@ static void notification(void* instance, int32_t what) {
     case ENTER_TREE:
         world = world_above(self);
         if (!world) {
-            gd_warning("a LangevinBatch is not below a LangevinWorld: nothing will move it");
+            gd_warning("a LangevinBatch is not below a LangevinWorld: its bodies will not move");
             break;
         }
         world_add_batch(world, self);
@@ -117,7 +117,7 @@ static void v_warnings(void* instance, const void* const* args, void* ret) {
                          gd_string("Put this node below a LangevinWorld, which steps its bodies."));
     if (!asset || !asset->asset)
         gd_call_in_place(&list, GD_N_append, NULL, 1,
-                         gd_string("Assign an asset: an .lrb file that lr_bake has made of the mesh."));
+                         gd_string("Assign an asset: an .lrb file that lr_bake made from the mesh."));
     if (gd_type(&self->mesh) == GDX_NIL)
         gd_call_in_place(&list, GD_N_append, NULL, 1, gd_string("Assign a mesh: without one nothing is drawn."));
     gd.destroy[GDX_PACKED_STRING_ARRAY](ret);

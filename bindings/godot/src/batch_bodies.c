@@ -1,5 +1,5 @@
 /*
- * What scripts do with single bodies, and with all of them.
+ * Methods for scripts: single bodies, and all bodies of a batch.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -8,7 +8,7 @@
 
 #include <string.h>
 
-/* The library's world and batch, made if it is time; null after an error. */
+/* The library's world, with the batch created if possible; null after an error. */
 static lr_world* ready(batch_node* self, const char* what) {
     batch_ensure(self);
     if (self->world && self->world->world && self->batch.id) return self->world->world;
@@ -82,7 +82,7 @@ static void m_clear(void* self, const gd_var* args, gd_var* ret) {
     (void)args;
     (void)ret;
     while (view_of(self, &view) && view.count > 0) {
-        /* The ids lie in memory that the call changes: in pieces, from the end. */
+        /* The call changes the memory that holds the ids, so they are copied in pieces, from the end. */
         lr_body ids[256];
         const uint32_t count = view.count < 256u ? view.count : 256u;
         memcpy(ids, view.ids + (view.count - count), count * sizeof *ids);

@@ -1,6 +1,6 @@
 /*
- * How a batch is drawn: one multimesh of the rendering server, and one instance of it that stays at the origin, since bodies
- * are in the scene's space. The library writes its rows of 3x4 into the packed array that is the multimesh's buffer.
+ * Drawing a batch: a multimesh of the rendering server with an instance at the origin, since bodies are in the scene's
+ * space. The library writes its rows of 3x4 into the packed array that becomes the multimesh's buffer.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -31,7 +31,7 @@ static uint64_t rid_of_resource(const gd_var* resource) {
     return rid;
 }
 
-/* local = mesh_transform moved by what lies between the mesh's origin and the body's: the centre of mass. */
+/* local = mesh_transform moved from the mesh's origin to the body's: the centre of mass. */
 static void update_local(batch_node* self) {
     float moved[12], box[6], identity[12];
     const asset_node* asset = batch_asset(self);
@@ -62,7 +62,7 @@ static void update_local(batch_node* self) {
 void batch_draw_changed(void* instance) {
     batch_node* self = instance;
     update_local(self);
-    self->revision = 0; /* all is written anew */
+    self->revision = 0; /* write everything anew */
     self->drawn = 0;
     if (!self->instance) return;
     gd_var ret;
@@ -87,7 +87,7 @@ void batch_draw_begin(batch_node* self) {
     if (object) gd_call(object, GD_N_get_scenario, &scenario, 0);
     self->multimesh = rid_of(GD_N_multimesh_create, 0, gd_nil(), gd_nil());
     self->allocated = 0;
-    /* The order of bodies changes when some wake or end: between two steps there is nothing to interpolate by index. */
+    /* Bodies change their order when bodies wake or end, so interpolating by index between two steps would be wrong. */
     gd_call(gd.rendering_server, GD_N_multimesh_set_physics_interpolated, NULL, 2, gd_rid(self->multimesh), gd_bool(0));
     self->instance = rid_of(GD_N_instance_create2, 2, gd_rid(self->multimesh), scenario);
     gd_free(&world);
@@ -102,7 +102,7 @@ void batch_draw_end(batch_node* self) {
     gd_free(&self->buffer);
 }
 
-/* The buffer is as long as the multimesh, which grows by doubling: a batch of a million that has ten bodies uploads
+/* The buffer is as long as the multimesh, which grows by doubling: a batch of a million with ten bodies uploads
  * sixteen. */
 static int reserve(batch_node* self, uint32_t count) {
     if (count <= self->allocated) return 1;
@@ -153,7 +153,7 @@ void batch_draw(batch_node* self) {
     const uint32_t before = self->drawn;
     if (!reserve(self, view.count)) return;
     if (view.count > 0) {
-        /* Bodies at rest lie where they were written, unless one of them woke, ended, or changed its place. */
+        /* The instances of sleeping bodies are still right, unless such a body woke, ended or moved. */
         const int same_rest = self->drawn > 0 && self->revision == view.revision;
         uint32_t write = view.count;
         if (same_rest) write = view.awake_count > self->moving ? view.awake_count : self->moving;

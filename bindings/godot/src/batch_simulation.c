@@ -1,5 +1,5 @@
 /*
- * A batch in the library: made and ended, and told of its node's properties.
+ * The library's side of a batch: created and destroyed, and updated from its node's properties.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -104,7 +104,7 @@ void batch_ensure(batch_node* self) {
     if (!self->batch.id) return;
     if (self->retune) {
         apply_all(self);
-        apply_emitter(self); /* before the rules, which may need one */
+        apply_emitter(self); /* before the rules: respawning needs an emitter */
         apply_rules(self);
     } else if (self->moved) {
         apply_emitter(self);

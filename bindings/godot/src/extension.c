@@ -1,5 +1,5 @@
 /*
- * What the engine calls when it loads and ends the extension.
+ * Entry points: the engine calls them when it loads and unloads the extension.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -38,7 +38,7 @@ EXPORT uint8_t langevin_rigid_init(gdx_get_proc_address get, gdx_library library
 EXPORT uint8_t langevin_rigid_init(gdx_get_proc_address get, gdx_library library, gdx_initialization* out) {
     const uint32_t version = lr_version();
     if (version >> 22 != LR_VERSION_MAJOR || (LR_VERSION_MAJOR == 0 && (version >> 12 & 1023u) != LR_VERSION_MINOR)) {
-        fprintf(stderr, "langevin_rigid: the library beside the extension is %u.%u, the extension is made for %u.%u\n",
+        fprintf(stderr, "langevin_rigid: the library beside the extension is %u.%u, but the extension needs %u.%u\n",
                 (unsigned)(version >> 22), (unsigned)(version >> 12 & 1023u), (unsigned)LR_VERSION_MAJOR,
                 (unsigned)LR_VERSION_MINOR);
         return 0;

@@ -1,12 +1,12 @@
 /*
- * The classes: what they hold, and what they do for each other.
+ * The classes: their data, and their functions for each other.
  *
  *   LangevinAsset (Resource)   an .lrb file
- *   LangevinWorld (Node3D)     steps; has the wind, and the colliders that it finds in the scene
- *   LangevinBatch (Node3D)     below a world: all bodies of one asset, drawn by one multimesh
+ *   LangevinWorld (Node3D)     steps; holds the wind and the colliders found in the scene
+ *   LangevinBatch (Node3D)     below a world: all bodies of an asset, drawn by a multimesh
  *
- * Godot has the library's units and axes: metres, right-handed, y up. Nothing is converted but the layout of transforms
- * (transform.h). Bodies live in the space of the scene, whatever the transforms of the world's and the batch's nodes.
+ * Godot has the library's units and axes: metres, right-handed, y up. Only the layout of transforms differs (transform.h).
+ * Bodies live in the space of the scene, whatever the transforms of the world's and the batch's nodes.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -19,18 +19,18 @@ extern const gd_class asset_class, asset_loader_class, world_class, batch_class;
 
 typedef struct asset_node {
     gd_instance base;
-    gd_var bytes; /* PackedByteArray, what scenes store of an asset without a file */
+    gd_var bytes; /* PackedByteArray: stored in scenes for an asset without a file */
     lr_asset* asset;
     lr_asset_info info;
 } asset_node;
 
-/* A collider of the library for one shape of a physics body. */
+/* The library's collider for a shape of a physics body. */
 typedef struct shape_link {
     uint64_t body, shape; /* instance ids */
     int64_t owner, index; /* of the shape in the body */
-    uint64_t seen;        /* the scan that saw it last */
-    lr_collider collider; /* id 0: none at present */
-    float pose[12];       /* global, in the engine's layout, when last told */
+    uint64_t seen;        /* the last scan that found it */
+    lr_collider collider; /* id 0: none */
+    float pose[12];       /* last global pose given to the library, in the engine's layout */
     float offset[12];     /* of the shape in the body */
     float extra[7];       /* position and quaternion of the collider in the shape: a world boundary's plane */
     uint32_t layers;
@@ -40,11 +40,11 @@ typedef struct shape_link {
 typedef struct collider_set {
     shape_link* links;
     uint32_t count, capacity;
-    uint32_t cursor; /* where a scan looks first */
+    uint32_t cursor; /* scans start here */
     uint64_t scan;
 } collider_set;
 
-/* A shape of an Area3D with wind, as the callback reads it: plain numbers, written between steps. */
+/* A shape of an Area3D with wind, in plain numbers for the callback; written between steps. */
 typedef struct area_shape {
     int32_t kind; /* AREA_* */
     float size[3];
@@ -54,7 +54,7 @@ typedef struct area_shape {
 typedef struct area_wind {
     uint64_t area;         /* instance id */
     uint32_t first, count; /* of shapes */
-    float velocity[3];     /* direction times magnitude; 0 where there is no wind at present */
+    float velocity[3];     /* direction times magnitude; 0 without wind */
     float direction[3];
     float source[3];
     float attenuation;
@@ -64,7 +64,7 @@ typedef struct area_set {
     area_wind* areas;
     area_shape* shapes;
     uint32_t count, shape_count, capacity, shape_capacity;
-    int active; /* one of them blows */
+    int active; /* an area has wind */
 } area_set;
 
 struct batch_node;
@@ -78,16 +78,16 @@ typedef struct world_node {
     int64_t wind_from_areas, sync_colliders, collision_mask;
     int64_t events, event_capacity;
     /* State */
-    lr_world* world; /* from entering the tree to leaving it; null in the editor */
+    lr_world* world; /* exists while the node is in the tree; null in the editor */
     struct batch_node** batches;
     uint32_t batch_count, batch_capacity;
     lr_wind_source gusts, turbulence;
     collider_set colliders;
     area_set areas;
     int tree_changed, wind_changed;
-    uint64_t tree; /* instance id of the scene tree that tells of changes */
+    uint64_t tree; /* instance id of the scene tree whose signals are connected */
     lr_status last_status;
-    gd_var recording; /* the FileAccess that recordings go to */
+    gd_var recording; /* the FileAccess of the recording */
 } world_node;
 
 enum { PROCESS_PHYSICS = 0, PROCESS_IDLE = 1, PROCESS_MANUAL = 2 };
@@ -135,13 +135,13 @@ typedef struct batch_node {
     uint32_t drawn, moving;       /* bodies, and those awake, in the buffer */
     uint64_t revision;
     int visible;
-    float local[12]; /* from the mesh's frame into the body's: mesh_transform, less the centre of mass */
+    float local[12]; /* from the mesh's frame to the body's: mesh_transform minus the centre of mass */
     int local_is_identity;
     float mesh_radius; /* around the centre of mass, at scale 1 */
 } batch_node;
 
-void batch_ensure(batch_node* batch); /* makes the library's batch, if it can be made */
-void batch_leave(batch_node* batch);  /* ends it */
+void batch_ensure(batch_node* batch); /* creates the library's batch if possible */
+void batch_leave(batch_node* batch);  /* destroys it */
 void batch_draw(batch_node* batch);
 void batch_draw_begin(batch_node* batch); /* the node has entered a 3D world */
 void batch_draw_end(batch_node* batch);

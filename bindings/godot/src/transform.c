@@ -71,7 +71,7 @@ int transform_split(const float* m, float* position, float* q, float* scale) {
         scale[0] = -scale[0];
         for (int i = 0; i < 3; ++i) axis[0][i] = -axis[0][i];
     }
-    /* r_ij = axis[j][i]; the largest of the quaternion's parts first, for accuracy. */
+    /* r_ij = axis[j][i]. The largest component of the quaternion comes first, for accuracy. */
     const float xx = axis[0][0], yy = axis[1][1], zz = axis[2][2];
     const float parts[4] = {xx - yy - zz, yy - xx - zz, zz - xx - yy, xx + yy + zz};
     int largest = 3;

@@ -1,5 +1,5 @@
 /*
- * LangevinWorld: makes the library's world when it enters the tree, steps it, and tells what happened.
+ * LangevinWorld: creates the library's world on entering the tree, steps it, and emits its signals.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -11,10 +11,10 @@
 
 enum { ENTER_TREE = 10, EXIT_TREE = 11, INTERNAL_PROCESS = 25, INTERNAL_PHYSICS_PROCESS = 26 };
 
-/* A frame that took longer than this is not made up for: the game stood still, and so did the leaves. */
+/* The world skips the rest of a longer frame: the game stood still, and so did the leaves. */
 #define LONGEST_STEP 0.25
 
-/* Errors are what calls return, and are reported with what was called here. */
+/* Not for errors: they are reported with the name of the failed call. */
 static void on_log(void* user, int32_t level, const char* message) {
     (void)user;
     if (level == LR_LOG_WARNING) gd_warning("%s", message);
@@ -46,7 +46,7 @@ static void start(world_node* self) {
     desc.log = on_log;
     lr_status status = lr_world_create(&desc, &self->world);
     if (status == LR_ERROR_UNSUPPORTED) {
-        gd_warning("simd: this processor or build has no %s; the best that there is is used, with the same results",
+        gd_warning("simd: this processor or build has no %s; the best available one is used, with the same results",
                    lr_simd_target_name(desc.simd_target));
         desc.simd_target = LR_SIMD_AUTO;
         status = lr_world_create(&desc, &self->world);
@@ -71,7 +71,7 @@ static void stop(world_node* self) {
 }
 
 /* ------------------------------------------------------------------------------------------------------------------ */
-/* The tree tells of nodes that come and go, among them colliders and areas.                                          */
+/* Signals of the tree: nodes come and go, among them colliders and areas.                                            */
 
 static void watch_tree(world_node* self, int on) {
     if (on) {
@@ -112,12 +112,12 @@ void world_step(world_node* self, double dt) {
     if (status != LR_OK) {
         if (status != self->last_status) gd_error("step: %s", lr_status_string(status));
         self->last_status = status;
-        /* Without memory for all that bodies touch it is taken all the same. */
+        /* With too little memory for all contacts, the step is still taken. */
         if (status != LR_ERROR_OUT_OF_MEMORY) return;
     }
     self->last_status = status;
     for (uint32_t i = 0; i < self->batch_count; ++i) batch_draw(self->batches[i]);
-    /* Last: a handler may free nodes, this one too. */
+    /* Last, because a handler can free nodes, this one too. */
     if (self->events) world_emit_events(self);
 }
 

@@ -1,6 +1,6 @@
 /*
- * Colliders of the library for the shapes of the scene's physics bodies. Which there are is looked at when nodes come or go;
- * before each step their transforms are compared, and what has moved moves over that step.
+ * Colliders for the shapes of the scene's physics bodies. A scan finds shapes when nodes come or go. Before each step the
+ * shapes' transforms are compared; the collider of a moved shape moves during that step.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A cylinder is a hull of so many corners at each end: 1 % of the radius inside the circle at most. */
+/* A cylinder becomes a hull with this number of corners at each end; its flats lie within 1 % of the radius. */
 #define CYLINDER_SIDES 24
 
 static float max_abs(const float* v) {
@@ -25,8 +25,8 @@ static float* scaled(const float* points, int64_t count, const float* scale) {
     return out;
 }
 
-/* What an engine's height map holds, with its middle at the origin. Scales other than 1 along the axes of the grid become
- * its spacing. */
+/* An engine's height map, with its middle at the origin. Scales other than 1 along the axes of the grid become its
+ * spacing. */
 static int height_map(gdx_object shape, const float* scale, lr_collider_desc* desc, float** floats, float* extra) {
     const int64_t width = gd_call_int(shape, GD_N_get_map_width), depth = gd_call_int(shape, GD_N_get_map_depth);
     gd_var data;
@@ -64,8 +64,8 @@ static int points_of(gdx_object shape, int method, const float* scale, float** f
     return *floats != NULL;
 }
 
-/* Fills a desc for a shape, but for its pose. extra: the collider's pose in the shape's frame, identity when called.
- * floats, indices: arrays of the desc, to be freed. 0 if there is no such collider. */
+/* Fills a desc for a shape, except its pose. extra: the collider's pose in the shape's frame, initially the identity.
+ * floats, indices: arrays of the desc, to be freed. Returns 0 if the shape has no collider. */
 static int describe(gdx_object shape, const float* scale, lr_collider_desc* desc, float* extra, float** floats,
                     uint32_t** indices) {
     int64_t count = 0;
@@ -108,7 +108,7 @@ static int describe(gdx_object shape, const float* scale, lr_collider_desc* desc
     if (gd_is_class(shape, "ConvexPolygonShape3D")) {
         if (!points_of(shape, GD_N_get_points, scale, floats, &count)) return 0;
         if (count > (int64_t)LR_MAX_HULL_VERTICES) {
-            gd_warning("a convex shape has %lld points, at most %u are taken: simplify it", (long long)count,
+            gd_warning("a convex shape has %lld points, but at most %u are possible: simplify it", (long long)count,
                        LR_MAX_HULL_VERTICES);
             return 0;
         }
@@ -138,7 +138,7 @@ static int describe(gdx_object shape, const float* scale, lr_collider_desc* desc
         const float n[3] = {plane[0] / length, plane[1] / length, plane[2] / length};
         desc->kind = LR_COLLIDER_PLANE;
         for (int i = 0; i < 3; ++i) extra[i] = n[i] * plane[3] / length * scale[i];
-        /* The shortest turn of y to the normal: half-way between them; about x where they are opposite. */
+        /* The shortest rotation from y to the normal, by the half-way vector; about x if they are opposite. */
         const float w = sqrtf(fmaxf(0.5f * (1.0f + n[1]), 0.0f));
         extra[3] = w > 1e-4f ? 0.5f * n[2] / w : 1.0f;
         extra[4] = 0.0f;
@@ -149,7 +149,7 @@ static int describe(gdx_object shape, const float* scale, lr_collider_desc* desc
     return 0;
 }
 
-/* The collider's pose in the scene for a shape at `global`; 0 if that is degenerate. */
+/* The collider's pose in the scene for a shape at `global`; 0 if the transform is degenerate. */
 static int pose_of(const float* global, const float* extra, float* position, float* orientation, float* scale) {
     float at[3], q[4];
     if (!transform_split(global, at, q, scale)) return 0;
@@ -192,7 +192,7 @@ static void make_collider(world_node* self, shape_link* link, gdx_object body, g
             gd_var path;
             gd_call(body, GD_N_get_path, &path, 0);
             char* text = gd_to_utf8(&path);
-            gd_warning("%s: shape %lld makes no collider: %s", text ? text : "", (long long)link->index,
+            gd_warning("%s: shape %lld has no collider: %s", text ? text : "", (long long)link->index,
                        lr_status_string(status));
             free(text);
             gd_free(&path);
@@ -217,7 +217,7 @@ void world_forget_colliders(world_node* self, int destroy) {
 /* ------------------------------------------------------------------------------------------------------------------ */
 
 static shape_link* find_link(collider_set* set, uint64_t body, uint64_t shape, int64_t owner, int64_t index) {
-    /* A scan meets shapes in the order of the one before, but for what came and went. */
+    /* A scan finds shapes in the order of the scan before, except for new and removed shapes. */
     for (uint32_t i = 0; i < set->count; ++i) {
         const uint32_t at = (set->cursor + i) % set->count;
         shape_link* link = &set->links[at];
@@ -302,7 +302,7 @@ void world_scan_colliders(world_node* self) {
     set->count = kept;
 }
 
-/* One shape whose body is at `global`. */
+/* Updates a shape of a body at `global`. */
 static void sync_link(world_node* self, shape_link* link, gdx_object body, const float* global, uint32_t layers) {
     gd_var ret;
     gd_call(body, GD_N_is_shape_owner_disabled, &ret, 1, gd_int(link->owner));
@@ -335,7 +335,7 @@ static void sync_link(world_node* self, shape_link* link, gdx_object body, const
             if (status != LR_OK) gd_error("a collider's motion: %s", lr_status_string(status));
             return;
         }
-        drop_collider(self, link); /* it has another size now */
+        drop_collider(self, link); /* its size has changed */
     }
     memcpy(link->pose, pose, sizeof pose);
     link->layers = layers;

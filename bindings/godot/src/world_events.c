@@ -1,6 +1,6 @@
 /*
- * Signals: the bodies that were spawned, hit something, landed, woke, ended, respawned and diverged in a step, once per batch and kind, with
- * packed arrays of all of them.
+ * Signals: the bodies that spawned, hit something, landed, woke, ended, respawned or diverged in a step. A signal per batch and kind, with
+ * packed arrays of all these bodies.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -50,7 +50,7 @@ void world_emit_events(world_node* self) {
     lr_event_list_init(&list, sizeof list);
     if (lr_world_get_events(self->world, &list) != LR_OK) return;
     if (list.lost > 0 && list.lost == list.total_lost)
-        gd_warning("%llu events found no room in this step: raise event_capacity", (unsigned long long)list.lost);
+        gd_warning("%llu events of this step were lost: raise event_capacity", (unsigned long long)list.lost);
     if (list.count == 0) return;
     report* reports = calloc((size_t)self->batch_count * KINDS, sizeof *reports);
     if (!reports) return;
@@ -58,7 +58,7 @@ void world_emit_events(world_node* self) {
     for (uint32_t b = 0; b < self->batch_count; ++b)
         for (uint32_t k = 0; k < KINDS && self->batches[b]->batch.id; ++k)
             count += (uint32_t)fill(&reports[count], &list, self->batches[b], kinds[k].kind);
-    /* From here on handlers run, which may free any node: nothing of `self` is used. */
+    /* From here on handlers run, which can free any node: do not use `self` below. */
     for (uint32_t i = 0; i < count; ++i) {
         report* r = &reports[i];
         gdx_object node = gd.object_get_instance_from_id(r->node);

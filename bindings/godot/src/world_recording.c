@@ -1,5 +1,5 @@
 /*
- * Recordings: every call that reached the library goes into a file, for lr_replay. docs/reference/snapshots.md
+ * Recordings: every call that changes the world goes into a file, for lr_replay. docs/reference/snapshots.md
  *
  * SPDX-License-Identifier: MIT
  */
@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-/* Called by the library within its functions, by one thread at a time: where areas blow, also by its workers. */
+/* Called inside the library's functions, by one thread at a time; with wind areas also by workers. */
 static int32_t store(void* user, const void* bytes, uint64_t size) {
     world_node* self = user;
     gdx_object file = gd_to_object(&self->recording);
@@ -22,7 +22,7 @@ static int32_t store(void* user, const void* bytes, uint64_t size) {
     const int refused = gd_type(&stored) == GDX_BOOL && !gd_to_bool(&stored);
     gd_free(&stored);
     if (!called || refused) return 1;
-    gd_call(file, GD_N_flush, NULL, 0); /* after a crash the last call is what matters */
+    gd_call(file, GD_N_flush, NULL, 0); /* after a crash the last call matters most */
     return 0;
 }
 
@@ -35,14 +35,14 @@ int world_start_recording(world_node* self, const gd_var* file) {
     }
     lr_recording_desc desc;
     lr_recording_desc_init(&desc, sizeof desc);
-    desc.hash_interval = 10; /* one in each step is most of what recording costs */
+    desc.hash_interval = 10; /* hashing every step would be most of the cost of a recording */
     desc.write = store;
     desc.user = self;
     gd_var before = self->recording;
     self->recording = gd_copy(file);
     const lr_status status = lr_world_record_start(self->world, &desc);
     if (status == LR_OK) {
-        gd_free(&before); /* of one that has ended by itself */
+        gd_free(&before); /* a recording that has ended by itself */
         return GD_OK;
     }
     gd_free(&self->recording);

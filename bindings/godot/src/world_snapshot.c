@@ -1,6 +1,6 @@
 /*
- * Snapshots of a world: the library's, and before it which of its colliders and winds belong to what in the scene. Shapes that
- * the scene no longer has lose their colliders with the next step, others get theirs; in another process that is all of them.
+ * Snapshots of a world: the links of its colliders and winds to the scene, then the library's snapshot. In the next step,
+ * shapes that no longer exist lose their colliders and new shapes get theirs; in another process that is all of them.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -53,7 +53,7 @@ lr_status world_restore(world_node* self, const gd_var* bytes) {
         return status;
     }
     free(self->colliders.links);
-    for (uint64_t i = 0; i < head.links; ++i) copy[i].seen = 0; /* by no scan of this world */
+    for (uint64_t i = 0; i < head.links; ++i) copy[i].seen = 0; /* no scan of this world has found it */
     self->colliders.links = copy;
     self->colliders.count = self->colliders.capacity = (uint32_t)head.links;
     self->gusts = head.gusts;

@@ -1,9 +1,9 @@
 /*
  * The world's wind: uniform, gusts, turbulence, and that of Area3D nodes.
  *
- * Areas follow what Godot does for soft bodies: the wind goes along -z of the node at wind_source_path, and is
- * wind_force_magnitude times d to the power of -wind_attenuation_factor, d the distance from that node along the wind.
- * Here the magnitude is a speed in m/s, and d at least 1 m, so that the wind is finite at its source.
+ * Areas follow Godot's soft bodies: the wind goes along -z of the node at wind_source_path, with strength
+ * wind_force_magnitude times d to the power of -wind_attenuation_factor; d is the distance from that node along the wind.
+ * Here the strength is a speed in m/s, and d is at least 1 m, so that the wind is finite at its source.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -63,7 +63,7 @@ void world_apply_wind(world_node* self) {
 }
 
 /* ------------------------------------------------------------------------------------------------------------------ */
-/* Areas, in the step: called from any thread, reads only.                                                            */
+/* Areas during the step: called from any thread, read-only.                                                          */
 
 static int inside(const area_shape* shape, const float* at) {
     float p[3];
@@ -86,7 +86,7 @@ static int inside(const area_shape* shape, const float* at) {
     }
 }
 
-/* Exponents that people use need no powf, whose last bits differ between C libraries. */
+/* Common exponents avoid powf, whose last bits differ between C libraries. */
 static float attenuation(float distance, float exponent) {
     if (exponent == 0.0f) return 1.0f;
     const float d = distance > 1.0f ? distance : 1.0f;
@@ -169,7 +169,7 @@ static int read_shape(gdx_object shape, const float* global, area_shape* out) {
     return 1;
 }
 
-/* The shapes of one area that blows, behind those of the areas before it. */
+/* Reads the shapes of an area with wind, behind those of the areas before it. */
 static void read_shapes(area_set* set, area_wind* wind, gdx_object area) {
     float global[12];
     wind->first = set->shape_count;

@@ -1,5 +1,5 @@
 /*
- * Transforms between the engine's layout and the library's, with numbers.
+ * Transforms between the engine's layout and the library's, with calculated numbers.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -52,7 +52,7 @@ int main(void) {
     transform_identity(identity);
     check(near(product, identity, 12), "times its inverse");
 
-    /* Half turns, where the quaternion's w vanishes. */
+    /* Half turns, for which the quaternion's w vanishes. */
     static const float turns[3][3] = {{1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
     for (int axis = 0; axis < 3; ++axis) {
         float turn[12] = {turns[axis][0], 0, 0, 0, turns[axis][1], 0, 0, 0, turns[axis][2], 0, 0, 0};
@@ -72,7 +72,7 @@ int main(void) {
     const float wrong[12] = {1, 0, 0, 0, NAN, 0, 0, 0, 1, 0, 0, 0};
     check(!transform_split(wrong, position, q, scale), "not a number");
 
-    /* The centre of mass of a mesh at 5 0 0 in it: the body at 1 2 3, turned by a quarter, draws it at the body. */
+    /* A mesh with its centre of mass at 5 0 0: the body at 1 2 3, after a quarter turn, draws that point at 1 2 3. */
     float two[24], local[12], shift[12];
     transform_to_rows(quarter, two);
     transform_to_rows(quarter, two + 12);

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Falling leaves in Blender: an add-on (sidebar of the 3D view, "Leaves"), and a command.
+"""Falling leaves in Blender: an add-on (sidebar of the 3D view, "Leaves") and a command.
 
-What is baked plays without Python: one carrier mesh with a point cache (PC2) and geometry nodes that put an instance on each of
-its bodies, or, for few of them, one object a body with keyframes. Blender's z is up, as gravity is told; its axes are those of
-the library.
+A baked storm plays without Python: as one carrier mesh with a point cache (PC2), on which geometry nodes instance the leaves, or,
+for a few leaves, as an object with keyframes for each. Gravity is the scene's, along -z by default; Blender's axes are the
+library's.
 
     blender -b [scene.blend] -P leaf_storm.py -- --mesh leaf.obj [--asset leaf.lrb] [--count 300] [--frames 96]
         [--mode points|keyframes] [--save out.blend] [--render picture.png --at 60]
@@ -18,7 +18,7 @@ import bpy
 import numpy as np
 from mathutils import Matrix, Vector
 
-# Beside this file, or where LANGEVIN_RIGID_PYTHON says, unless Blender's Python has it.
+# The package lies beside this file, or in LANGEVIN_RIGID_PYTHON, unless Blender's Python has it.
 for _folder in (os.environ.get("LANGEVIN_RIGID_PYTHON"), str(pathlib.Path(__file__).resolve().parents[1])):
     if _folder and os.path.isdir(os.path.join(_folder, "langevin_rigid")) and _folder not in sys.path:
         sys.path.append(_folder)
@@ -27,7 +27,7 @@ try:
     import langevin_rigid as lr
 except ModuleNotFoundError as error:
     raise ImportError(f"Leaf Storm needs {error.name} in Blender's Python: unpack the wheel of langevin_rigid in "
-                      f"{bpy.utils.user_resource('SCRIPTS', path='addons/modules')}, or set LANGEVIN_RIGID_PYTHON to the folder that has it") from error
+                      f"{bpy.utils.user_resource('SCRIPTS', path='addons/modules')}, or set LANGEVIN_RIGID_PYTHON to its folder") from error
 from langevin_rigid.export import write_carrier_pc2, write_usda  # noqa: E402
 from langevin_rigid.mesh import Mesh  # noqa: E402
 
@@ -45,10 +45,10 @@ GROUP = "Leaf Storm Instances"
 
 
 class Problem(Exception):
-    """What a user can put right; operators report it."""
+    """A mistake of the user, reported by operators."""
 
 
-# Units: the library has metres, Blender what its scene says.
+# Units: metres in the library, the scene's unit in Blender.
 
 def metres_per_unit(scene):
     settings = scene.unit_settings
@@ -56,7 +56,7 @@ def metres_per_unit(scene):
 
 
 def in_units(recording, metres):
-    """The same recording with lengths in Blender's units."""
+    """A copy with lengths in Blender's units."""
     scaled = lr.Recording(recording.fps, recording.first_frame)
     scaled.frames = [frame._replace(position=frame.position / np.float32(metres), velocity=frame.velocity / np.float32(metres))
                      for frame in recording]
@@ -66,7 +66,7 @@ def in_units(recording, metres):
 # Meshes.
 
 def mesh_arrays(mesh):
-    """Positions and triangles."""
+    """Vertex positions and triangles."""
     mesh.calc_loop_triangles()
     vertices = np.empty(3 * len(mesh.vertices), np.float32)
     mesh.vertices.foreach_get("co", vertices)
@@ -78,7 +78,7 @@ def mesh_arrays(mesh):
 def leaf_mesh(leaf, metres):
     """A leaf's mesh in metres, in its own frame."""
     if max(abs(s - 1) for s in leaf.scale) > 1e-4:
-        raise Problem(f'"{leaf.name}" is scaled: apply its scale (Ctrl A), so that its mesh has its true size')
+        raise Problem(f'"{leaf.name}" is scaled: apply its scale (Ctrl A), because the bake needs the mesh at its true size')
     vertices, triangles = mesh_arrays(leaf.data)
     if not len(triangles):
         raise Problem(f'"{leaf.name}" has no faces')
@@ -86,13 +86,13 @@ def leaf_mesh(leaf, metres):
 
 
 def to_mesh(mesh, metres):
-    """What the exporters draw with."""
+    """A mesh for the exporters."""
     vertices, triangles = mesh_arrays(mesh)
     return Mesh.from_triangles(vertices * metres, triangles)
 
 
 def bake_asset(leaf, path, scene, **options):
-    """Makes an asset of an object's mesh by lr_bake; its report."""
+    """Bakes an asset from an object's mesh by lr_bake and returns the report."""
     vertices, triangles = leaf_mesh(leaf, metres_per_unit(scene))
     try:
         return lr.bake_triangles(vertices, triangles, path, name=leaf.name[:60], **options)
@@ -101,17 +101,17 @@ def bake_asset(leaf, path, scene, **options):
 
 
 def prototype_of(leaf, asset, metres):
-    """An object with the leaf's mesh about its centre of mass, out of sight."""
+    """A hidden object: the leaf's mesh with its origin at the centre of mass."""
     mesh = leaf.data.copy()
     mesh.name = f"{leaf.name} about its centre of mass"
     mesh.transform(Matrix.Translation(-Vector(asset.info.center_of_mass) / metres))
     return bpy.data.objects.new(mesh.name, mesh)
 
 
-# The scene as the world sees it.
+# The scene as input of the world.
 
 class Obstacle:
-    """A mesh object as a collider that follows the object's motion; how its mesh deforms is not followed."""
+    """A mesh object as a collider. It follows the object's motion, but not deformation of the mesh."""
 
     def __init__(self, world, thing, metres):
         self.thing, self.metres = thing, metres
@@ -133,7 +133,7 @@ class Obstacle:
 
 
 def wind_of(scene):
-    """What wind force fields of a scene add up to, their strength as m/s along their z."""
+    """The sum of the scene's wind force fields; strength counts as m/s along the field's z axis."""
     total = Vector((0.0, 0.0, 0.0))
     for thing in scene.objects:
         if thing.field is not None and thing.field.type == "WIND" and not thing.hide_render:
@@ -142,7 +142,7 @@ def wind_of(scene):
 
 
 def simulate(scene, asset, settings, progress=lambda part: None):
-    """Steps a storm through the frames of a scene; a recording in metres."""
+    """Simulates the frames of a scene and returns a recording in metres."""
     metres = metres_per_unit(scene)
     fps = scene.render.fps / scene.render.fps_base
     first, last = scene.frame_start, scene.frame_end
@@ -191,10 +191,10 @@ def simulate(scene, asset, settings, progress=lambda part: None):
 # From a recording to Blender: a carrier with a point cache and geometry nodes.
 
 def socket(sockets, name):
-    """The socket of a name that is in use: nodes have one for each type of data."""
+    """The enabled socket of a name: nodes have a socket for each type of data."""
     found = [s for s in sockets if s.name == name and s.enabled]
     if not found:
-        raise Problem(f"this Blender's nodes have no socket {name!r}")
+        raise Problem(f"nodes of this Blender version have no socket {name!r}")
     return found[0]
 
 
@@ -206,7 +206,7 @@ def align_node(nodes, axis, pivot):
 
 
 def instance_group():
-    """Nodes: an instance on each third vertex, turned and scaled as the two that follow it say."""
+    """Builds nodes that instance the prototype on every third vertex, oriented and scaled by the two vertices after it."""
     group = bpy.data.node_groups.new(GROUP, "GeometryNodeTree")
     if hasattr(group, "interface"):  # Blender 4.0
         group.interface.new_socket("Geometry", in_out="INPUT", socket_type="NodeSocketGeometry")
@@ -275,7 +275,7 @@ def input_identifier(group, name):
 
 
 def build_points(recording, prototype, collection, cache_path):
-    """One object that carries all bodies: a point cache moves it, geometry nodes draw the leaves."""
+    """An object that carries all bodies: a point cache moves it, geometry nodes draw the leaves."""
     cache = write_carrier_pc2(bpy.path.abspath(cache_path), recording)
     mesh = bpy.data.meshes.new("Leaf Storm")
     mesh.vertices.add(cache.vertices)
@@ -293,10 +293,10 @@ def build_points(recording, prototype, collection, cache_path):
     return carrier
 
 
-# From a recording to Blender: an object a body, with keyframes.
+# From a recording to Blender: an object with keyframes for each body.
 
 def build_keyframes(recording, prototype, collection):
-    """Objects that share the prototype's mesh. One that is not there yet, or no more, has scale 0."""
+    """Objects that share the prototype's mesh. Before its body's first frame and after the last, an object has scale 0."""
     slots, count = recording.slots()
     numbers = np.array(recording.frame_numbers, np.float32)
     values = {"location": np.zeros((len(recording), count, 3), np.float32),
@@ -306,14 +306,14 @@ def build_keyframes(recording, prototype, collection):
     known = np.full(count, -1)
     for at, (frame, slot) in enumerate(zip(recording, slots)):
         quaternion = frame.orientation[:, [3, 0, 1, 2]]
-        if at:  # of both quaternions of a rotation the one near the last: else it would turn the long way between frames
+        if at:  # a quaternion and its negative are the same rotation: take the one near the last, or the leaf turns the long way round
             values["location"][at], values["rotation_quaternion"][at] = values["location"][at - 1], values["rotation_quaternion"][at - 1]
             last = values["rotation_quaternion"][at - 1, slot]
             quaternion = np.where((quaternion * last).sum(1, keepdims=True) < 0, -quaternion, quaternion)
         values["location"][at, slot], values["rotation_quaternion"][at, slot] = frame.position, quaternion
         values["scale"][at, slot] = frame.scale[:, None]
         before = slot[known[slot] < at - 1]
-        if at:  # spawned in this frame: it waits here in the frame before
+        if at:  # spawned in this frame: it already waits here in the frame before
             values["location"][at - 1, before] = values["location"][at, before]
             values["rotation_quaternion"][at - 1, before] = values["rotation_quaternion"][at, before]
         known[slot] = at
@@ -343,11 +343,11 @@ def new_curve(action, thing, path, axis):
 
 
 def bake_storm(scene, leaf, asset, settings, mode, cache_path, progress=lambda part: None):
-    """Simulates and builds: (recording in metres, collection)."""
+    """Simulates and builds objects; returns the recording in metres and the collection."""
     metres = metres_per_unit(scene)
     recording = simulate(scene, asset, settings, progress)
     if not any(len(frame.ids) for frame in recording):
-        raise Problem("no body was spawned in these frames: raise the rate, or the number of frames")
+        raise Problem("no leaf was spawned in these frames: raise the rate or the number of frames")
     name = "Leaf Storm"
     old = bpy.data.collections.get(name)
     if old is not None:
@@ -369,7 +369,7 @@ def bake_storm(scene, leaf, asset, settings, mode, cache_path, progress=lambda p
 
 
 class Settings:
-    """Of a storm. Lengths in Blender's units, speeds in m/s."""
+    """Settings of a storm: lengths in Blender's units, speeds in m/s."""
 
     def __init__(self, **values):
         self.count, self.rate, self.lifetime, self.variation, self.seed = 300, 0.0, 0.0, 0.2, 0
@@ -383,28 +383,28 @@ class Settings:
 
 class StormProperties(bpy.types.PropertyGroup):
     leaf: bpy.props.PointerProperty(name="Leaf", type=bpy.types.Object, poll=lambda self, thing: thing.type == "MESH",
-                                    description="What falls: a mesh of true size, its scale applied")
-    asset: bpy.props.StringProperty(name="Asset", subtype="FILE_PATH", default="//leaf.lrb", description="Made by lr_bake")
-    density: bpy.props.FloatProperty(name="Density", default=350, min=0.1, description="kg/m^3, of the leaf when it is baked")
+                                    description="The mesh that falls, at its true size, with its scale applied")
+    asset: bpy.props.StringProperty(name="Asset", subtype="FILE_PATH", default="//leaf.lrb", description="Asset file made by lr_bake")
+    density: bpy.props.FloatProperty(name="Density", default=350, min=0.1, description="Density of the leaf, kg/m^3, used by the bake")
     sheet: bpy.props.BoolProperty(name="Open sheet", description="The mesh is the middle surface of a sheet, without thickness")
-    thickness: bpy.props.FloatProperty(name="Thickness", default=0.3, min=0.001, description="mm, of the sheet")
-    area: bpy.props.PointerProperty(name="Area", type=bpy.types.Object, description="Leaves begin in the box about this object; "
-                                    "without one, in 4 x 4 x 1 at a height of 3")
+    thickness: bpy.props.FloatProperty(name="Thickness", default=0.3, min=0.001, description="Thickness of the sheet, mm")
+    area: bpy.props.PointerProperty(name="Area", type=bpy.types.Object, description="Leaves spawn in this object's bounding box; "
+                                    "without an object, in a box of 4 x 4 x 1 at a height of 3")
     obstacles: bpy.props.PointerProperty(name="Obstacles", type=bpy.types.Collection, description="Meshes that leaves land on")
     count: bpy.props.IntProperty(name="Leaves", default=1000, min=1, max=1000000)
-    rate: bpy.props.FloatProperty(name="A second", default=0, min=0, description="Leaves spawned each second; 0: all at the start")
-    lifetime: bpy.props.FloatProperty(name="Lifetime", default=0, min=0, description="s; 0: for ever")
-    variation: bpy.props.FloatProperty(name="Variation", default=0.2, min=0, max=0.9, description="Of their size")
+    rate: bpy.props.FloatProperty(name="Leaves per second", default=0, min=0, description="Leaves spawned per second; 0 spawns all at the start")
+    lifetime: bpy.props.FloatProperty(name="Lifetime", default=0, min=0, description="Seconds until a leaf disappears; 0: never")
+    variation: bpy.props.FloatProperty(name="Variation", default=0.2, min=0, max=0.9, description="Relative variation of size between leaves")
     seed: bpy.props.IntProperty(name="Seed", default=0, min=0)
-    wind: bpy.props.FloatVectorProperty(name="Wind", subtype="VELOCITY", description="m/s; wind force fields are added")
-    gusts: bpy.props.FloatProperty(name="Gusts", default=0.5, min=0, description="m/s, root mean square")
-    turbulence: bpy.props.FloatProperty(name="Turbulence", default=0.3, min=0, description="m/s, root mean square")
+    wind: bpy.props.FloatVectorProperty(name="Wind", subtype="VELOCITY", description="Uniform wind, m/s; wind force fields of the scene are added")
+    gusts: bpy.props.FloatProperty(name="Gusts", default=0.5, min=0, description="Root mean square of gusts, m/s")
+    turbulence: bpy.props.FloatProperty(name="Turbulence", default=0.3, min=0, description="Root mean square of turbulence, m/s")
     ground: bpy.props.BoolProperty(name="Ground", default=True)
     ground_height: bpy.props.FloatProperty(name="Height", default=0)
-    heaps: bpy.props.BoolProperty(name="Heaps", description="Leaves lie on leaves")
-    mode: bpy.props.EnumProperty(name="As", items=[
+    heaps: bpy.props.BoolProperty(name="Heaps", description="Leaves collide with each other and pile up")
+    mode: bpy.props.EnumProperty(name="Output", items=[
         ("POINTS", "Instances", "One object with a point cache and geometry nodes: any number of leaves"),
-        ("KEYFRAMES", "Keyframes", "An object for each leaf: up to some hundred, to be edited by hand")])
+        ("KEYFRAMES", "Keyframes", "An object for each leaf: up to a few hundred, for editing by hand")])
     cache: bpy.props.StringProperty(name="Cache", subtype="FILE_PATH", default="//leaf_storm.pc2")
 
     def settings(self):
@@ -419,7 +419,7 @@ class StormProperties(bpy.types.PropertyGroup):
 
 def checked_path(path, what):
     if path.startswith("//") and not bpy.data.filepath:
-        raise Problem(f"{what}: save the file first, or give a whole path")
+        raise Problem(f"{what}: save the file first, or give an absolute path")
     return bpy.path.abspath(path)
 
 
@@ -439,7 +439,7 @@ class StormOperator(bpy.types.Operator):
 
 
 class LEAFSTORM_OT_bake_asset(StormOperator):
-    """Work out mass and added mass of the leaf's mesh"""
+    """Compute mass and added mass of the leaf's mesh"""
     bl_idname, bl_label = "leaf_storm.bake_asset", "Bake Asset"
 
     def work(self, context, storm):
@@ -451,7 +451,7 @@ class LEAFSTORM_OT_bake_asset(StormOperator):
 
 
 class LEAFSTORM_OT_bake_storm(StormOperator):
-    """Let the leaves fall through the frames of the scene"""
+    """Simulate falling leaves in the frames of the scene"""
     bl_idname, bl_label = "leaf_storm.bake_storm", "Bake Storm"
     bl_options = {"REGISTER", "UNDO"}
 
@@ -469,7 +469,7 @@ class LEAFSTORM_OT_bake_storm(StormOperator):
 
 
 class LEAFSTORM_OT_export_usd(StormOperator):
-    """Let the leaves fall, and write them as a USD point instancer (.usda)"""
+    """Simulate falling leaves and write them as a USD point instancer (.usda)"""
     bl_idname, bl_label = "leaf_storm.export_usd", "Export USD"
     filepath: bpy.props.StringProperty(subtype="FILE_PATH", default="//leaf_storm.usda")
 
@@ -528,7 +528,7 @@ def unregister():
 # The command.
 
 def object_of(mesh, name):
-    """An object of a mesh read from OBJ, with its texture coordinates."""
+    """An object from an OBJ mesh, with its texture coordinates."""
     data = bpy.data.meshes.new(name)
     faces = np.split(mesh.indices, np.cumsum(mesh.counts)[:-1])
     data.from_pydata(mesh.points.tolist(), [], [face.tolist() for face in faces])
@@ -541,18 +541,18 @@ def object_of(mesh, name):
 
 def main(arguments):
     parser = argparse.ArgumentParser(prog="leaf_storm.py", description=__doc__.splitlines()[0])
-    parser.add_argument("--mesh", required=True, help="OBJ of a leaf, in metres")
-    parser.add_argument("--asset", help="made by lr_bake of the same mesh; else it is baked beside the cache")
-    parser.add_argument("--density", type=float, default=350, help="kg/m^3, for the bake")
+    parser.add_argument("--mesh", required=True, help="OBJ mesh of a leaf, in metres")
+    parser.add_argument("--asset", help="made by lr_bake from the same mesh; otherwise the command bakes it beside the cache")
+    parser.add_argument("--density", type=float, default=350, help="density for the bake, kg/m^3")
     parser.add_argument("--count", type=int, default=300)
     parser.add_argument("--frames", type=int, default=96)
     parser.add_argument("--wind", type=float, nargs=3, default=(1.0, 0.0, 0.0), metavar=("X", "Y", "Z"), help="m/s")
-    parser.add_argument("--size", type=float, nargs=3, default=(2.0, 2.0, 1.0), metavar=("X", "Y", "Z"), help="m, of the box")
-    parser.add_argument("--height", type=float, default=2.0, help="m, of the middle of the box that leaves begin in")
+    parser.add_argument("--size", type=float, nargs=3, default=(2.0, 2.0, 1.0), metavar=("X", "Y", "Z"), help="size of the spawn box, m")
+    parser.add_argument("--height", type=float, default=2.0, help="center of the spawn box, m")
     parser.add_argument("--mode", choices=("points", "keyframes"), default="points")
     parser.add_argument("--cache", default="leaf_storm.pc2")
-    parser.add_argument("--save", help=".blend to write")
-    parser.add_argument("--render", help="picture to render by Cycles, of the frame --at")
+    parser.add_argument("--save", help=".blend file to write")
+    parser.add_argument("--render", help="picture of frame --at, rendered by Cycles")
     parser.add_argument("--at", type=int, default=48)
     options = parser.parse_args(arguments)
     scene = bpy.context.scene

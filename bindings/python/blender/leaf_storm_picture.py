@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Lights, ground, camera and materials for a picture of a storm, rendered by Cycles on the processor."""
+"""Lights, ground, camera and materials for a picture of a storm, rendered by Cycles on the CPU."""
 import math
 
 import bpy
@@ -26,7 +26,7 @@ def material(name, color, roughness, translucent=0.0):
 
 
 def paint(leaf):
-    """Autumn: colours by instance."""
+    """An autumn material: each instance has its own colour."""
     made = material("Leaf", (0.6, 0.25, 0.05), 0.5, 0.35)
     nodes, links = made.node_tree.nodes, made.node_tree.links
     random, ramp = nodes.new("ShaderNodeObjectInfo"), nodes.new("ShaderNodeValToRGB")
@@ -40,7 +40,7 @@ def paint(leaf):
 
 
 def render(scene, leaf, frame, middle, path, width=560, height=340, samples=48):
-    """middle: where the camera looks, in Blender's units, of metres."""
+    """middle: the point at which the camera aims, in Blender's units. metres: metres per unit."""
     for thing in scene.objects:
         if thing.name in ("Cube", "Light"):
             thing.hide_render = True

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Falling leaves, paper, petals and confetti, thousands to a million at a time, with the same bits on every machine.
+"""Simulates falling leaves, paper, petals and confetti, up to a million at a time, with the same bits on every machine.
 
     import langevin_rigid as lr
 

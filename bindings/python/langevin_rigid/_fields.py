@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Generated from include/langevin_rigid.h by bindings/generator/python.py: do not edit.
 
-"""Types of what calls take as keywords, and of what they read back."""
+"""Types of keywords for calls, and of records that calls return."""
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Sequence, TypedDict
@@ -350,7 +350,7 @@ class AssetInfo(Record):
 
 
 class WorldInfo(Record):
-    """What lr_world_info says.
+    """Values of lr_world_info.
 
     simd_target: `SimdTarget`: in use, never `SimdTarget.AUTO`
     worker_count: as in the desc; with `jobs` and 0: the guess
@@ -482,7 +482,7 @@ class BatchPace(Record):
 
 
 class BodyState(Record):
-    """What lr_body_state says.
+    """Values of lr_body_state.
 
     noise_seed: read only: ignored by lr_body_set_state
     position: m, of the centre of mass, world frame
@@ -531,7 +531,7 @@ class BatchForce(Record):
 
 
 class ColliderState(Record):
-    """What lr_collider_state says.
+    """Values of lr_collider_state.
 
     kind: `ColliderKind`
     position: m, world frame

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Finds, loads and checks the native library, at its first use."""
+"""Finds, loads and checks the native library when it is first used."""
 from __future__ import annotations
 
 import ctypes
@@ -29,7 +29,7 @@ def file_names() -> List[str]:
 
 
 def candidates() -> Iterator[Tuple[str, bool]]:
-    """Where the library may be, and whether there is no going on where one does not load."""
+    """Yields places of the library, and whether a file there that does not load ends the search."""
     chosen = os.environ.get("LANGEVIN_RIGID_LIBRARY")
     if chosen:
         path = pathlib.Path(chosen).expanduser()
@@ -56,7 +56,7 @@ def version_text(packed: int) -> str:
 
 
 def check_version(packed: int, path: str) -> None:
-    """Another major version, or before 1.0 another minor one, is another ABI; an older patch may lack functions."""
+    """Requires the same ABI: the same major version, before 1.0 also the same minor version, and no older patch."""
     major, minor, patch = packed >> 22, packed >> 12 & 0x3FF, packed & 0xFFF
     wanted = native.VERSION
     fits = major == wanted[0] and (minor == wanted[1] if major == 0 else minor >= wanted[1])
@@ -102,13 +102,13 @@ def library() -> Any:
 
 
 def library_path() -> str:
-    """Where the native library was loaded from."""
+    """The path of the loaded native library."""
     library()
     return _path
 
 
 def version() -> Tuple[int, int, int]:
-    """Of the native library."""
+    """The version of the native library: major, minor, patch."""
     packed = library().lr_version()
     return packed >> 22, packed >> 12 & 0x3FF, packed & 0xFFF
 
@@ -130,7 +130,7 @@ def error(status: int, function: str, detail: str = "", faults: Any = ()) -> Err
 
 
 def call(name: str, *arguments: Any) -> None:
-    """Calls a function that has a status and no world, and raises what it says."""
+    """Calls a function that returns a status and takes no world; raises the error of that status."""
     status = getattr(library(), name)(*arguments)
     if status:
         raise error(status, name, library().lr_last_error().decode(errors="replace"))

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 # Generated from include/langevin_rigid.h by bindings/generator/python.py: do not edit.
 
-"""The C API as ctypes sees it: types, constants, and prototypes of every function. All names are those of C."""
+"""The C API for ctypes: types, constants and prototypes of every function, under their C names."""
 # flake8: noqa
 import ctypes
 
-VERSION = (0, 1, 0)  # of the header that this was made from
+VERSION = (0, 1, 0)  # of the header behind this file
 
 LR_OK = 0
 LR_ERROR_NULL_ARGUMENT = -1
@@ -144,11 +144,11 @@ LR_POSE_FIXED = 1
 
 
 class lr_world(ctypes.Structure):
-    """Seen through pointers only."""
+    """Used only through pointers."""
 
 
 class lr_asset(ctypes.Structure):
-    """Seen through pointers only."""
+    """Used only through pointers."""
 
 
 lr_task_fn = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_uint32, ctypes.c_uint32)
@@ -937,7 +937,7 @@ class lr_turbulence_table(ctypes.Structure):
     ]
 
 
-# What each field is, by struct.
+# Texts of fields, by struct.
 FIELD_DOCS = {
     'lr_allocator': {
         'user': '',
@@ -3357,7 +3357,7 @@ PROTOTYPES = {
 
 
 def bind(library):
-    """Gives every function of a loaded library its types and its text."""
+    """Sets types and docstring of every function of a loaded library."""
     for name, (result, parameters, _, text) in PROTOTYPES.items():
         function = getattr(library, name)
         function.restype = result

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Generated from include/langevin_rigid.h by bindings/generator/python.py: do not edit.
 
-"""Getters and setters that are no more than a call: bases of the classes that wrappers have by hand."""
+"""Getters and setters of a single call: bases of the hand-written classes."""
 from __future__ import annotations
 
 import ctypes
@@ -19,21 +19,21 @@ if TYPE_CHECKING:
 
 
 class Plain:
-    """Makes calls by `_ask` and `_change`, which put what the call is on before the arguments."""
+    """Makes calls by `_ask` and `_change`, which put the called object before the arguments."""
 
     if TYPE_CHECKING:
         def _ask(self, name: str, *arguments: Any) -> None: ...
         def _change(self, name: str, *arguments: Any) -> None: ...
 
     def _set(self, name: str, struct: Any, fields: Mapping[str, Any]) -> None:
-        """Without fields, null."""
+        """Passes null if there are no fields."""
         keep: List[Any] = []
         given = any(value is not None for value in fields.values())
         self._change(name, ctypes.byref(make(struct, fields, keep)) if given else None)
 
 
 class OfWorld(Plain):
-    """Of what has a handle in a world."""
+    """Makes calls on an object with a handle in a world."""
 
     if TYPE_CHECKING:
         world: Any
@@ -51,7 +51,7 @@ class BatchPlain(OfWorld):
 
     @takes("lr_load_gains")
     def set_load_gains(self, **gains: "Unpack[LoadGainsOptions]") -> None:
-        """Sets the gains of a batch from the next step on. Without keywords, restores what there was first."""
+        """Sets the gains of a batch from the next step on. Without keywords, restores the initial setting."""
         self._set("lr_batch_set_load_gains", native.lr_load_gains, gains)
 
     @property
@@ -77,7 +77,7 @@ class BatchPlain(OfWorld):
 
     @takes("lr_batch_force")
     def set_force(self, **force: "Unpack[BatchForceOptions]") -> None:
-        """Sets the forces on a batch from the next step on. Without keywords, removes what was set."""
+        """Sets the forces on a batch from the next step on. Without keywords, removes the setting."""
         self._set("lr_batch_set_force", native.lr_batch_force, force)
 
     @property
@@ -89,7 +89,7 @@ class BatchPlain(OfWorld):
 
     @takes("lr_batch_contact")
     def set_contact(self, **contact: "Unpack[BatchContactOptions]") -> None:
-        """Sets how a batch collides from the next step on. Without keywords, restores what there was first."""
+        """Sets how a batch collides from the next step on. Without keywords, restores the initial setting."""
         self._set("lr_batch_set_contact", native.lr_batch_contact, contact)
 
     @property
@@ -101,7 +101,7 @@ class BatchPlain(OfWorld):
 
     @takes("lr_batch_rules", "volume_count")
     def set_rules(self, **rules: "Unpack[BatchRulesOptions]") -> None:
-        """Sets the rules of a batch. Without keywords, removes what was set."""
+        """Sets the rules of a batch. Without keywords, removes the setting."""
         self._set("lr_batch_set_rules", native.lr_batch_rules, rules)
 
     @property
@@ -117,7 +117,7 @@ class BatchPlain(OfWorld):
 
     @takes("lr_emitter_desc")
     def set_emitter(self, **desc: "Unpack[EmitterOptions]") -> None:
-        """Sets the emitter of a batch. Without keywords, removes what was set."""
+        """Sets the emitter of a batch. Without keywords, removes the setting."""
         self._set("lr_batch_set_emitter", native.lr_emitter_desc, desc)
 
     @property

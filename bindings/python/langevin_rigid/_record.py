@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Structs of the library as Python objects, read once."""
+"""Structs of the library, copied into immutable Python objects."""
 from __future__ import annotations
 
 import ctypes
@@ -12,7 +12,7 @@ R = TypeVar("R", bound="Record")
 
 
 class Record:
-    """Fields as in C; arrays are NumPy's own, matrices have two dimensions."""
+    """Fields as in C. Arrays are NumPy arrays, matrices have two dimensions."""
 
     __slots__: Any = ()
     _enums: Dict[str, Any] = {}
@@ -29,13 +29,13 @@ class Record:
                       for name in cls.__slots__})
 
     def __setattr__(self, name: str, value: Any) -> None:
-        raise AttributeError(f"{type(self).__name__} is what was read; make another by replace({name}=...)")
+        raise AttributeError(f"{type(self).__name__} is read-only: make a changed copy by replace({name}=...)")
 
     def as_dict(self) -> Dict[str, Any]:
         return {name: getattr(self, name) for name in self.__slots__}
 
     def replace(self: R, **fields: Any) -> R:
-        """The same with other values for some fields."""
+        """A copy with other values for some fields."""
         return type(self)(**{**self.as_dict(), **fields})
 
     def __repr__(self) -> str:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Structs of the library from keywords: initialised by its own functions, filled with what Python has."""
+"""Fills the library's structs from keywords, on top of the library's defaults."""
 from __future__ import annotations
 
 import ctypes
@@ -38,7 +38,7 @@ def init(struct: Type[Any]) -> Any:
 
 
 def integer(value: Any, kind: Any, name: str) -> int:
-    """Checks the range: ctypes would truncate silently."""
+    """The value, if it is within the type's range: ctypes would truncate it silently."""
     number = operator.index(value)
     bits = 8 * ctypes.sizeof(kind)
     signed = kind(-1).value < 0
@@ -58,7 +58,7 @@ def contiguous(values: Any, of: Any, name: str) -> np.ndarray:
     if of in _INTEGERS:
         array = np.asarray(values)
         if array.size and array.dtype.kind not in "iub":
-            raise TypeError(f"{name}: integers are wanted, not {array.dtype}")
+            raise TypeError(f"{name}: expected integers, not {array.dtype}")
         if array.dtype != dtype(of) and array.size:
             info = np.iinfo(dtype(of))
             if int(array.min()) < info.min or int(array.max()) > info.max:
@@ -68,7 +68,7 @@ def contiguous(values: Any, of: Any, name: str) -> np.ndarray:
 
 
 def vectors(values: Any, width: int, count: int, name: str) -> np.ndarray:
-    """`count` vectors, from as many or from one for all."""
+    """`count` vectors, from as many or from a single one."""
     array = np.asarray(values, np.float32)
     try:
         return np.broadcast_to(array, (count, width))
@@ -77,7 +77,7 @@ def vectors(values: Any, width: int, count: int, name: str) -> np.ndarray:
 
 
 def rows(values: Any, width: int, name: str) -> np.ndarray:
-    """Vectors from an array of any shape that ends with their width, or None of one."""
+    """Vectors as an array of shape (count, width), from one vector or an array that ends with the width."""
     array = np.ascontiguousarray(values, np.float32)
     if array.ndim == 0 or array.shape[-1] != width:
         raise ValueError(f"{name}: shape {array.shape} does not end with {width}")
@@ -94,7 +94,7 @@ def check_names(struct: Type[Any], fields: Iterable[str], hidden: Tuple[str, ...
 
 
 def assign(value: Any, fields: Mapping[str, Any], keep: List[Any]) -> Any:
-    """Fills fields of a struct; None leaves the default. Objects that the struct points to are added to `keep`."""
+    """Fills fields of a struct. None leaves the default. Objects that the struct points to are added to `keep`."""
     struct = type(value)
     check_names(struct, fields)
     kinds = dict(struct._fields_)
@@ -161,14 +161,14 @@ def elements(struct: Type[Any], count: int) -> np.ndarray:
 
 
 class _Initial:
-    """Stands for the library's default in help()."""
+    """A placeholder for the library's default in help()."""
 
     def __repr__(self) -> str:
         return "<initial>"
 
 
 def takes(struct: str, *hidden: str) -> Callable[[F], F]:
-    """Tells help() and editors which keywords a function passes on to a struct."""
+    """Shows help() and editors the keywords that a function passes to a struct."""
     def decorate(function: F) -> F:
         docs = {name: text for name, text in native.FIELD_DOCS[struct].items() if name not in hidden}
         lines = [f"    {name}: {text}" if text else f"    {name}" for name, text in docs.items()]

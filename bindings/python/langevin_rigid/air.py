@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Wind, its sources, and water."""
+"""Wind, wind sources and water."""
 from __future__ import annotations
 
 import ctypes
@@ -36,7 +36,7 @@ class WindSource:
         return desc
 
     def get(self) -> Dict[str, Any]:
-        """Its values as last set, by the names of the keywords. A grid's samples are None."""
+        """The values last set, by keyword. A grid's samples are None."""
         desc = self._desc()
         values = {name: getattr(desc, name) for name in native.FIELD_DOCS[type(desc).__name__]}
         return {name: tuple(v) if isinstance(v, ctypes.Array) else None if name == "samples" else v for name, v in values.items()}
@@ -59,7 +59,7 @@ def _struct(kind: str) -> Any:
 
 
 def _with_counts(fields: Mapping[str, Any]) -> Dict[str, Any]:
-    """Of a grid: counts and frames as its samples have them."""
+    """Derives a grid's counts and frames from the shape of its samples."""
     fields = dict(fields)
     samples = fields.get("samples")
     if samples is not None:
@@ -67,14 +67,14 @@ def _with_counts(fields: Mapping[str, Any]) -> Dict[str, Any]:
         if array.ndim == 4:
             array = array[np.newaxis]
         if array.ndim != 5 or array.shape[-1] != 3:
-            raise ValueError(f"samples: shape {array.shape}, but (z, y, x, 3) or (frames, z, y, x, 3) is wanted")
+            raise ValueError(f"samples: shape {array.shape}, but expected (z, y, x, 3) or (frames, z, y, x, 3)")
         frames, z, y, x, _ = array.shape
         fields.update(samples=array, counts=(x, y, z), frames=frames)
     return fields
 
 
 class AirMixin:
-    """Wind and water of a `World`."""
+    """Adds wind and water to `World`."""
 
     if TYPE_CHECKING:
         def _ask(self, name: str, *arguments: Any) -> None: ...
@@ -83,13 +83,13 @@ class AirMixin:
         _handle: Any
 
     def set_uniform_wind(self, velocity: "ArrayLike") -> None:
-        """Sets the uniform wind, m/s. A change is spread over the next step."""
+        """Sets the uniform wind, m/s. The wind changes linearly over the next step."""
         x, y, z = np.asarray(velocity, float).ravel().tolist()
         self._change("lr_world_set_uniform_wind", x, y, z)
 
     @property
     def uniform_wind(self) -> np.ndarray:
-        """The uniform wind as last set, m/s."""
+        """The uniform wind last set, m/s."""
         velocity = np.empty(3, np.float32)
         self._ask("lr_world_get_uniform_wind", address(velocity, ctypes.c_float))
         return velocity
@@ -123,23 +123,23 @@ class AirMixin:
 
     @takes("lr_wind_grid_desc")
     def add_wind_grid(self, **options: "Unpack[WindGridOptions]") -> WindSource:
-        """Adds samples of wind on a lattice: shape (z, y, x, 3) or (frames, z, y, x, 3), m/s; counts and frames follow from it."""
+        """Adds a grid of wind samples, m/s, of shape (z, y, x, 3) or (frames, z, y, x, 3); the shape gives counts and frames."""
         return self._add_source("wind_grid", options)
 
     @takes("lr_ground_wind_desc")
     def add_ground_wind(self, **options: "Unpack[GroundWindOptions]") -> WindSource:
-        """Adds the profile of the wind over a ground."""
+        """Adds a wind profile over a ground."""
         return self._add_source("ground_wind", options)
 
     def set_wind_callback(self, function: Optional[Callable[[WindQuery], Any]]) -> None:
-        """Adds your own field to the other wind: called with a `WindQuery` of up to 256 bodies, whose velocity it sets. None
-        removes it.
+        """Sets a function that adds wind. It receives a `WindQuery` of up to 256 bodies and sets its velocity. None removes the
+        function.
 
             def swirl(query):
                 x, y, z = query.position
                 query.velocity = (-z, 0 * y, x)
 
-        With worker_count over 0 it is called by several threads, which take turns under Python's interpreter lock.
+        If worker_count is over 0, several threads call the function, one at a time because of Python's interpreter lock.
         """
         self._set_callback("lr_world_set_wind_callback", native.lr_wind_fn, WindQuery, function)
 
@@ -161,13 +161,13 @@ class AirMixin:
 
     @takes("lr_water_desc", "wave_count")
     def set_water(self, **surface: "Unpack[WaterOptions]") -> None:
-        """Sets the water; without keywords the defaults: below y = 0, without waves. waves: dicts with direction,
-        length, amplitude and phase."""
+        """Sets the water. The defaults are a surface at y = 0 without waves. waves: dicts with direction, length, amplitude
+        and phase."""
         self._change("lr_world_set_water", ctypes.byref(make(native.lr_water_desc, surface, [])))
 
     @property
     def water(self) -> Optional[Water]:
-        """None without water."""
+        """The water's settings, or None without water."""
         value, present = init(native.lr_water_desc), ctypes.c_int32()
         self._ask("lr_world_get_water", ctypes.byref(value), ctypes.byref(present))
         return Water.read(value) if present.value else None
@@ -176,5 +176,5 @@ class AirMixin:
         self._change("lr_world_set_water", None)
 
     def set_water_callback(self, function: Optional[Callable[[WaterQuery], Any]]) -> None:
-        """Your own water surface, used while water is set: called with a `WaterQuery`. None removes it."""
+        """Sets a function that shapes the water surface. It receives a `WaterQuery`, while water is set. None removes it."""
         self._set_callback("lr_world_set_water_callback", native.lr_water_fn, WaterQuery, function)

@@ -19,9 +19,9 @@ if TYPE_CHECKING:
 
 
 class Asset:
-    """An immutable asset. It may be shared by any number of worlds and threads, and ends with its last user.
+    """An immutable asset. Any number of worlds and threads can share it; it is freed with its last user.
 
-    Made by `Asset.load`, `Asset.from_bytes`, `Asset.ellipsoid` or `Asset.rigid`.
+    Create it with `Asset.load`, `Asset.from_bytes`, `Asset.ellipsoid` or `Asset.rigid`.
     """
 
     def __init__(self, pointer: Any) -> None:
@@ -31,7 +31,7 @@ class Asset:
 
     @classmethod
     def load(cls, path: Union[str, "os.PathLike[str]"]) -> "Asset":
-        """Reads a file that `lr_bake` made. A damaged one raises an `AssetError` with its numbered faults."""
+        """Loads a file made by `lr_bake`. A damaged file raises an `AssetError` with numbered faults."""
         name = os.fspath(path)
         pointer = ctypes.POINTER(native.lr_asset)()
         status = library().lr_asset_load_file(name.encode("utf-8"), ctypes.byref(pointer))
@@ -60,7 +60,7 @@ class Asset:
     @classmethod
     @takes("lr_ellipsoid_desc")
     def ellipsoid(cls, **options: "Unpack[EllipsoidOptions]") -> "Asset":
-        """A solid ellipsoid from closed forms, without a file."""
+        """Creates a solid ellipsoid from closed forms, without a file."""
         pointer = ctypes.POINTER(native.lr_asset)()
         desc = make(native.lr_ellipsoid_desc, options, [])
         call("lr_asset_create_ellipsoid", ctypes.byref(desc), ctypes.byref(pointer))
@@ -69,7 +69,7 @@ class Asset:
     @classmethod
     @takes("lr_rigid_desc")
     def rigid(cls, **options: "Unpack[RigidOptions]") -> "Asset":
-        """A body with given numbers. aerodynamics: a dict of lr_aerodynamics, or an `Aerodynamics`."""
+        """Creates a body with the given coefficients. aerodynamics: an `Aerodynamics`, or a dict of its fields."""
         keep: List[Any] = []
         pointer = ctypes.POINTER(native.lr_asset)()
         desc = make(native.lr_rigid_desc, options, keep)
@@ -84,7 +84,7 @@ class Asset:
 
     @property
     def info(self) -> AssetInfo:
-        """Mass, inertia, added mass, and the asset's other properties."""
+        """Mass, inertia, added mass and other properties."""
         if self._info is None:
             info = init(native.lr_asset_info)
             call("lr_asset_get_info", self._as_parameter_, ctypes.byref(info))
@@ -93,7 +93,7 @@ class Asset:
 
     @property
     def aerodynamics(self) -> Aerodynamics:
-        """Coefficients of the quasi-steady loads, as baked; `replace` derives others for `Batch.set_aerodynamics`."""
+        """The baked coefficients of the quasi-steady loads. Pass a changed copy (`replace`) to `Batch.set_aerodynamics`."""
         value = init(native.lr_aerodynamics)
         call("lr_asset_get_aerodynamics", self._as_parameter_, ctypes.byref(value))
         return Aerodynamics.read(value)
@@ -121,7 +121,7 @@ class Asset:
 
 
 def check_asset(data: Any) -> List[Fault]:
-    """All faults of asset bytes; an empty list if there are none."""
+    """Lists all faults of an asset in memory."""
     view = memoryview(data).cast("B")
     buffer = (ctypes.c_char * view.nbytes).from_buffer_copy(view)
     faults: List[Fault] = []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Calls `lr_bake`, which makes assets from meshes, and reads its report."""
+"""Runs `lr_bake`, which makes assets from meshes, and reads its report."""
 from __future__ import annotations
 
 import json
@@ -23,7 +23,7 @@ FAULT = re.compile(r"^(?:(?P<file>.*?): )?error (?P<number>\d+)(?: at (?P<where>
 
 
 def baker_path() -> str:
-    """Where `lr_bake` is: LANGEVIN_RIGID_BAKE, beside this package, in bin/ beside the library's folder, or on the PATH."""
+    """The path of `lr_bake`: LANGEVIN_RIGID_BAKE, beside this package, bin/ beside the library's folder, or the PATH."""
     name = "lr_bake.exe" if sys.platform == "win32" else "lr_bake"
     chosen = os.environ.get("LANGEVIN_RIGID_BAKE")
     if chosen:
@@ -82,7 +82,7 @@ def _run(arguments: Sequence[str]) -> "subprocess.CompletedProcess[str]":
             if match:
                 faults.append(Fault(int(match["number"]), match["where"] or "", match["what"], match["remedy"] or ""))
         said = "\n".join(line for line in result.stderr.splitlines() if FAULT.match(line)) or result.stderr.strip() or \
-            f"it ended with {result.returncode}"
+            f"exit code {result.returncode}"
         error = BakeError(f"lr_bake: {said}", faults=faults)
         error.returncode = result.returncode
         raise error
@@ -98,27 +98,27 @@ def _bake(command: str, inputs: Sequence[str], output: Path, options: Dict[str, 
 
 
 def bake(mesh: Path, output: Path, **options: Any) -> Dict[str, Any]:
-    """Makes an asset from a mesh file: OBJ, STL, PLY, glTF, FBX, Collada. Returns the report.
+    """Bakes an asset from a mesh file (OBJ, STL, PLY, glTF, FBX, Collada) and returns the report.
 
     Options are those of `lr_bake mesh`, with _ for -: density=350, unit="cm", up="y", sheet=True, thickness=2e-4,
     areal_density=0.08, fluid="water", grid=(32, 32, 16), center_of_mass=(0, 0, 0.01), name="leaf", if_changed=True.
-    Raises `BakeError`, whose `faults` are numbered, have a place and a remedy.
+    Raises `BakeError`; its `faults` have a number, a place and a remedy.
     """
     return _bake("mesh", [os.fspath(mesh)], output, options)
 
 
 def bake_card(image: Path, output: Path, *, width: float, thickness: float, **options: Any) -> Dict[str, Any]:
-    """Makes an asset from the alpha channel of a leaf's picture (PNG). Options are those of `lr_bake card`."""
+    """Bakes an asset from the alpha channel of a leaf's picture (PNG). Options are those of `lr_bake card`."""
     return _bake("card", [os.fspath(image)], output, {"width": width, "thickness": thickness, **options})
 
 
 def bake_ellipsoid(semi_axes: "Sequence[float]", output: Path, **options: Any) -> Dict[str, Any]:
-    """Makes an asset of a solid ellipsoid. Options are those of `lr_bake ellipsoid`."""
+    """Bakes an asset of a solid ellipsoid. Options are those of `lr_bake ellipsoid`."""
     return _bake("ellipsoid", [repr(float(a)) for a in semi_axes], output, options)
 
 
 def bake_triangles(vertices: "ArrayLike", triangles: "ArrayLike", output: Path, **options: Any) -> Dict[str, Any]:
-    """Makes an asset from triangles in memory: (n, 3) positions, (m, 3) indices. Options are those of `bake`."""
+    """Bakes an asset from triangles in memory: (n, 3) positions, (m, 3) indices. Options are those of `bake`."""
     from .mesh import Mesh
     with tempfile.TemporaryDirectory(prefix="langevin_rigid_") as folder:
         path = os.path.join(folder, "mesh.obj")
@@ -128,5 +128,5 @@ def bake_triangles(vertices: "ArrayLike", triangles: "ArrayLike", output: Path, 
 
 
 def inspect_asset(path: Path) -> Dict[str, Any]:
-    """The output of `lr_bake info` for an asset file."""
+    """The report of `lr_bake info` for an asset file."""
     return json.loads(_run(["info", os.fspath(path), "--json"]).stdout)

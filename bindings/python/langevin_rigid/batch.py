@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Batches: all bodies of one asset in a world."""
+"""Batches: all bodies of one asset with the same settings."""
 from __future__ import annotations
 
 import ctypes
@@ -29,7 +29,7 @@ SHAPES = {
 
 
 class Batch(BatchPlain):
-    """Created by `World.create_batch`; ends with its world, or by `destroy`."""
+    """A batch of bodies, created by `World.create_batch`. It lives until `destroy` or the end of its world."""
 
     def __init__(self, world: "World", handle: int, asset: "Asset") -> None:
         self.world = world
@@ -38,9 +38,9 @@ class Batch(BatchPlain):
         self._exports: "weakref.WeakSet[Any]" = weakref.WeakSet()
 
     def destroy(self) -> None:
-        """Destroys the batch with all its bodies. No array of its views may be left."""
+        """Destroys the batch with all its bodies. Arrays of its views must be deleted first."""
         if len(self._exports) and not self.world.closed:
-            raise BufferError(f"{len(self._exports)} arrays still look at this batch: delete them and their view first")
+            raise BufferError(f"{len(self._exports)} arrays still use the memory of this batch: delete them and their view first")
         self._change("lr_batch_destroy")
 
     def __repr__(self) -> str:
@@ -53,12 +53,12 @@ class Batch(BatchPlain):
                user: Any = None) -> np.ndarray:
         """Creates bodies, all or none, and returns their ids.
 
-        Each value is one for all, or an array with one for each body: (count, 3) for vectors, (count, 4) for quaternions
-        x, y, z, w, (count,) for the others. count: not needed where one of them is an array.
+        Each argument is a single value, or an array with a value for each body: (count, 3) for vectors, (count, 4) for
+        quaternions x, y, z, w, (count,) for the others. count: 1, unless given or known from an array.
 
         position: m, of the centre of mass; 0. orientation: body to world; 0 0 0 1. linear_velocity: m/s, angular_velocity:
-        rad/s, world frame; 0. scale: 0.001 to 1000; 1. age: s; 0. noise_seed: tells the noise of bodies apart; 0: the world's next.
-        user: any number of 64 bits, found again in states, views, events and ray hits; 0.
+        rad/s, world frame; 0. scale: 0.001 to 1000; 1. age: s; 0. noise_seed: selects a body's random numbers; 0: the world's
+        next. user: a 64-bit number of yours, returned in states, views, events and ray hits; 0.
         """
         wide = {"position": (position, 3), "orientation": (orientation, 4), "linear_velocity": (linear_velocity, 3),
                 "angular_velocity": (angular_velocity, 3)}
@@ -97,11 +97,11 @@ class Batch(BatchPlain):
 
     def transforms(self, format: int = TransformFormat.MATRIX_4X4_ROW_MAJOR, out: Optional[np.ndarray] = None,
                    first: Optional[int] = None) -> np.ndarray:
-        """The transforms of all bodies, in the order of the view, or of the `first` ones if given.
+        """The transforms of all bodies, or of the `first` bodies, in the order of the view.
 
-        out: an array of float32 to write into, as many as fit; each without gaps, but with any distance from one
-        to the next: a field of a structured array will do. Returns the part of it that was written.
-        The mesh to be drawn must have its origin at the centre of mass (`asset.info.center_of_mass`).
+        out: a float32 array to write into, as many transforms as fit. Each transform is contiguous; the stride between them
+        is free, so a field of a structured array works. Returns the part of it that was written.
+        Draw a mesh with its origin at the centre of mass (`asset.info.center_of_mass`).
         """
         format = TransformFormat(format)
         shape = SHAPES[format]
@@ -116,30 +116,30 @@ class Batch(BatchPlain):
     @staticmethod
     def _stride(out: np.ndarray, floats: int) -> int:
         if out.dtype != np.float32 or not out.flags.writeable:
-            raise TypeError(f"out: a writable array of float32 is wanted, not one of {out.dtype}")
+            raise TypeError(f"out: expected a writable float32 array, not {out.dtype}")
         inner = 4
         for size, step in zip(out.shape[:0:-1], out.strides[:0:-1]):
             if size != 1 and step != inner and len(out):
-                raise ValueError("out: each element must be without gaps, in C's order")
+                raise ValueError("out: each element must be contiguous, in C order")
             inner *= size
         if out.ndim < 2 or inner != 4 * floats:
             raise ValueError(f"out: shape {out.shape}, but an element has {floats} numbers")
         if len(out) > 1 and out.strides[0] < inner:
-            raise ValueError("out: elements overlap, or go backwards")
+            raise ValueError("out: elements overlap or run backwards")
         return out.strides[0] if len(out) > 1 else 0
 
     def bounds(self) -> Optional[Tuple[np.ndarray, np.ndarray]]:
-        """Corners of a box around all bodies, m; None without bodies."""
+        """The corners of a box around all bodies, m; None without bodies."""
         low, high = np.empty(3, np.float32), np.empty(3, np.float32)
         self._ask("lr_batch_get_bounds", address(low, ctypes.c_float), address(high, ctypes.c_float))
         return (low, high) if low[0] <= high[0] else None
 
-    # What acts on the bodies.
+    # # Forces and loads.
 
     def add_forces(self, force: Any = None, torque: Any = None, mode: int = ForceMode.FORCE, frame: int = ForceFrame.WORLD,
                    first: int = 0) -> None:
-        """Forces on bodies [first, first + count) in the order of the view: arrays of shape (count, 3), or three of (count,).
-        float32 without gaps is not copied."""
+        """Adds forces to bodies [first, first + count) in the order of the view: arrays of shape (count, 3), or three arrays of
+        shape (count,). Contiguous float32 is not copied."""
         keep: List[Any] = []
         arrays = init(native.lr_force_arrays)
         arrays.mode, arrays.frame, arrays.first = int(mode), int(frame), first
@@ -162,7 +162,7 @@ class Batch(BatchPlain):
 
     @takes("lr_aerodynamics")
     def set_aerodynamics(self, coefficients: Optional[Aerodynamics] = None, **changes: "Unpack[AerodynamicsOptions]") -> None:
-        """Replaces the asset's coefficients: by a whole record or single numbers; without arguments restores the asset's."""
+        """Replaces the asset's coefficients, all (a record) or some (keywords). Without arguments, restores the asset's."""
         fields = dict(as_fields(coefficients)) if coefficients is not None else {}
         if changes and not fields:
             fields = self.aerodynamics.as_dict()
@@ -170,7 +170,7 @@ class Batch(BatchPlain):
 
     @takes("lr_turbulence_table", "count")
     def set_turbulence_table(self, **table: "Unpack[TurbulenceTableOptions]") -> None:
-        """Replaces the asset's k-epsilon samples; without keywords restores them."""
+        """Replaces the asset's k-epsilon samples. Without keywords, restores the asset's."""
         if table:
             for name in ("chi", "epsilon"):
                 if table.get(name) is None:
@@ -183,7 +183,7 @@ class Batch(BatchPlain):
     # Contact.
 
     def set_body_contact(self, other: "Batch", enabled: bool = True) -> None:
-        """Body contact with another batch, or within this one."""
+        """Switches contact with the bodies of another batch, or among those of this batch."""
         self._change("lr_batch_set_body_contact", other.id, int(enabled))
 
     def body_contact(self, other: "Batch") -> bool:
@@ -191,7 +191,7 @@ class Batch(BatchPlain):
         self._ask("lr_batch_get_body_contact", other.id, ctypes.byref(enabled))
         return bool(enabled.value)
 
-    # Births and ends.
+    # # Emitter and rules.
 
     def _get_if_present(self, name: str, struct: Any, record: Any) -> Any:
         value, present = init(struct), ctypes.c_int32()
@@ -200,16 +200,16 @@ class Batch(BatchPlain):
 
     @property
     def rules(self) -> Optional[BatchRules]:
-        """None without rules."""
+        """The rules, or None."""
         return self._get_if_present("lr_batch_get_rules", native.lr_batch_rules, BatchRules)
 
     @property
     def emitter(self) -> Optional[Emitter]:
-        """None without an emitter."""
+        """The emitter, or None."""
         return self._get_if_present("lr_batch_get_emitter", native.lr_emitter_desc, Emitter)
 
     def emit(self, count: int) -> np.ndarray:
-        """Spawns bodies now by the emitter, all or none; returns their ids."""
+        """Spawns bodies from the emitter now, all or none, and returns their ids."""
         ids = np.zeros(count, np.uint64)
         self._change("lr_batch_spawn", count, address(ids, ctypes.c_uint64))
         return ids
@@ -217,7 +217,7 @@ class Batch(BatchPlain):
 
 
 def components(values: Any, name: str) -> Optional[Tuple[List[np.ndarray], int]]:
-    """x, y and z of vectors, and the bytes from one body's value to the next's."""
+    """x, y and z of vectors, and the stride between bodies in bytes."""
     if values is None:
         return None
     if isinstance(values, (tuple, list)) and len(values) == 3 and all(isinstance(v, np.ndarray) and v.ndim == 1 for v in values):
@@ -225,7 +225,7 @@ def components(values: Any, name: str) -> Optional[Tuple[List[np.ndarray], int]]
     else:
         array = np.asarray(values, np.float32)
         if array.ndim != 2 or array.shape[1] != 3:
-            raise ValueError(f"{name}: shape {array.shape}, but (count, 3) is wanted, or three arrays of (count,)")
+            raise ValueError(f"{name}: shape {array.shape}, but expected (count, 3) or three arrays of (count,)")
         parts = [array[:, i] for i in range(3)]
     if len({len(part) for part in parts}) > 1:
         raise ValueError(f"{name}: components of different lengths")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Callbacks from the library into Python; the first exception of a call is raised after it."""
+"""Calls from the library into Python. A call on the world raises the first exception of its callbacks after it returns."""
 from __future__ import annotations
 
 import ctypes
@@ -51,7 +51,7 @@ def _copy_out(array: np.ndarray, pointers: Any, count: int) -> None:
 
 
 class Query:
-    """A query for some bodies, with arrays of its own, which may be kept. Vectors have shape (3, count)."""
+    """A query for some bodies, in arrays that outlive the callback. Vectors have shape (3, count)."""
 
     __slots__ = ("time", "count", "batch", "position", "_native", "_arrays")
 
@@ -66,13 +66,13 @@ class Query:
     def _array(self, name: str) -> np.ndarray:
         if name not in self._arrays:
             if self._native is None:
-                raise ValueError(f"{name} was not asked for during the call, and it is over")
+                raise ValueError(f"{name} was not read during the callback, which has ended")
             pointers = getattr(self._native, name)
             self._arrays[name] = _copy_in(pointers if isinstance(pointers, ctypes.Array) else [pointers], self.count)
         return self._arrays[name]
 
     def _set(self, name: str, value: Any, shape: Tuple[int, ...] = (3,)) -> None:
-        """Fills values per body, or one value for all."""
+        """Sets a value for each body, or a single value for all."""
         given = np.asarray(value, np.float32)
         if given.shape == shape:
             given = given[..., np.newaxis]
@@ -89,11 +89,11 @@ class Query:
 
 
 class WindQuery(Query):
-    """time, count, batch (0 from `World.sample_wind`), position (3, count); the field sets or adds to
+    """time, count, batch (0 from `World.sample_wind`), position (3, count). The callback sets, or adds to:
 
     velocity: (3, count), m/s, 0 at first
-    rate: (3, count), m/s^2, its partial derivative in time, 0 at first; leave it where it is not known
-    gradient: (3, 3, count), 1/s, d velocity[i] / d position[j], 0 at first; leave it where it is not known
+    rate: (3, count), m/s^2, partial derivative of the velocity in time, 0 at first; optional
+    gradient: (3, 3, count), 1/s, d velocity[i] / d position[j], 0 at first; optional
     """
 
     __slots__ = ()
@@ -104,11 +104,11 @@ class WindQuery(Query):
 
 
 class WaterQuery(Query):
-    """time, count, batch, position (3, count); preset to the values of plane and waves, and the water sets
+    """time, count, batch, position (3, count). The callback sets these values, which begin as those of the plane and waves:
 
     height: (count,), m above the plane along its normal
     normal: (3, count), unit
-    velocity, rate: (3, count), m/s and m/s^2, of the lower fluid
+    velocity, rate: (3, count), m/s and m/s^2, of the water
     """
 
     __slots__ = ()
@@ -119,7 +119,7 @@ class WaterQuery(Query):
 
 
 def field_callback(kind: Any, query: Any, function: Callable[[Any], Any], guard: Guard) -> Any:
-    """A wind or water callback for C. After an exception it is not called again in the same call."""
+    """A wind or water callback for C. An exception ends its use for the rest of the call."""
     def asked(_: Any, pointer: Any) -> None:
         if guard.pending is not None:
             return
@@ -147,7 +147,7 @@ def record_callback(write: Callable[[bytes], Any], guard: Guard) -> Any:
 
 
 def log_callback(function: Optional[Callable[[LogLevel, str], Any]], guard: Guard) -> Any:
-    """Passes messages to `function`; without one, errors go into the exception, others to the logger "langevin_rigid"."""
+    """Passes messages to `function`. Without it, errors go into the exception, others to the logger "langevin_rigid"."""
     def logged(_: Any, level: int, message: bytes) -> None:
         try:
             text = message.decode("utf-8", "replace")
@@ -164,7 +164,7 @@ def log_callback(function: Optional[Callable[[LogLevel, str], Any]], guard: Guar
 
 
 def job_callbacks(executor: Executor, guard: Guard) -> Any:
-    """Uses an executor as the library's job system; the stepping thread runs calls that have not started."""
+    """Uses an executor as the library's job system. The stepping thread runs tasks that no thread has started."""
     enqueued: Dict[int, List[Tuple[Future, int]]] = {}
     tasks: Dict[int, Tuple[Any, Any]] = {}
     types: Dict[str, Any] = dict(native.lr_job_system._fields_)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Colliders, and events of contact."""
+"""Colliders and contact events."""
 from __future__ import annotations
 
 import ctypes
@@ -21,10 +21,10 @@ if TYPE_CHECKING:
 
 
 class Events(NamedTuple):
-    """What happened to bodies in the last step.
+    """Events of the last step.
 
-    events: structured, with kind (`EventKind`), batch, body, user, collider, position, normal, speed and impulse; a copy.
-    lost: those of the last step for which there was no room; total_lost: since `World.keep_events`.
+    events: a copy, as a structured array: kind (`EventKind`), batch, body, user, collider, position, normal, speed, impulse.
+    lost: events of the last step beyond the capacity; total_lost: the same since `World.keep_events`.
     """
 
     events: np.ndarray
@@ -37,7 +37,7 @@ class Events(NamedTuple):
 
 
 class Collider(ColliderPlain):
-    """A collider of a world, created by `World.add_collider` and the like."""
+    """A collider of a world, created by `World.add_collider` and similar methods."""
 
     def __init__(self, world: "World", handle: int) -> None:
         self.world = world
@@ -48,26 +48,26 @@ class Collider(ColliderPlain):
         self.world._change("lr_collider_move", ctypes.byref(motion), 1)
 
     def move_to(self, position: "Optional[ArrayLike]" = None, orientation: "Optional[ArrayLike]" = None) -> None:
-        """Moves to this pose during the next step, then stands still; omitted values stay."""
+        """Moves to this pose during the next step, then stops. Omitted values stay."""
         state = self.state
         self._move(MoveMode.TO, position=state.position if position is None else position,
                    orientation=state.orientation if orientation is None else orientation)
 
     def place(self, position: "Optional[ArrayLike]" = None, orientation: "Optional[ArrayLike]" = None,
               linear_velocity: "ArrayLike" = (0, 0, 0), angular_velocity: "ArrayLike" = (0, 0, 0)) -> None:
-        """Teleports to this pose, and moves with these velocities from now on."""
+        """Teleports to this pose, then moves with these velocities."""
         state = self.state
         self._move(MoveMode.PLACE, position=state.position if position is None else position,
                    orientation=state.orientation if orientation is None else orientation,
                    linear_velocity=linear_velocity, angular_velocity=angular_velocity)
 
     def set_velocity(self, linear: "ArrayLike" = (0, 0, 0), angular: "ArrayLike" = (0, 0, 0)) -> None:
-        """Keeps its pose, and moves with these velocities from now on."""
+        """Moves with these velocities from the present pose."""
         self._move(MoveMode.VELOCITY, linear_velocity=linear, angular_velocity=angular)
 
     @takes("lr_material")
     def set_material(self, **surface: "Unpack[MaterialOptions]") -> None:
-        """Its material: layers, friction and restitution; omitted values stay."""
+        """Sets layers, friction and restitution. Omitted values stay."""
         state = self.state
         fields: Dict[str, Any] = {"layers": state.layers, "friction": state.friction, "restitution": state.restitution, **surface}
         value = make(native.lr_material, fields, [])
@@ -97,12 +97,12 @@ def _shaped(fields: Mapping[str, Any]) -> Mapping[str, Any]:
     if fields.get("indices") is not None:
         indices = contiguous(fields["indices"], ctypes.c_uint32, "indices")
         if indices.size % 3:
-            raise ValueError(f"indices: {indices.size} are not triangles")
+            raise ValueError(f"indices: {indices.size} is not a multiple of 3")
         fields.update(indices=indices, triangle_count=indices.size // 3)
     if fields.get("heights") is not None:
         heights = np.ascontiguousarray(fields["heights"], np.float32)
         if heights.ndim != 2:
-            raise ValueError(f"heights: shape {heights.shape}, but (z, x) is wanted")
+            raise ValueError(f"heights: shape {heights.shape}, but expected (z, x)")
         fields.update(heights=heights, counts=heights.shape[::-1])
     size = fields.get("size")
     if size is not None:
@@ -111,14 +111,14 @@ def _shaped(fields: Mapping[str, Any]) -> Mapping[str, Any]:
 
 
 class ContactMixin:
-    """The colliders of a `World`."""
+    """Adds colliders to `World`."""
 
     if TYPE_CHECKING:
         def _ask(self, name: str, *arguments: Any) -> None: ...
         def _change(self, name: str, *arguments: Any) -> None: ...
 
     def add_colliders(self, options: List[Mapping[str, Any]]) -> List[Collider]:
-        """Creates colliders, all or none, each from the keywords of `add_collider` as a dict with its kind."""
+        """Creates colliders, all or none. Each dict has the keywords of `add_collider`, kind included."""
         keep: List[Any] = []
         descs = (native.lr_collider_desc * len(options))(*(make(native.lr_collider_desc, _shaped(o), keep) for o in options))
         ids = np.zeros(len(options), np.uint64)
@@ -127,11 +127,11 @@ class ContactMixin:
 
     @takes("lr_collider_desc", "kind", "vertex_count", "triangle_count", "counts")
     def add_collider(self, kind: int, **options: "Unpack[ColliderOptions]") -> Collider:
-        """Creates a collider. vertices: (n, 3). indices: (triangles, 3). heights: (z, x), solid below, along -y."""
+        """Creates a collider. vertices: (n, 3). indices: (triangles, 3). heights: (z, x), solid below them, along -y."""
         return self.add_colliders([{**options, "kind": int(kind)}])[0]
 
     def add_plane(self, point: "ArrayLike" = (0, 0, 0), normal: "ArrayLike" = (0, 1, 0), **options: Any) -> Collider:
-        """Everything below is solid."""
+        """Creates a plane; the space below it is solid."""
         return self.add_collider(ColliderKind.PLANE, position=point, orientation=turn_from_y(normal), **options)
 
     def add_sphere(self, center: "ArrayLike", radius: float, **options: Any) -> Collider:
@@ -141,7 +141,7 @@ class ContactMixin:
         return self.add_collider(ColliderKind.BOX, position=center, size=half_extents, **options)
 
     def add_capsule(self, center: "ArrayLike", radius: float, half_length: float, **options: Any) -> Collider:
-        """A capsule along its own y."""
+        """Creates a capsule along its own y axis."""
         return self.add_collider(ColliderKind.CAPSULE, position=center, size=[radius, half_length], **options)
 
     def add_mesh(self, vertices: "ArrayLike", indices: "ArrayLike", **options: Any) -> Collider:
@@ -155,7 +155,7 @@ class ContactMixin:
 
     def move_colliders(self, colliders: "List[Collider]", position: Any, orientation: Any = (0, 0, 0, 1), *,
                        mode: int = MoveMode.TO, linear_velocity: Any = (0, 0, 0), angular_velocity: Any = (0, 0, 0)) -> None:
-        """Moves many at once: each value is one for all, or an array with one for each."""
+        """Moves many colliders: each argument is a single value, or an array with a value for each collider."""
         count = len(colliders)
         motions = elements(native.lr_collider_motion, count)
         motions["mode"] = int(mode)
@@ -166,7 +166,7 @@ class ContactMixin:
         self._change("lr_collider_move", address(motions, native.lr_collider_motion), count)
 
     def keep_events(self, capacity: int = 4096, kinds: int = EventKinds.ALL) -> None:
-        """Enables events; at most `capacity` are stored per step; 0 disables them."""
+        """Keeps at most `capacity` events of each step; 0 disables events."""
         self._change("lr_world_set_events", capacity, int(kinds))
 
     @property
@@ -181,7 +181,7 @@ class ContactMixin:
 
 
 def turn_from_y(direction: Any) -> np.ndarray:
-    """The shortest turn of +y into a direction, as a quaternion x, y, z, w."""
+    """The shortest rotation from +y to a direction, as a quaternion x, y, z, w."""
     x, y, z = np.asarray(direction, np.float64) / np.linalg.norm(direction)
     if y < -0.999999:
         return np.array([1.0, 0.0, 0.0, 0.0])

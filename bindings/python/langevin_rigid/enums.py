@@ -158,7 +158,7 @@ class TurbulenceClock(IntEnum):
 
 
 class TableEnd(IntEnum):
-    """What happens after the last sample of a turbulence table."""
+    """Continuation of a turbulence table after its last sample."""
     CLAMP = 0  # `TurbulenceClock.AGE`: hold the last sample after the end of the table
     LOOP = 1  # `TurbulenceClock.AGE`: start over
 
@@ -181,7 +181,7 @@ class TransformFormat(IntEnum):
 
 
 class SleepState(IntEnum):
-    """Whether a body is awake or asleep."""
+    """A body's sleep state."""
     AWAKE = 0
     ASLEEP = 1
     HELD = 2  # read only: diverged, and held where it was by lr_batch_set_divergence_policy
@@ -199,7 +199,7 @@ the mass."""
 
 
 class ForceFrame(IntEnum):
-    """The frame that a force is given in."""
+    """The frame of a force."""
     WORLD = 0
     BODY = 1  # rotates with the body
 
@@ -230,7 +230,7 @@ class ColliderKind(IntEnum):
 
 
 class MoveMode(IntEnum):
-    """How a collider is moved."""
+    """Ways to move a collider."""
     TO = 1  # sweeps to this pose during the next step, then stands still
     PLACE = 2  # teleports to this pose, and moves with these velocities from now on
     VELOCITY = 3  # keeps its pose, and moves with these velocities from now on
@@ -242,7 +242,7 @@ class ContactFlags(IntFlag):
 
 
 class EventKind(IntEnum):
-    """What happened to a body."""
+    """Kinds of events."""
     SPAWNED = 1  # an emitter or lr_batch_spawn added it since the previous step; not lr_body_create
     HIT = 2  # the body touches a collider that it did not touch at the end of the step before
     LIFTED = 3  # it no longer touches the collider, or the collider was destroyed: its id is stale
@@ -267,7 +267,7 @@ class EventKinds(IntFlag):
 
 
 class RayFlags(IntFlag):
-    """What a ray can hit."""
+    """Targets of a ray."""
     BODIES = 1
     COLLIDERS = 2
 
@@ -279,7 +279,7 @@ class OverlapShape(IntEnum):
 
 
 class EndAction(IntEnum):
-    """What happens to a body that its batch's rules end."""
+    """The fate of a body that its batch's rules end."""
     DESTROY = 0  # the body is destroyed and its id becomes stale
     RESPAWN = 1  # the body restarts where the batch's emitter puts it, at age 0, with its id and noise seed
 
@@ -292,13 +292,13 @@ class VolumeShape(IntEnum):
 
 
 class KillSide(IntEnum):
-    """On which side of a kill volume bodies end."""
+    """The side of a kill volume on which bodies end."""
     INSIDE = 0
     OUTSIDE = 1
 
 
 class DivergencePolicy(IntEnum):
-    """What happens to a diverged body."""
+    """The fate of a diverged body."""
     AUTO = 0  # `DivergencePolicy.REMOVE` in a batch with rules, else `DivergencePolicy.FREEZE`
     FREEZE = 1  # the body is held where it was last valid
     REMOVE = 2  # the body respawns if the batch's rules respawn, else it is destroyed

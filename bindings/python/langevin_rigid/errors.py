@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Exceptions: one class for each status of the library, all of them `Error`, and also what Python would raise for the like."""
+"""Exceptions: a subclass of `Error` for each status, most of them also subclasses of a built-in exception."""
 from __future__ import annotations
 
 from typing import Any, Dict, List, NamedTuple, Optional, Type
@@ -9,7 +9,7 @@ from .enums import Status
 
 
 class Fault(NamedTuple):
-    """One numbered fault of an asset, or of a mesh to be baked; docs/reference/asset_format.md explains each number."""
+    """A numbered fault of an asset or of a mesh; docs/reference/asset_format.md explains each number."""
 
     number: int
     where: str
@@ -22,11 +22,11 @@ class Fault(NamedTuple):
 
 
 class Error(Exception):
-    """A call that the library refused; it changed nothing.
+    """A refused call. It changed nothing.
 
-    status: which of `Status`; None where the refusal is of this package.
-    function: of the C API, where one refused.
-    faults: of an asset, where there are any.
+    status: a `Status`; None if this package refused, not the library.
+    function: the function of the C API that refused, if any.
+    faults: of an asset, if any.
     """
 
     default_status: Optional[Status] = None
@@ -70,7 +70,7 @@ class OutOfMemoryError(Error, MemoryError):
 
 
 class StaleError(Error, LookupError):
-    """A handle or an id of something that no longer exists."""
+    """The object behind a handle or an id no longer exists."""
 
 
 class StaleBodyError(StaleError):
@@ -90,7 +90,7 @@ class StaleColliderError(StaleError):
 
 
 class StaleViewError(StaleError):
-    """A view from before the last change of its world: call `Batch.view` again."""
+    """The world changed after the view was taken: call `Batch.view` again."""
 
 
 class CapacityError(Error):
@@ -146,19 +146,19 @@ class ThreadsError(Error, RuntimeError):
 
 
 class ConcurrentUseError(Error, RuntimeError):
-    """From worlds with `checks`: another thread is inside a call. `World` detects that itself: `BusyError`."""
+    """Another thread is inside a call (only with `checks`). `World` detects this itself: `BusyError`."""
 
     default_status = Status.CONCURRENT_USE
 
 
 class ReentrantError(Error, RuntimeError):
-    """From worlds with `checks`: the call comes from one of its callbacks. `World` detects that itself: `BusyError`."""
+    """A callback called its own world (only with `checks`). `World` detects this itself: `BusyError`."""
 
     default_status = Status.REENTRANT
 
 
 class TimestepError(Error, ValueError):
-    """`dt` or `substeps` is out of range: `status` says how."""
+    """`dt` or `substeps` is out of range; `status` says which."""
 
 
 class InternalError(Error, RuntimeError):
@@ -166,19 +166,19 @@ class InternalError(Error, RuntimeError):
 
 
 class ClosedError(Error, ValueError):
-    """The world, or the asset, was closed."""
+    """The world or the asset was closed."""
 
 
 class BusyError(Error, RuntimeError):
-    """The world is inside a call: of another thread, or of the callback that called it."""
+    """The world is inside a call, of another thread or of the one that runs this callback."""
 
 
 class LibraryError(Error, ImportError):
-    """The native library was not found, could not be loaded, or is of another version than this package."""
+    """The native library was not found, did not load, or has another version than this package."""
 
 
 class BakeError(Error, RuntimeError):
-    """`lr_bake` refused; `faults` has its numbered faults, `returncode` is 1 for these and 2 for wrong usage."""
+    """`lr_bake` refused. `faults` lists its numbered faults; `returncode` is 1 for these, 2 for wrong usage."""
 
     returncode: int = 1
 

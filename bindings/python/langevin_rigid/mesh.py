@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Meshes that are drawn: polygons with texture coordinates, read from OBJ and written to it."""
+"""Meshes to draw: polygons with texture coordinates, read from and written to OBJ."""
 from __future__ import annotations
 
 import os
@@ -9,7 +9,7 @@ import numpy as np
 
 
 class Mesh:
-    """points: (n, 3). counts: corners of each face. indices: of the corners' points, face after face. uvs: (corners, 2) or None."""
+    """points: (n, 3). counts: corners of each face. indices: the corners' points, face after face. uvs: (corners, 2) or None."""
 
     def __init__(self, points: Any, counts: Any, indices: Any, uvs: Any = None) -> None:
         self.points = np.ascontiguousarray(points, np.float64).reshape(-1, 3)
@@ -28,7 +28,7 @@ class Mesh:
 
     @classmethod
     def read_obj(cls, path: Union[str, "os.PathLike[str]"]) -> "Mesh":
-        """Positions, texture coordinates and faces; all objects of the file as one."""
+        """Reads positions, texture coordinates and faces; joins all objects of the file."""
         points: List[List[float]] = []
         texture: List[List[float]] = []
         counts: List[int] = []
@@ -67,5 +67,5 @@ class Mesh:
             file.write("\n".join(lines) + "\n")
 
     def moved(self, offset: Any) -> "Mesh":
-        """The same, elsewhere: by minus `asset.info.center_of_mass` it has its origin where transforms want it."""
+        """A translated copy. Move by minus `asset.info.center_of_mass`: transforms place the centre of mass."""
         return Mesh(self.points + np.asarray(offset, np.float64), self.counts, self.indices, self.uvs)

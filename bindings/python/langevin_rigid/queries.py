@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Rays, and what is in a sphere or box."""
+"""Rays and overlap queries."""
 from __future__ import annotations
 
 import ctypes
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class QueryMixin:
-    """The part of `World` that is about looking."""
+    """Adds queries to `World`."""
 
     if TYPE_CHECKING:
         def _ask(self, name: str, *arguments: Any) -> None: ...
@@ -27,9 +27,9 @@ class QueryMixin:
     def ray_cast(self, origins: "ArrayLike", directions: "ArrayLike", *, max_distance: Any = None,
                  flags: int = RayFlags.BODIES | RayFlags.COLLIDERS, batch: "Optional[Batch]" = None,
                  collider_layers: Any = None) -> np.ndarray:
-        """What each ray hits first. origins, directions: (3,) or (count, 3).
+        """The first hit of each ray. origins, directions: (3,) or (count, 3).
 
-        Returns a structured array with body, user, collider, distance, position and normal; body and collider are 0 where nothing is hit.
+        Returns a structured array: body, user, collider, distance, position, normal. Without a hit, body and collider are 0.
         """
         starts, along = rows(origins, 3, "origins"), rows(directions, 3, "directions")
         count = max(len(starts), len(along)) if min(len(starts), len(along)) else 0
@@ -47,12 +47,12 @@ class QueryMixin:
         return hits
 
     def overlap_sphere(self, center: "ArrayLike", radius: float, batch: "Optional[Batch]" = None) -> np.ndarray:
-        """Ids of all bodies of which a part is in a sphere."""
+        """The ids of all bodies that overlap a sphere."""
         return self._overlap(OverlapShape.SPHERE, batch, position=center, size=[radius] * 3)
 
     def overlap_box(self, center: "ArrayLike", half_extents: "ArrayLike", orientation: "ArrayLike" = (0, 0, 0, 1),
                     batch: "Optional[Batch]" = None) -> np.ndarray:
-        """Ids of all bodies of which a part is in a box."""
+        """The ids of all bodies that overlap a box."""
         return self._overlap(OverlapShape.BOX, batch, position=center, size=half_extents, orientation=orientation)
 
     def _overlap(self, shape: int, batch: "Optional[Batch]", **fields: Any) -> np.ndarray:

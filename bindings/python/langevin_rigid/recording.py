@@ -21,10 +21,10 @@ FIELDS: Dict[str, Tuple[int, Any]] = {
 
 
 class RecordedFrame(NamedTuple):
-    """Bodies of one frame, in the order of their ids: all in the world frame, SI. orientation: x, y, z, w.
+    """Bodies of a frame, sorted by id, in the world frame and SI units. orientation: x, y, z, w.
 
-    ids: one for each life, counted from 0: a body that respawns has another one from then on.
-    bodies: as the library calls them.
+    ids: a number for each life, counted from 0: a respawned body has a new one.
+    bodies: the library's ids.
     """
 
     ids: np.ndarray
@@ -38,7 +38,7 @@ class RecordedFrame(NamedTuple):
 
 
 class Recording:
-    """Frames of one batch at a fixed rate; bodies may come and go between them.
+    """Frames of a batch at a fixed rate. Bodies can come and go between frames.
 
         recording = lr.Recording(fps=24)
         for frame in range(240):
@@ -69,7 +69,7 @@ class Recording:
         return frame
 
     def _lives_of(self, bodies: np.ndarray, age: np.ndarray) -> np.ndarray:
-        """A number for each body's present life: the previous frame's, unless the body is now younger."""
+        """A number for each body's present life: that of the previous frame, unless the body is now younger."""
         lives = np.full(len(bodies), -1, np.int64)
         if self.frames and len(self.frames[-1].bodies):
             last = self.frames[-1]
@@ -96,7 +96,7 @@ class Recording:
         return range(self.first_frame, self.first_frame + len(self.frames))
 
     def save(self, path: Union[str, "os.PathLike[str]"], compressed: bool = True) -> None:
-        """Writes a NumPy archive: arrays of all frames concatenated, frame f at offsets[f]:offsets[f + 1]."""
+        """Writes a NumPy archive of arrays over all frames; frame f is at offsets[f]:offsets[f + 1]."""
         counts = [len(frame.ids) for frame in self.frames]
         arrays: Dict[str, Any] = {
             "format": np.int32(FORMAT), "fps": np.float64(self.fps), "first_frame": np.int32(self.first_frame),
@@ -121,8 +121,8 @@ class Recording:
         return recording
 
     def slots(self) -> Tuple[List[np.ndarray], int]:
-        """For each frame the slot of each of its bodies, and how many slots there are. A life keeps its slot, and one that ends
-        leaves it empty for two frames at least, so that nothing need fly from where one ended to where the next begins."""
+        """The slot of each body for each frame, and the number of slots. A life keeps its slot. After its end the slot stays
+        empty for at least two frames, so that interpolation does not move a body from that end to the next start."""
         lives = max((int(frame.ids.max()) + 1 for frame in self.frames if len(frame.ids)), default=0)
         slot_of = np.full(lives, -1, np.int64)
         free: List[int] = []

@@ -10,12 +10,12 @@ from .enums import SimdTarget
 
 
 def simd_targets() -> List[SimdTarget]:
-    """What this processor can run, best first."""
+    """The instruction sets that this processor can run, best first."""
     count, values = ctypes.c_uint32(), (ctypes.c_int32 * len(SimdTarget))()
     call("lr_simd_targets", values, len(values), ctypes.byref(count))
     return [SimdTarget(value) for value in values[:count.value]]
 
 
 def simd_target_name(target: int) -> str:
-    """A name for people."""
+    """A readable name."""
     return library().lr_simd_target_name(int(target)).decode()

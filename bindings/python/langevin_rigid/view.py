@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The state of a batch where it lies, as NumPy arrays without a copy."""
+"""The state of a batch as NumPy arrays without a copy."""
 from __future__ import annotations
 
 import ctypes
@@ -16,7 +16,7 @@ SCALARS = {"scale": np.float32, "age": np.float32, "noise_seed": np.uint32, "ids
 
 
 class Memory:
-    """Memory of the library that an array looks at: it keeps the world's memory from being freed."""
+    """Memory of the library behind an array; it keeps the world alive."""
 
     __slots__ = ("__array_interface__", "handle", "__weakref__")
 
@@ -26,7 +26,7 @@ class Memory:
 
 
 class Vectors(tuple):
-    """Arrays of components, one value a body: `x, y, z = view.position`, or `view.position.x`."""
+    """Arrays of components, with a value for each body: `x, y, z = view.position`, or `view.position.x`."""
 
     __slots__ = ()
 
@@ -41,17 +41,17 @@ class Vectors(tuple):
 
     def __array__(self, dtype: Any = None, copy: Any = None) -> np.ndarray:
         if copy is False:
-            raise ValueError("components lie in arrays of their own: an array of vectors is a copy")
+            raise ValueError("each component has its own array: an array of vectors needs a copy")
         stacked = self.stack()
         return stacked if dtype is None else stacked.astype(dtype, copy=False)
 
 
 class View:
-    """Arrays of all bodies of a batch, read-only, where the library has them.
+    """Read-only arrays of all bodies of a batch, in the library's memory.
 
-    Bodies that move come first, [0, awake_count), then those at rest. A view is good until the next call that changes its world
-    (a step, births, ends, forces); then it raises `StaleViewError`: take another one. Arrays that were taken from it stay safe
-    to read, but what stands in them is the library's business. Velocities and spins are in the body frame.
+    Awake bodies come first, [0, awake_count), then sleeping ones. A view is valid until the next call that changes its world
+    (a step, spawns, destroyed bodies, forces); then it raises `StaleViewError`: take another view. Arrays already taken from it
+    can still be read safely, but their contents are undefined. Velocities and spins are in the body frame.
     """
 
     def __init__(self, batch: "Batch", struct: Any) -> None:
@@ -117,12 +117,12 @@ class View:
 
     @property
     def age(self) -> np.ndarray:
-        """s; of a body at rest some earlier one: `World.state` has it exactly."""
+        """s. The age of a sleeping body is out of date here: `World.state` has it."""
         return self._scalars("age")
 
     @property
     def noise_seed(self) -> np.ndarray:
-        """What tells the noise of bodies apart."""
+        """Noise seeds."""
         return self._scalars("noise_seed")
 
     @property
@@ -153,7 +153,7 @@ class View:
 
 
 def turned(quaternions: np.ndarray, vectors: np.ndarray) -> np.ndarray:
-    """Vectors turned by unit quaternions x, y, z, w."""
+    """Vectors rotated by unit quaternions x, y, z, w."""
     axis, real = quaternions[..., :3], quaternions[..., 3:]
     twice = 2.0 * np.cross(axis, vectors)
     return vectors + real * twice + np.cross(axis, twice)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Worlds: time, gravity, snapshots, and the batches that they hold."""
+"""Worlds: clock, gravity, snapshots and batches."""
 from __future__ import annotations
 
 import ctypes
@@ -51,13 +51,13 @@ class World(WorldPlain, AirMixin, ContactMixin, QueryMixin):
             batch.create(count=1000, position=positions)
             world.step(1 / 60, substeps=2)
 
-    log: called with a `LogLevel` and a text. Without it warnings go to the logger "langevin_rigid", and the text of an error
+    log: called with a `LogLevel` and a text. Without it, warnings go to the logger "langevin_rigid", and the text of an error
         into its exception.
-    executor: a ThreadPoolExecutor whose threads step beside the caller's, worker_count of them, or all where that is 0; without
-        it the library has worker_count threads of its own.
+    executor: a ThreadPoolExecutor whose threads help the caller's thread to step: worker_count threads, or all if that is 0.
+        Without it the library starts worker_count threads.
 
-    One thread at a time may use a world; another one, or a callback that calls its own world, gets a `BusyError`. The library
-    runs without Python's interpreter lock.
+    Only one thread at a time can use a world. A second thread, or a callback that calls its own world, gets a `BusyError`. The
+    library runs without Python's interpreter lock.
     """
 
     @takes("lr_world_desc", "allocator", "log_user", "jobs", "log")
@@ -71,7 +71,7 @@ class World(WorldPlain, AirMixin, ContactMixin, QueryMixin):
         keep = {"log": desc.log}
         if executor is not None:
             desc.jobs = job_callbacks(executor, guard)
-            if desc.worker_count == 0:  # others than Python's own do not say; the library then guesses, and warns
+            if desc.worker_count == 0:  # only Python's own executors say how many; for others the library guesses, and warns
                 desc.worker_count = min(getattr(executor, "_max_workers", 0), 64)
             keep["jobs"] = desc.jobs
         pointer = ctypes.POINTER(native.lr_world)()
@@ -80,18 +80,18 @@ class World(WorldPlain, AirMixin, ContactMixin, QueryMixin):
             raise error(status, "lr_world_create", guard.message)
         self._handle = Handle(pointer, library().lr_world_destroy, guard, keep)
 
-    # How calls are made.
+    # # Calls.
 
     def _use(self) -> Handle:
         handle = self._handle
         if handle is None:
             raise ClosedError("the world was closed")
         if not handle.lock.acquire(blocking=False):
-            raise BusyError("the world is in a call already: use one thread at a time, and do not call it from its callbacks")
+            raise BusyError("the world is already in a call: use one thread at a time, and do not call it from its callbacks")
         return handle
 
     def _call(self, name: str, *arguments: Any) -> Tuple[int, str]:
-        """What a function returns, and its message."""
+        """A function's result, and its error message."""
         handle = self._use()
         try:
             handle.guard.message = ""
@@ -104,13 +104,13 @@ class World(WorldPlain, AirMixin, ContactMixin, QueryMixin):
         return result, handle.guard.message
 
     def _ask(self, name: str, *arguments: Any) -> None:
-        """A call that leaves the world as it is."""
+        """Makes a call that does not change the world."""
         status, message = self._call(name, *arguments)
         if status:
             raise error(status, name, message)
 
     def _change(self, name: str, *arguments: Any) -> None:
-        """A call that makes views stale."""
+        """Makes a call that changes the world, so that views become stale."""
         self._changes += 1
         self._ask(name, *arguments)
 
@@ -119,10 +119,10 @@ class World(WorldPlain, AirMixin, ContactMixin, QueryMixin):
         assert self._handle is not None
         self._handle.keep[name] = function
 
-    # The world's life.
+    # # Lifetime.
 
     def close(self) -> None:
-        """Destroys the world. Its memory is freed once no array refers to it."""
+        """Destroys the world. Its memory is freed once no array uses it."""
         handle = self._handle
         if handle is not None and handle.lock.locked():
             raise BusyError("the world is in a call")
@@ -147,30 +147,30 @@ class World(WorldPlain, AirMixin, ContactMixin, QueryMixin):
     # Time.
 
     def step(self, dt: float, substeps: int = 1) -> None:
-        """Advances all bodies by dt seconds in equal substeps. At 60 Hz, 2 suit leaves and paper, 4 petals and confetti.
+        """Advances all bodies by dt seconds in equal substeps. At 60 Hz take 2 for leaves and paper, 4 for petals and confetti.
 
-        Where a callback raised, the step is done, with what it had given until then, and its exception comes out of this call. It is
-        also done where it raises OutOfMemoryError: bodies went through each other in it.
+        If a callback raises, the step is completed with the values set so far, and then raises that exception. A step that
+        raises OutOfMemoryError is also complete, but without some contacts.
         """
         self._change("lr_world_step", float(dt), integer(substeps, ctypes.c_uint32, "substeps"))
 
     @property
     def time(self) -> float:
-        """s since creation."""
+        """Time since creation, s."""
         return self.info.time
 
     def set_gravity(self, gravity: "ArrayLike") -> None:
-        """m/s^2, three values."""
+        """Sets gravity: a vector, m/s^2."""
         self._change("lr_world_set_gravity", address(vectors(gravity, 3, 1, "gravity").copy(), ctypes.c_float))
 
     def hash(self) -> int:
-        """A hash of the world's state: equal hashes mean equal motion from here on, on any machine."""
+        """A hash of the world's state. Worlds with equal hashes move the same from here on, on any machine."""
         value = ctypes.c_uint64()
         self._ask("lr_world_hash", ctypes.byref(value))
         return value.value
 
     def save(self) -> bytes:
-        """A snapshot."""
+        """A snapshot as bytes."""
         handle = self._use()
         try:
             size = library().lr_world_snapshot_size(handle.pointer)
@@ -181,15 +181,15 @@ class World(WorldPlain, AirMixin, ContactMixin, QueryMixin):
         return memory.raw[:written.value]
 
     def restore(self, snapshot: Any) -> None:
-        """Restores a snapshot, also of another process or of another world with the same batches."""
+        """Restores a snapshot of this world, or of a world with the same batches, in any process."""
         data = np.frombuffer(snapshot, np.uint8)
         self._change("lr_world_snapshot_restore", data.ctypes.data, data.nbytes)
 
     @takes("lr_recording_desc", "write", "user")
     def record_start(self, write: Callable[[bytes], Any], **options: "Unpack[RecordingOptions]") -> None:
-        """Starts a recording for `lr_replay`: `write`, say `open("bug.lrr", "wb").write`, receives every call that can change the world.
+        """Starts a recording for `lr_replay`: `write` (`open("bug.lrr", "wb").write`) receives every call that can change the world.
 
-        It is called inside calls on this world. An exception ends the recording and is raised by that call."""
+        Calls on this world call `write`. An exception in it ends the recording, and that call raises it."""
         handle = self._use()
         handle.lock.release()
         desc = make(native.lr_recording_desc, options, [])
@@ -203,7 +203,7 @@ class World(WorldPlain, AirMixin, ContactMixin, QueryMixin):
             raise
 
     def record_stop(self) -> None:
-        """Ends a recording, after writing its last bytes."""
+        """Ends the recording after writing its last bytes."""
         self._ask("lr_world_record_stop")
         self._keep("record", None)
 
@@ -211,7 +211,7 @@ class World(WorldPlain, AirMixin, ContactMixin, QueryMixin):
 
     @takes("lr_batch_desc", "asset", "capacity")
     def create_batch(self, asset: "Asset", capacity: int, **options: "Unpack[BatchOptions]") -> Batch:
-        """A batch: room for `capacity` bodies of one asset."""
+        """Creates a batch with room for `capacity` bodies of an asset."""
         keep: List[Any] = []
         desc = make(native.lr_batch_desc, {**options, "asset": asset, "capacity": capacity}, keep)
         out = ctypes.c_uint32()
@@ -219,7 +219,7 @@ class World(WorldPlain, AirMixin, ContactMixin, QueryMixin):
         return Batch(self, out.value, asset)
 
     def destroy_bodies(self, bodies: "ArrayLike") -> None:
-        """All or none: if one is stale or repeated, nothing is destroyed."""
+        """Destroys bodies, all or none: a stale or repeated id destroys nothing."""
         ids, pointer, count = body_ids(bodies)
         self._change("lr_body_destroy", pointer, count)
 
@@ -232,7 +232,7 @@ class World(WorldPlain, AirMixin, ContactMixin, QueryMixin):
 
     @takes("lr_body_state", "noise_seed", "sleep_state")
     def set_state(self, body: int, **fields: "Unpack[BodyStateOptions]") -> None:
-        """Sets the given fields of one body, keeps the rest, and wakes it."""
+        """Sets the given fields of a body, keeps the rest, and wakes it."""
         keep: List[Any] = []
         state = make(native.lr_body_state, {**self.state(body).as_dict(), **fields}, keep)
         self._change("lr_body_set_state", int(body), ctypes.byref(state))
@@ -243,7 +243,7 @@ class World(WorldPlain, AirMixin, ContactMixin, QueryMixin):
         self._change("lr_body_set_sleep", pointer, count, int(sleep))
 
     def wake_box(self, low: "ArrayLike", high: "ArrayLike") -> int:
-        """Wakes all sleeping bodies that overlap a box; returns how many."""
+        """Wakes all sleeping bodies that overlap a box, and returns their number."""
         corners = np.stack([vectors(low, 3, 1, "low")[0], vectors(high, 3, 1, "high")[0]])
         woken = ctypes.c_uint32()
         self._change("lr_world_wake_box", address(corners[0], ctypes.c_float), address(corners[1], ctypes.c_float),

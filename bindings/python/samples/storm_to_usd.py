@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""A storm of leaves over a ground as a USD point instancer, and as a NumPy archive.
+"""Writes a storm of leaves over a ground as a USD point instancer and as a NumPy archive.
 
     storm_to_usd.py assets/leaf.obj storm.usda [--count 500] [--frames 120] [--density 350]
 """
@@ -26,7 +26,7 @@ with tempfile.TemporaryDirectory() as folder:
     lr.bake(options.mesh, baked, density=options.density)
     leaf = lr.Asset.load(baked)
 
-# Transforms are about the centre of mass: the mesh that is drawn has its origin there.
+# Transforms place the centre of mass, so the drawn mesh has its origin there.
 drawn = Mesh.read_obj(options.mesh).moved(-leaf.info.center_of_mass)
 recording = lr.Recording(fps=options.fps)
 

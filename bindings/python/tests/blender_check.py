@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The add-on in a real Blender:  blender -b --factory-startup -P blender_check.py -- FOLDER
 
-What Blender evaluates (instances of the carrier, keyframed objects) is compared with what was recorded.
+Compares Blender's evaluated scene (instances of the carrier, keyframed objects) with the recording.
 """
 import pathlib
 import sys
@@ -23,7 +23,7 @@ WORK = pathlib.Path(sys.argv[sys.argv.index("--") + 1]) if "--" in sys.argv else
 
 
 def matrices_of(frame, slot, count, metres):
-    """What bodies of a frame are as matrices in Blender's units, by slot; None where a slot is empty."""
+    """The bodies of a frame as matrices in Blender's units, by slot; None for an empty slot."""
     found = [None] * count
     axes = np.stack([turned(frame.orientation, np.broadcast_to(a, frame.position.shape)) for a in np.eye(3, dtype=np.float32)], -1)
     for at, s in enumerate(slot):
@@ -154,7 +154,7 @@ class Storm(unittest.TestCase):
         self.leaf.scale.x = 1
         self.assertEqual(bpy.ops.leaf_storm.bake_asset(), {"FINISHED"})
         self.assertEqual(bpy.ops.leaf_storm.bake_storm(), {"FINISHED"})
-        self.assertEqual(bpy.ops.leaf_storm.bake_storm(), {"FINISHED"})  # again, in place of the first
+        self.assertEqual(bpy.ops.leaf_storm.bake_storm(), {"FINISHED"})  # replaces the first storm
         self.assertEqual(sum(o.name.startswith("Leaf Storm") for o in bpy.data.objects), 1)
         self.scene.frame_set(10)
         self.assertEqual(len(instances("Leaf Storm")), 25)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What tests share."""
+"""Shared by tests."""
 import os
 import pathlib
 import sys

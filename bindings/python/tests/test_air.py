@@ -82,7 +82,7 @@ class Wind(WorldCase):
         self.world.set_wind_callback(fails)
         with self.assertRaisesRegex(ZeroDivisionError, "of the field"):
             self.world.step(1 / 60, 4)
-        self.assertEqual(len(calls), 1)  # no more is asked
+        self.assertEqual(len(calls), 1)  # it is not called again
         self.assertAlmostEqual(self.world.time, 1 / 60, places=6)  # the step is done
         for raised in (KeyboardInterrupt, SystemExit):
             def stops(query, raised=raised):
@@ -360,7 +360,7 @@ class Storms(WorldCase):
 
 class Garbage(unittest.TestCase):
     def test_worlds_batches_and_callbacks_under_collection(self):
-        """Collection at nearly every allocation, while callbacks exist only inside the library."""
+        """Collects garbage at nearly every allocation, while only the library refers to the callbacks."""
         before = gc.get_threshold()
         gc.set_threshold(1)
         try:
@@ -398,7 +398,7 @@ class Garbage(unittest.TestCase):
         x = batch.view().position.x
         del world, batch
         gc.collect()
-        self.assertIsNotNone(handle())  # an array still looks at it
+        self.assertIsNotNone(handle())  # an array still uses it
         del x
         gc.collect()
         self.assertIsNone(handle())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The add-on's command against a shim of bpy. Whether Blender then draws the same is for blender_check.py, in a Blender."""
+"""The add-on's command against a shim of bpy. blender_check.py tests in a real Blender."""
 import sys
 import unittest
 

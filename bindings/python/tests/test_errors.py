@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Every status as an exception, most of them from a call that really gets it."""
+"""Every status as an exception, most from calls that really return it."""
 import ctypes
 import pickle
 import unittest
@@ -150,7 +150,7 @@ class Baking(unittest.TestCase):
         np.testing.assert_array_equal(asset.info.added_mass, info.added_mass)
         asset.close()
         with self.assertRaises(lr.ClosedError):
-            asset.info.mass, asset.aerodynamics  # the info was read before
+            asset.info.mass, asset.aerodynamics  # read the info before closing
 
 
 if __name__ == "__main__":

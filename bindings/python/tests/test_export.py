@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""USD and PC2 files, read back by readers that know nothing of the writers."""
+"""USD and PC2 files, parsed by readers independent of the writers."""
 import unittest
 
 import numpy as np
@@ -12,7 +12,7 @@ from langevin_rigid.view import turned
 
 
 def storm(frames=12, fps=30.0):
-    """Bodies that are spawned and end between frames."""
+    """Bodies spawn and end between frames."""
     recording = lr.Recording(fps=fps, first_frame=5)
     with lr.World(seed=9) as world:
         batch = world.create_batch(thin_leaf(), 40)
@@ -112,7 +112,7 @@ class PointCache(unittest.TestCase):
             empty = np.setdiff1d(np.arange(count), slot)
             self.assertEqual(np.abs(triads[at, empty] - triads[at, empty, :1]).max(initial=0), 0)
             self.assertTrue(np.isfinite(triads[at]).all())
-        # Before a birth and after an end a slot is where the body is then: nothing flies across between two frames.
+        # Before a spawn and after an end the slot is at that place: nothing crosses the scene between two frames.
         for s in range(count):
             alive = np.array([s in slot for slot in slots])
             for at in range(19):

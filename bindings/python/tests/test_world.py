@@ -15,7 +15,7 @@ from langevin_rigid.view import turned
 
 class Hello(unittest.TestCase):
     def test_the_same_bits_as_from_c(self):
-        """samples/hello.c, call for call; test.sh compiles it and gives its hash."""
+        """samples/hello.c call for call; test.sh compiles that and passes its hash."""
         import os
         wanted = os.environ.get("LR_TEST_HELLO_HASH")
         if not wanted:
@@ -368,7 +368,7 @@ class Recordings(WorldCase):
             for life, s in zip(frame.ids.tolist(), slot.tolist()):
                 before = last.get(s)
                 if before is not None and before[0] != life:
-                    self.assertGreater(at - before[1], 2)  # two frames between two lives of a slot
+                    self.assertGreater(at - before[1], 2)  # two empty frames between two lives of a slot
                 last[s] = (life, at)
 
     def test_a_respawn_begins_another_life(self):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""A reader of the part of USD's text format that the exporter may use: prims, typed attributes, time samples, relationships,
-metadata. It refuses whatever it does not know, and values that are not of their attribute's type."""
+"""Reads the part of USD's text format that the exporter writes: prims, typed attributes, time samples, relationships, metadata.
+Refuses everything else, and values that do not match their attribute's type."""
 import re
 
 TOKEN = re.compile(r'"(?:[^"\\]|\\.)*"|<[^>]*>|[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?|[A-Za-z_][\w:.]*|[()\[\]{}=,]|\S')
@@ -30,7 +30,7 @@ class Reader:
     def next(self, wanted=None):
         token = self.tokens[self.index] if self.index < len(self.tokens) else ""
         if wanted is not None and token != wanted:
-            raise ValueError(f"{wanted} expected, not {token!r} after {' '.join(self.tokens[max(self.index - 8, 0):self.index])}")
+            raise ValueError(f"expected {wanted}, not {token!r} after {' '.join(self.tokens[max(self.index - 8, 0):self.index])}")
         self.index += 1
         return token
 

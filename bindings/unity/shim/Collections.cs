@@ -7,7 +7,7 @@ namespace Unity.Collections
     public enum Allocator { Invalid, None, Temp, TempJob, Persistent, AudioKernel }
     public enum NativeArrayOptions { UninitializedMemory, ClearMemory }
 
-    // As the engine's with collections checks: bounds, use after Dispose, Dispose twice; and it counts what is not disposed of.
+    // Like the engine's with collections checks: detects bad indices, use after Dispose and double Dispose, and counts undisposed arrays.
     public unsafe struct NativeArray<T> : IDisposable where T : struct
     {
         internal void* Memory;
@@ -81,7 +81,7 @@ namespace Unity.Collections
         }
     }
 
-    // Not of the engine.
+    // Not in the engine.
     public sealed class NativeArrayCheck
     {
         public static int Living;
@@ -120,7 +120,7 @@ namespace Unity.Jobs
         public static void ScheduleBatchedJobs() { }
     }
 
-    // On a thread of its own, so that what must not run at the same time is noticed.
+    // On its own thread, so that tests detect forbidden concurrency.
     public static class IJobExtensions
     {
         public static JobHandle Schedule<T>(this T jobData, JobHandle dependsOn = default(JobHandle)) where T : struct, IJob

@@ -82,7 +82,7 @@ namespace UnityEngine
         public override int GetHashCode() { return x.GetHashCode() ^ y.GetHashCode() << 2 ^ z.GetHashCode() >> 2 ^ w.GetHashCode() >> 1; }
     }
 
-    // Columns lie one after the other in memory, as in the engine.
+    // Column-major in memory, as in the engine.
     [StructLayout(LayoutKind.Sequential)]
     public struct Matrix4x4
     {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 namespace UnityEngine
 {
-    // Not used by the package: here so that names which the binding has too are told apart as in Unity.
+    // Not used by the package. These types have names of the binding, so that ambiguities appear here as in Unity.
     public struct Ray { public Vector3 origin, direction; }
     public enum ForceMode { Force = 0, Impulse = 1, VelocityChange = 2, Acceleration = 5 }
 
@@ -11,7 +11,7 @@ namespace UnityEngine
         static Physics() { gravity = new Vector3(0.0f, -9.81f, 0.0f); }
     }
 
-    // PhysicsMaterial in Unity 6: the package names neither.
+    // PhysicsMaterial in Unity 6: the package uses neither name.
     public class PhysicMaterial : Object
     {
         public float dynamicFriction { get; set; }

@@ -85,7 +85,7 @@ namespace UnityEngine
 
         public static readonly List<Call> Calls = new List<Call>();
 
-        // Refuses what the engine refuses.
+        // Refuses the same arguments as the engine.
         public static void RenderMeshInstanced<T>(in RenderParams rparams, Mesh mesh, int submeshIndex, NativeArray<T> instanceData,
             int instanceCount = -1, int startInstance = 0) where T : struct
         {

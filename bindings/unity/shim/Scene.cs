@@ -6,7 +6,7 @@ using System.Reflection;
 
 namespace UnityEngine
 {
-    // Live enough for components: messages by name as the engine sends them, destroyed objects equal to null.
+    // Enough for components: the engine's messages by name, and destroyed objects equal to null.
     public class Object
     {
         internal bool Dead;
@@ -77,7 +77,7 @@ namespace UnityEngine
         public Vector3 position { get { return at; } set { at = value; hasChanged = true; } }
         public Quaternion rotation { get { return turn; } set { turn = value; hasChanged = true; } }
         public Vector3 localScale { get { return scale; } set { scale = value; hasChanged = true; } }
-        // Parents have neither turn nor scale here.
+        // Parents have no rotation and no scale here.
         public Vector3 lossyScale { get { return scale; } }
         public Vector3 forward { get { return turn * Vector3.forward; } }
         public void SetParent(Transform to) { SetParent(to, true); }
@@ -146,7 +146,7 @@ namespace UnityEngine
 
     public enum PrimitiveType { Sphere, Capsule, Cylinder, Cube, Plane, Quad }
 
-    // Not of the engine: the loop that calls components, for tests.
+    // Not in the engine: the loop that calls components in tests.
     public static class ShimPlayer
     {
         public static readonly List<GameObject> Objects = new List<GameObject>();
@@ -202,7 +202,7 @@ namespace UnityEngine
             Frame(Time.fixedDeltaTime);
         }
 
-        // Statics stay as they are; SubsystemRegistration methods run, as with "Enter Play Mode Options".
+        // Statics keep their values; SubsystemRegistration methods run, as with "Enter Play Mode Options".
         public static void EnterPlayModeWithoutReload(Assembly assembly)
         {
             foreach (Type type in assembly.GetTypes())
@@ -211,7 +211,7 @@ namespace UnityEngine
                         if (a.LoadType == RuntimeInitializeLoadType.SubsystemRegistration) m.Invoke(null, null);
         }
 
-        // What the engine does when it loses managed objects: no OnDisable, as after a crash of a script.
+        // The engine's behaviour when it loses managed objects: no OnDisable, as after a script crash.
         public static void DropScene() { Objects.Clear(); }
 
         public static void Clear() { foreach (GameObject o in Objects.ToArray()) Object.DestroyImmediate(o); }

@@ -5,7 +5,7 @@ using System.Diagnostics;
 using System.Linq;
 using System.Reflection;
 
-// The part of NUnit that the tests use; the same tests run in Unity's Test Runner.
+// The part of NUnit that the tests use. The same tests run in Unity's Test Runner.
 namespace NUnit.Framework
 {
     [AttributeUsage(AttributeTargets.Method)] public class TestAttribute : Attribute { }

@@ -73,12 +73,12 @@ public sealed class BatchTests : Stage
         Assert.AreEqual(2500, batch.Instances.Written, "who comes to rest changes places");
         Frames(1);
         Assert.AreEqual(5, batch.Instances.Written);
-        // What is not written keeps even nonsense.
+        // Unwritten matrices keep even nonsense.
         var floats = batch.Instances.Floats;
         float before = floats[16 * 2000 + 13];
         floats[16 * 2000 + 13] = 12345.0f;
         float moving = floats[16 * 2 + 13];
-        // In the chunk of those that move too.
+        // Also in the chunk with moving bodies.
         float[] resting = Enumerable.Range(16 * 5, 16 * 1000).Select(i => floats[i]).ToArray();
         Frames(1);
         Assert.IsTrue(resting.SequenceEqual(Enumerable.Range(16 * 5, 16 * 1000).Select(i => floats[i])), "bodies at rest moved");
@@ -88,7 +88,7 @@ public sealed class BatchTests : Stage
         batch.SetSleep(bodies[100], false);
         Frames(1);
         Assert.AreEqual(2500, batch.Instances.Written);
-        // Awake now, 100 took another's place: its y is what all had, or a little less.
+        // Body 100 is awake now and has another index: its y is that of all bodies, or a little less.
         Assert.AreEqual(before, floats[16 * 2000 + 13], 0.1);
         Frames(1);
         Assert.AreEqual(6, batch.Instances.Written);

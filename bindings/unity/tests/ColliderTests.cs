@@ -60,7 +60,7 @@ public sealed class ColliderTests : Stage
             if (direction == 2) { Assert.AreEqual(1.0, Top(0.0f, 21.9f), 1e-3); NothingAt(1.9f, 20.0f); }
             UnityEngine.Object.DestroyImmediate(capsule.gameObject);
         }
-        // As short as it is thick: a sphere.
+        // A capsule as short as it is thick is a sphere.
         Put<CapsuleCollider>(new Vector3(0.0f, 0.0f, 20.0f), c => { c.radius = 1.0f; c.height = 1.0f; });
         Frames(1);
         Assert.AreEqual(1.0, Top(0.0f, 20.0f), 1e-3);
@@ -120,7 +120,7 @@ public sealed class ColliderTests : Stage
         for (int z = 0; z < n; ++z)
             for (int x = 0; x < n; ++x) heights[z, x] = 0.2f + 0.6f * z / (n - 1) + 0.1f * x / (n - 1);
         data.SetHeights(0, 0, heights);
-        // A terrain does not turn, whatever its transform says.
+        // A terrain ignores the rotation of its transform.
         TerrainCollider terrain = Put<TerrainCollider>(new Vector3(100.0f, 5.0f, 200.0f), t =>
         {
             t.terrainData = data;
@@ -133,7 +133,7 @@ public sealed class ColliderTests : Stage
         Assert.AreEqual(5.0 + 5.5, Top(132.0f, 216.0f), 0.01);
         NothingAt(99.0f, 210.0f);
         NothingAt(120.0f, 199.0f);
-        // Another height, by hand.
+        // Another height, set by hand.
         for (int z = 0; z < n; ++z)
             for (int x = 0; x < n; ++x) heights[z, x] = 1.0f;
         data.SetHeights(0, 0, heights);
@@ -150,7 +150,7 @@ public sealed class ColliderTests : Stage
         LangevinBatch batch = NewBatch(50);
         for (int i = 0; i < 20; ++i) batch.Spawn(new Vector3(-0.5f + 0.05f * i, 0.55f, 0.0f), Quaternion.Euler(90.0f, 0.0f, 0.0f));
         Frames(240);
-        // Carried along by friction, in +z.
+        // Friction carries the bodies along +z.
         for (int i = 0; i < 60; ++i)
         {
             box.transform.position += new Vector3(0.0f, 0.0f, 0.01f);
@@ -160,7 +160,7 @@ public sealed class ColliderTests : Stage
         Assert.Greater(z, 0.2);
         int still = Enumerable.Range(0, 20).Count(i => batch.Instances.Matrices[i].m13 > 0.4f);
         Assert.Greater(still, 10);
-        // Taken away at once, they fall.
+        // Without the collider they fall.
         box.transform.position = new Vector3(500.0f, 0.0f, 0.0f);
         Frames(60);
         Assert.AreEqual(0, Enumerable.Range(0, 20).Count(i => batch.Instances.Matrices[i].m13 > 0.3f));
@@ -191,7 +191,7 @@ public sealed class ColliderTests : Stage
         fixedOne.NeverMoves = false;
         Frames(1);
         NothingAt(-0.4f, 0.0f);
-        // Layers and surfaces.
+        // Layers and materials.
         var member = box.GetComponent<LangevinCollider>();
         box.gameObject.layer = 9;
         box.sharedMaterial = new PhysicMaterial { dynamicFriction = 0.9f, bounciness = 0.7f };
@@ -237,7 +237,7 @@ public sealed class ColliderTests : Stage
     public void WhatHasNoCounterpartSaysWhy()
     {
         Put<CharacterController>(Vector3.zero);
-        Assert.AreEqual(1, Complaints("CharacterController has no counterpart"));
+        Assert.AreEqual(1, Complaints("CharacterController is not supported"));
         Put<MeshCollider>(Vector3.zero);
         Assert.AreEqual(1, Complaints("has no mesh"));
         Mesh locked = Wedge();
@@ -246,7 +246,7 @@ public sealed class ColliderTests : Stage
         Assert.AreEqual(1, Complaints("Turn on Read/Write"));
         var flat = new Mesh { vertices = new[] { Vector3.zero, Vector3.right, Vector3.forward, new Vector3(1, 0, 1) }, triangles = new[] { 0, 1, 2 } };
         Put<MeshCollider>(Vector3.zero, m => { m.sharedMesh = flat; m.convex = true; });
-        Assert.AreEqual(1, Complaints("Turn off Convex"));
+        Assert.AreEqual(1, Complaints("turn off Convex"));
         Frames(2);
         Assert.AreEqual(0ul, World.Simulation.Info().ColliderCount);
     }

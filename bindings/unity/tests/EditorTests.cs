@@ -55,7 +55,7 @@ public sealed class EditorTests : Stage
         Assert.IsTrue(Import(new byte[0], MeshMirror.Z).Errors.Count == 1);
     }
 
-    // A box of 4 x 2 x 1 cm, with four vertices a side as Unity has them, seams and all.
+    // A box of 4 x 2 x 1 cm with four vertices per side, as Unity has, seams included.
     private static Mesh SeamedBox()
     {
         var vertices = new List<Vector3>();
@@ -117,7 +117,7 @@ public sealed class EditorTests : Stage
             Assert.IsTrue(bake.Errors.Contains("error "), bake.Errors);
         }
         Assert.IsFalse(File.Exists(lrb));
-        // Open, it is a sheet.
+        // An open mesh is a sheet.
         using (LangevinBake bake = Bake(obj, lrb, new LangevinBakeSettings { sheet = true, thickness = 0.0002, arealDensity = 0.08 }))
             Assert.AreEqual(0, bake.ExitCode, bake.Errors);
         Assert.IsTrue(File.Exists(lrb));
@@ -141,7 +141,7 @@ public sealed class EditorTests : Stage
         Assert.IsFalse(File.Exists(lrb));
     }
 
-    // As the editor drives it: fields, a press on Bake, updates until it has ended.
+    // Driven like in the editor: fields, a press on Bake, updates until the end.
     private static BakeWindow Press(Mesh mesh, string output, bool cancel, out string message)
     {
         var window = ScriptableObject.CreateInstance<BakeWindow>();
@@ -187,7 +187,7 @@ public sealed class EditorTests : Stage
         Assert.AreEqual(MeshMirror.Z, importer.Mirror);
         Assert.IsNull(Get(window, "temporary"));
         byte[] before = File.ReadAllBytes("Assets/made/box.lrb");
-        // Cancelled or failed, what was there stays.
+        // A cancelled or failed bake keeps the old file.
         window = Press(SeamedBox(), "Assets/made/box.lrb", true, out message);
         Assert.IsTrue((bool)Get(window, "failed") && message.Contains("Cancelled"));
         Mesh open = SeamedBox();
@@ -240,7 +240,7 @@ public sealed class EditorTests : Stage
         Assert.IsFalse(left.IsDisposed);
         EditorApplication.ShimPlayMode(PlayModeStateChange.EnteredEditMode);
         Assert.IsTrue(left.IsDisposed);
-        // Components of a world that was ended under them still go in peace.
+        // Components survive the end of their world.
         ShimPlayer.Clear();
         Silent();
     }

@@ -33,7 +33,7 @@ public sealed class SampleTests : Stage
         Silent();
     }
 
-    // The importer settings of the sample's leaf: its mesh comes from an OBJ, of which Unity negates x.
+    // Importer settings of the sample's leaf: its mesh comes from an OBJ, whose x Unity negates.
     [Test]
     public void TheSamplesLeafIsMirroredInX()
     {

@@ -8,7 +8,7 @@ using Unity.Collections;
 using UnityEngine;
 using UnityEngine.Rendering;
 
-// A scene for a test, and a look at what is left after it.
+// A scene for a test, which checks for leaks at its end.
 public abstract class Stage
 {
     public static readonly byte[] Leaf = File.ReadAllBytes(Environment.GetEnvironmentVariable("LR_TEST_LEAF"));

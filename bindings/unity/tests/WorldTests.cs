@@ -44,7 +44,7 @@ public sealed class WorldTests : Stage
         Silent();
     }
 
-    // test.sh has lr_replay play the files again.
+    // test.sh replays these files with lr_replay.
     [Test]
     public void RecordingsAreFiles()
     {
@@ -71,7 +71,7 @@ public sealed class WorldTests : Stage
         if (System.IO.File.Exists("/dev/full"))
             Assert.Throws<System.IO.IOException>(() => World.StartRecording("/dev/full"));
         Assert.IsFalse(World.Simulation.IsRecording);
-        // Left to the world's end, the file is whole too.
+        // A recording that only the world's end stops is complete too.
         World.StartRecording(System.IO.Path.Combine(folder, "left.lrrec"));
         Frames(2);
         World.enabled = false;
@@ -113,7 +113,7 @@ public sealed class WorldTests : Stage
         Assert.Greater(state.velocity.y, 0.1);
     }
 
-    // Whatever order Unity disables and enables components in, nothing is freed twice, and all of them find each other again.
+    // In any order of disabling and enabling, nothing is freed twice and all members rejoin.
     [Test]
     public void AnyOrderOfDisabling()
     {
@@ -128,7 +128,7 @@ public sealed class WorldTests : Stage
                 BoxCollider box = Put<BoxCollider>(Vector3.zero);
                 World.StepThread = LangevinStepThread.Job;
                 Frames(2);
-                // A step runs while the first of them goes.
+                // A step runs while the first batch is disabled.
                 ShimPlayer.Send(World, "Update");
                 var all = new[] { World.gameObject, batch.gameObject, wind, box.gameObject };
                 foreach (int i in order)
@@ -227,7 +227,7 @@ public sealed class WorldTests : Stage
         Assert.AreEqual(seen.Count(e => e.collider != null), byCollider);
         Assert.AreEqual(0L, World.LostEvents);
         Silent();
-        // A handler that throws is reported, and others get theirs.
+        // An exception of a handler is reported, and other handlers still run.
         World.Happened += e => { throw new InvalidOperationException("handler"); };
         int before = seen.Count;
         World.WakeBox(new Bounds(Vector3.zero, Vector3.one * 20.0f));

@@ -19,7 +19,7 @@ void ALeafStormActor::BeginPlay() {
     Super::BeginPlay();
     Leaves->Asset = Leaf;
     Leaves->SetStaticMesh(LeafMesh);
-    Leaves->BeginBatch(); // the asset was not there yet when the component began
+    Leaves->BeginBatch(); // the component began play before the asset was set
     ULangevinWorldSubsystem* Langevin = GetWorld()->GetSubsystem<ULangevinWorldSubsystem>();
     Langevin->SetWind(FVector(150.0, 0.0, 0.0)); // cm/s
     Langevin->OnEvents.AddDynamic(this, &ALeafStormActor::CountLandings);

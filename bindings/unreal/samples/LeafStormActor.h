@@ -11,7 +11,7 @@ class ULangevinAsset;
 class ULangevinBatchComponent;
 class UStaticMesh;
 
-/** A storm of leaves that never ends: drop it into a level, give it a .lrb asset and the mesh from which that was baked. */
+/** An endless storm of leaves: place it in a level, and set a .lrb asset and the mesh from which it was baked. */
 UCLASS()
 class ALeafStormActor : public AActor {
     GENERATED_BODY()

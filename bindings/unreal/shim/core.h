@@ -1,5 +1,5 @@
-// Stand-ins for the parts of Unreal's Core that the plugin uses: same names, same signatures, written anew and small. It is
-// not the engine: it lets a compiler check the plugin's sources, and a test run them.
+// Stand-ins for the parts of Unreal's Core that the plugin uses: the same names and signatures, in new, short code. With them a
+// compiler checks the plugin's sources without the engine, and tests run them.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -21,7 +21,7 @@
 using int8 = std::int8_t;
 using int16 = std::int16_t;
 using int32 = std::int32_t;
-using int64 = long long; // as in the engine, also where std::int64_t is long
+using int64 = long long; // as in the engine, even if std::int64_t is long
 using uint8 = std::uint8_t;
 using uint16 = std::uint16_t;
 using uint32 = std::uint32_t;
@@ -105,7 +105,7 @@ private:
         int64 Integer = 0;
         const TCHAR* Pointer = nullptr;
     };
-    // Ends the program where a conversion does not fit its argument: the engine refuses such formats when it is compiled.
+    // Ends the program if a conversion does not fit its argument: the engine refuses such formats at compile time.
     static FString Format(const TCHAR* Fmt, std::initializer_list<FArgument> Arguments);
 
     std::u16string Data;

@@ -198,9 +198,9 @@ public:
                                                 bool bTeleport = false);
     virtual FBoxSphereBounds CalcBounds(const FTransform& BoundTransform) const override;
 
-    int32 ShimUpdates = 0;         // calls of BatchUpdateInstancesTransforms
-    int32 ShimUpdated = 0;         // instances of the last one
-    bool bShimMarkedDirty = false; // in the last one
+    int32 ShimUpdates = 0;         // number of calls of BatchUpdateInstancesTransforms
+    int32 ShimUpdated = 0;         // instances in the last call
+    bool bShimMarkedDirty = false; // in the last call
 
 private:
     TArray<FTransform> Instances; // relative to the component, as in the engine
@@ -331,7 +331,7 @@ public:
     }
     template <typename T> T* SpawnActor() { return static_cast<T*>(ShimSpawn(T::StaticClass(), Levels[0])); }
 
-    /** A game world with one level and all world subsystems that there are, as the engine makes it. */
+    /** A game world with one level and all registered world subsystems, created as in the engine. */
     static UWorld* ShimCreate(EWorldType::Type Type = EWorldType::Game);
     AActor* ShimSpawn(const UClass* Class, ULevel* Level);
     ULevel* ShimAddLevel(bool bVisible);

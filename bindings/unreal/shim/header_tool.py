@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""A small stand-in for Unreal's header tool: writes NAME.generated.h for each header with UCLASS or USTRUCT, and the engine's
-headers of headers.txt, into a folder; and refuses what the real tool refuses.
+"""A small stand-in for Unreal's header tool. It writes NAME.generated.h for each header with UCLASS or USTRUCT, and the engine's
+headers of headers.txt, into a folder; and it refuses the same faults as the real tool.
 
     header_tool.py OUT_DIR HEADER...
 """
@@ -21,7 +21,7 @@ def complain(path: Path, line: int, text: str) -> None:
 
 
 def plain_type(text: str, known: set) -> bool:
-    """Whether Blueprints know a type."""
+    """Whether Blueprints support a type."""
     text = re.sub(r"\b(const|class|struct)\b", "", text).replace("&", "").strip()
     container = re.fullmatch(r"(TArray|TSet|TObjectPtr|TSubclassOf|TSoftObjectPtr|TWeakObjectPtr)<(.*)>", text)
     if container:
@@ -57,7 +57,7 @@ def check_function(path: Path, line: int, text: str, known: set) -> None:
 
 
 def after_macro(lines: list, number: int) -> tuple:
-    """What a macro that begins in a line (from 1) says in its brackets, and the index of the line after it."""
+    """The text in brackets of a macro that begins on a line (from 1), and the index of the next line."""
     depth, text = 0, ""
     for index in range(number - 1, len(lines)):
         for c in lines[index]:

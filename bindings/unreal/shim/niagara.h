@@ -62,7 +62,7 @@ struct FVMExternalFunctionBindingInfo {
     FName Name;
 };
 
-/** A call for some particles: a register holds a value for each. */
+/** A call for several particles: a register has a value for each. */
 struct FVectorVMExternalFunctionContext {
     int32 GetNumInstances() const { return ShimInstances; }
 

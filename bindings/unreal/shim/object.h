@@ -81,7 +81,7 @@ public:                                                                         
         return StaticClass();                                                                                          \
     }
 
-/** All that live; the garbage collector of this shim is the end of the program. */
+/** All live objects; this shim collects garbage at the end of the program. */
 const std::vector<UObject*>& ShimObjects();
 void ShimDestroy(UObject* Object);
 UObject* ShimNewObject(UObject* Outer, const UClass* Class, FName Name, uint32 Flags);
@@ -194,7 +194,7 @@ public:
 };
 class FDefaultModuleImpl : public IModuleInterface {};
 void ShimRegisterModule(const char* Name, IModuleInterface* (*Make)());
-/** Starts or shuts down a module as the module manager does. */
+/** Starts or shuts down a module, like the module manager. */
 IModuleInterface* ShimStartModule(const char* Name);
 void ShimStopModule(const char* Name);
 #define IMPLEMENT_MODULE(Class, Module)                                                                                \
@@ -237,7 +237,7 @@ class IPluginManager {
 public:
     static IPluginManager& Get();
     TSharedPtr<IPlugin> FindPlugin(const FString& Name);
-    FString ShimBaseDir; // where LangevinRigid lies; empty: not found
+    FString ShimBaseDir; // the folder of LangevinRigid; empty: not found
 };
 
 class FTaskGraphInterface {
@@ -265,7 +265,7 @@ template <typename TaskCollectionType> bool Wait(const TaskCollectionType& Tasks
     return true;
 }
 } // namespace UE::Tasks
-/** Tasks that ran on another thread than the one that launched them. */
+/** Number of tasks that ran on another thread than that of their launch. */
 uint64 ShimTasksElsewhere();
 #define UE_SOURCE_LOCATION TEXT(__FILE__)
 

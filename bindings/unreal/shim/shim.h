@@ -1,4 +1,4 @@
-// All of the shim, and what tests may ask of it besides. SPDX-License-Identifier: MIT
+// All of the shim, and its functions for tests. SPDX-License-Identifier: MIT
 #pragma once
 
 #include "editor.h"

@@ -1,4 +1,4 @@
-// What the shim's Core does: log, memory, files, libraries, tasks. SPDX-License-Identifier: MIT
+// The shim's Core: log, memory, files, libraries, tasks. SPDX-License-Identifier: MIT
 #include "shim.h"
 
 #include <atomic>
@@ -216,7 +216,7 @@ TSharedPtr<IPlugin> IPluginManager::FindPlugin(const FString& Name) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Tasks: some threads, one queue; who waits for a task that nobody has taken runs it.
+// Tasks: some threads with a queue; a thread that waits for a task that has not started runs it.
 
 namespace UE::Tasks {
 struct FShimTask {

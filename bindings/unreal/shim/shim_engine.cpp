@@ -1,4 +1,4 @@
-// What the shim's objects, components and worlds do. SPDX-License-Identifier: MIT
+// The shim's objects, components and worlds. SPDX-License-Identifier: MIT
 #include "shim.h"
 
 UEditorEngine* GEditor = nullptr;
@@ -51,7 +51,7 @@ void ShimDestroy(UObject* Object) {
 // ---------------------------------------------------------------------------------------------------------------------
 // Collision
 
-// As in the engine, the smallest scale counts where a shape cannot follow one that differs along its axes.
+// As in the engine, the smallest scale counts for shapes that cannot scale differently along their axes.
 FKBoxElem FKBoxElem::GetFinalScaled(const FVector& Scale3D, const FTransform&) const {
     FKBoxElem Scaled = *this;
     const FVector Scale = Scale3D.GetAbs();

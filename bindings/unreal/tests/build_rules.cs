@@ -1,4 +1,4 @@
-// UnrealBuildTool as far as the plugin's rules use it, and a program that runs them: every file that they name must exist.
+// The parts of UnrealBuildTool that the plugin's rules use, and a program that runs the rules: every file that they name must exist.
 // SPDX-License-Identifier: MIT
 using System;
 using System.Collections.Generic;
@@ -146,7 +146,7 @@ public static class Program
 				}
 				continue;
 			}
-			// A platform for which no library was packaged is refused with what to do.
+			// A platform without a packaged library is refused with a remedy.
 			try
 			{
 				Make(typeof(LangevinRigidLibrary), Plugin, Known[Name]);

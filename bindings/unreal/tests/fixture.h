@@ -46,7 +46,7 @@ inline UStaticMesh* make_mesh() {
     return mesh;
 }
 
-/** Settings are as in a new project at the beginning of each test. */
+/** Settings are those of a new project at the start of each test. */
 struct Game {
     Game() {
         settings() = ULangevinSettings();
@@ -58,7 +58,7 @@ struct Game {
     }
     static ULangevinSettings& settings() { return *GetMutableDefault<ULangevinSettings>(); }
 
-    /** Settings must be made before. */
+    /** Change settings before this. */
     void create() {
         world = UWorld::ShimCreate();
         langevin = world->GetSubsystem<ULangevinWorldSubsystem>();
@@ -76,7 +76,7 @@ struct Game {
         batch->RegisterComponent();
         return batch;
     }
-    /** A component with simple collision at a place, static. */
+    /** A static component with simple collision. */
     UStaticMeshComponent* add_block(const FKAggregateGeom& geometry, const FTransform& place, ULevel* level = nullptr) {
         AActor* actor = world->ShimSpawn(AActor::StaticClass(), level != nullptr ? level : world->GetLevels()[0]);
         auto* block = NewObject<UStaticMeshComponent>(actor);
@@ -91,7 +91,7 @@ struct Game {
     void run(int frames, float dt = 1.0f / 60.0f) {
         for (int i = 0; i < frames; ++i) world->ShimTick(dt);
     }
-    /** What the library's own ray meets straight below a point: the height in cm, or -1e9. */
+    /** The height below a point where the library's own ray hits, in cm, or -1e9. */
     double ground_below(const FVector& from) const {
         lr_ray ray;
         REQUIRE(lr_ray_init(&ray, sizeof ray) == LR_OK);

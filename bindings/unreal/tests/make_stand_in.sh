@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# An install prefix with a library that exports all functions of the header and does nothing, for packaging tests where no
-# library was built: make_stand_in.sh Win64|LinuxArm64 PREFIX OUT
+# Makes an install prefix with a library whose exported functions do nothing, for packaging tests without a real library:
+# make_stand_in.sh Win64|LinuxArm64 PREFIX OUT
 # SPDX-License-Identifier: MIT
 set -euo pipefail
 platform="$1" prefix="$2" out="$3"
 mkdir -p "$out/bin" "$out/lib" "$out/include"
 cp "$prefix/include/langevin_rigid.h" "$out/include/"
-# The version is the header's; the other functions are never called.
+# The version is the header's; the tests never call the other functions.
 grep -oE '\blr_[a-z0-9_]+\(' "$prefix/include/langevin_rigid.h" | tr -d '(' | sort -u >"$out/names.txt"
 exported="$(grep -A1 -oE 'LR_API [a-z0-9_* ]*\blr_[a-z0-9_]+\(' "$prefix/include/langevin_rigid.h" | grep -oE 'lr_[a-z0-9_]+\(' | tr -d '(' | sort -u)"
 {

@@ -9,7 +9,7 @@
 #include <thread>
 
 namespace {
-/** The transform that a body must be drawn with, worked out from the library's state without the conversion of the plugin. */
+/** The expected transform of a drawn body, calculated from the library's state without the plugin's conversion. */
 FTransform expected(const Game& game, const ULangevinAsset& asset, const lr_body_state& s) {
     lr_asset_info info = {};
     info.struct_size = sizeof info;
@@ -109,7 +109,7 @@ TEST_CASE("the component gives the same bits as the library used directly") {
     bd.capacity = 3;
     lr_batch raw{};
     REQUIRE(lr_batch_create(world, &bd, &raw) == LR_OK);
-    lr_emitter_desc emitter; // as the component's: part of the hash
+    lr_emitter_desc emitter; // as in the component: part of the hash
     lr_emitter_desc_init(&emitter, sizeof emitter);
     emitter.shape = LR_EMIT_BOX;
     emitter.size[0] = emitter.size[1] = emitter.size[2] = 1;
@@ -126,7 +126,7 @@ TEST_CASE("the component gives the same bits as the library used directly") {
         for (int i = 0; i < 4; ++i) desc.orientation[i] = state.orientation[i];
         lr_body copy{};
         REQUIRE(lr_body_create(world, raw, &desc, 1, &copy) == LR_OK);
-        // Both from the very same numbers: a state read and set again is rounded once more.
+        // From the same numbers: reading a state and setting it again would round once more.
         REQUIRE(lr_body_set_state(game.langevin->GetLibraryWorld(), lr_body{static_cast<uint64_t>(body.Id)}, &state) ==
                 LR_OK);
         REQUIRE(lr_body_set_state(world, copy, &state) == LR_OK);
@@ -161,7 +161,7 @@ TEST_CASE("spawned bodies are where the mesh was asked to be, and say so") {
     CHECK(transform.Equals(place, 1e-3));
     CHECK(velocity.Equals(FVector(100, 200, -50), 1e-3));
     CHECK_FALSE(resting);
-    // Too many: all or none, and a word in the log.
+    // Too many: none are created, and the log says so.
     CHECK(batch->SpawnBodies({place, place}, FVector()).Num() == 0);
     CHECK(logged(ShimTakeLog(), "SpawnBodies"));
     CHECK(batch->GetBodyCount() == 1);
@@ -185,9 +185,9 @@ TEST_CASE("impulses and accelerations have the engine's units and directions") {
     bool r;
     REQUIRE(batch->AddImpulseToBody(bodies[0], FVector(0, 0.0001, 0), FVector(), false));
     batch->GetBodyState(bodies[0], t, v, w, r);
-    CHECK(v.Y > 0.05); // kg cm/s on 0.18 g and the air that moves along
+    CHECK(v.Y > 0.05); // kg cm/s on 0.18 g and its added mass
     CHECK(v.Y < 0.0001 / 0.00018 + 1e-3);
-    // At the end of the leaf along +X, upwards: it must turn X towards Z, which is a spin about -Y.
+    // Upward at the end of the leaf along +X: it must turn X towards Z, a spin about -Y.
     REQUIRE(batch->AddImpulseToBody(bodies[1], FVector(0, 0, 0.0001), FVector(3, 500, 0), true));
     batch->GetBodyState(bodies[1], t, v, w, r);
     CHECK(w.Y < -0.01);
@@ -285,7 +285,7 @@ TEST_CASE("frames that are too long are cut, and steps that are lost are told of
     Game::settings().Stepping = ELangevinStepping::Fixed;
     game.create();
     game.world->ShimBeginPlay();
-    game.run(2, 5.0f); // cut to 0.1 s: six steps due, four made
+    game.run(2, 5.0f); // limited to 0.1 s: six steps due, four taken
     CHECK(game.langevin->GetSimulatedTime() == doctest::Approx(8.0 / 60.0));
     int told = 0;
     for (const std::string& line : ShimTakeLog()) told += line.find("Max Steps Per Frame") != std::string::npos;
@@ -311,14 +311,14 @@ TEST_CASE("bodies at rest are not written again, and stay when the component mov
     check_instances(game, *batch);
     const int32 updates = batch->ShimUpdates;
     game.run(1);
-    CHECK(batch->ShimUpdates <= updates + 1); // one call a frame at most
+    CHECK(batch->ShimUpdates <= updates + 1); // at most one call per frame
 
     batch->SetWorldTransform(FTransform(FRotator(0, 30, 0), FVector(500, 0, 150)));
     game.run(1);
     CHECK(batch->GetLastWritten() == 300);
     check_instances(game, *batch);
 
-    // Waking changes the order: all must be right again.
+    // Waking changes the order: all instances must be right afterwards.
     CHECK(game.langevin->WakeBox(FVector(-100, 0, -50), FVector(100, 100, 50)) > 0);
     game.run(1);
     check_instances(game, *batch);
@@ -428,8 +428,8 @@ TEST_CASE("a saved state goes on as it did, and is drawn at once") {
     CHECK_FALSE(game.langevin->RestoreState(TArray<uint8>{1, 2, 3}));
 }
 
-// test.sh has lr_replay play the files again.
-TEST_CASE("what happens in a game is recorded") {
+// test.sh replays the files with lr_replay.
+TEST_CASE("the calls of a game are recorded") {
     const std::string folder = environment("LANGEVIN_TEST_RECORDINGS");
     const auto size_of = [&](const char* name) { return std::filesystem::file_size(folder + "/" + name); };
     const auto path = [&](const char* name) { return FString(ShimWiden(folder + "/" + name)); };
@@ -468,7 +468,7 @@ TEST_CASE("components without an asset say what is missing") {
     game.create();
     game.world->ShimBeginPlay();
     auto* batch = NewObject<ULangevinBatchComponent>(game.world->SpawnActor<AActor>());
-    batch->RegisterComponent(); // BeginPlay waits for one
+    batch->RegisterComponent(); // BeginPlay waits for a component
     CHECK(batch->GetLibraryBatch().id == 0);
     CHECK_FALSE(batch->BeginBatch());
     CHECK(logged(ShimTakeLog(), "has no asset: import a .lrb file"));

@@ -1,4 +1,4 @@
-// The level's collision as the library has it, felt by its own rays. SPDX-License-Identifier: MIT
+// The level's collision in the library, checked by its own rays. SPDX-License-Identifier: MIT
 #include "Components/InstancedStaticMeshComponent.h"
 #include "LandscapeHeightfieldCollisionComponent.h"
 #include "LandscapeProxy.h"
@@ -7,7 +7,7 @@
 #include "fixture.h"
 
 namespace {
-/** Heights of a surface at some places, against what it should be. */
+/** Compares heights of a surface with the expected ones. */
 template <typename F>
 void check_surface(const Game& game, const FVector& middle, double reach, F height, double tolerance = 0.05) {
     for (int i = -3; i <= 3; ++i) {
@@ -24,7 +24,7 @@ TEST_CASE("boxes: place, turn, scale and the turn of the shape itself") {
     Game game;
     Game::settings().Origin = FVector(1000, 2000, 300);
     game.create();
-    // Half extents 100, 50, 25 cm once scaled, at (3000, -4000, 500), turned by 30 degrees about Z.
+    // Half extents 100, 50, 25 cm after scaling, at (3000, -4000, 500), rotated by 30 degrees about Z.
     game.add_block(box_of(100, 100, 100),
                    FTransform(FRotator(0, 30, 0), FVector(3000, -4000, 500), FVector(2, 1, 0.5)));
     game.world->ShimBeginPlay();
@@ -71,9 +71,9 @@ TEST_CASE("spheres and capsules, standing along Z") {
     geometry.SphereElems.Add(sphere);
     FKSphylElem capsule;
     capsule.Radius = 40;
-    capsule.Length = 120; // of the line between the centres
+    capsule.Length = 120; // between the centres of the ends
     geometry.SphylElems.Add(capsule);
-    FKSphylElem ball; // a capsule without a length
+    FKSphylElem ball; // a capsule of length 0
     ball.Center = FVector(0, -300, 0);
     ball.Radius = 30;
     geometry.SphylElems.Add(ball);
@@ -107,7 +107,7 @@ TEST_CASE("convex hulls and triangles that tell left from right") {
     for (const bool triangles : {false, true}) {
         Game game;
         game.create();
-        // A wedge that is high at +Y: a mirrored one would be high at -Y.
+        // A wedge that is high at +Y: if it were mirrored it would be high at -Y.
         const FVector corners[] = {{-100, -100, 0}, {100, -100, 0},  {-100, 100, 0},
                                    {100, 100, 0},   {-100, 100, 80}, {100, 100, 80}};
         FKAggregateGeom geometry;
@@ -210,7 +210,7 @@ TEST_CASE("tilted landscapes are left out, with a word") {
     CHECK(logged(ShimTakeLog(), "is tilted"));
 }
 
-TEST_CASE("what does not block is left out: movable, tagged, overlap, no collision") {
+TEST_CASE("collision that does not block is skipped: movable, tagged, overlap, none") {
     Game game;
     game.create();
     const FKAggregateGeom cube = box_of(100, 100, 100);
@@ -233,7 +233,7 @@ TEST_CASE("levels stream in and out") {
     game.add_block(box_of(100, 100, 100), FTransform(FVector(0, 0, 0)), level);
     game.world->ShimShowLevel(level);
     CHECK(game.langevin->GetColliderCount() == 1);
-    game.world->ShimShowLevel(level); // twice is once
+    game.world->ShimShowLevel(level); // showing it twice has no effect
     CHECK(game.langevin->GetColliderCount() == 1);
     game.world->ShimHideLevel(level);
     CHECK(game.langevin->GetColliderCount() == 0);
@@ -246,7 +246,7 @@ TEST_CASE("a component that moves takes its colliders along, and one that is gon
     game.world->ShimBeginPlay();
     UStaticMeshComponent* lift = game.add_block(box_of(200, 200, 20), FTransform(FVector(0, 0, 0)));
     CHECK(game.langevin->AddCollider(lift, true) == 1);
-    CHECK(game.langevin->AddCollider(lift, true) == 1); // anew, not twice
+    CHECK(game.langevin->AddCollider(lift, true) == 1); // again, but not twice
     CHECK(game.langevin->GetColliderCount() == 1);
     ULangevinBatchComponent* batch = game.add_batch(5, 5, FTransform(FVector(0, 0, 60)));
     batch->EmitterExtent = FVector(20, 20, 20);

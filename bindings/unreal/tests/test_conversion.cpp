@@ -1,4 +1,4 @@
-// LangevinConversion.h against matrices and numbers worked out by hand: no code of the conversion is used to check it.
+// LangevinConversion.h against matrices and numbers calculated by hand, without code of the conversion.
 // SPDX-License-Identifier: MIT
 #include "LangevinConversion.h"
 #include "LangevinPointWind.h"
@@ -58,7 +58,7 @@ TEST_CASE("gravity points down in both, and 980 cm/s^2 are 9.8 m/s^2") {
 TEST_CASE("forces and torques have the units of newtons") {
     check_near(ForceToLangevin({100, 200, 300}), {1, -2, 3});
     check_near(TorqueToLangevin({10000, 20000, 30000}), {-1, 2, -3});
-    // torque = arm x force holds on both sides
+    // torque = arm x force must hold on both sides
     Draw draw;
     for (int i = 0; i < 100; ++i) {
         const FVec arm = draw.vector(), force = draw.vector();
@@ -92,7 +92,7 @@ TEST_CASE("rotations: turning and then mirroring is mirroring and then turning")
 }
 
 TEST_CASE("handedness of a quarter turn about Z") {
-    // Unreal: X goes to Y. Seen in the library, where y is the other way: x goes to -y.
+    // Unreal: X goes to Y. In the library y is mirrored: x goes to -y.
     const double h = std::sqrt(0.5);
     check_near(multiply(matrix_of(MirrorRotation({0, 0, h, h})), {1, 0, 0}), {0, -1, 0});
     // A spin of 2 rad/s about Unreal's Z takes X towards Y; in the library it must take x towards -y.

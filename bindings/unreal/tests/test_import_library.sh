@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The .lib that package.py writes: by MinGW's linker a program that runs (where there is Wine), by lld-link one that loads the
-# DLL when first called. test_import_library.sh THIRD_PARTY BUILD_DIR
+# The .lib written by package.py: with MinGW's linker it gives a program that runs (if Wine is installed), with lld-link one that
+# loads the DLL at the first call. test_import_library.sh THIRD_PARTY BUILD_DIR
 # SPDX-License-Identifier: MIT
 set -euo pipefail
 third="$1" build="$2"
@@ -14,7 +14,7 @@ int main(void) { return lr_version() >> 12 == 1 ? 0 : 3; }
 C
 x86_64-w64-mingw32-gcc -I"$third/include" "$build/main.c" "$lib" -o "$build/main.exe"
 x86_64-w64-mingw32-objdump -p "$build/main.exe" | grep "DLL Name: $(basename "$dll")" >/dev/null
-# Every function of the DLL is in the library, and nothing else.
+# The library has exactly the DLL's functions.
 x86_64-w64-mingw32-objdump -p "$dll" | grep -oE '\blr_[a-z0-9_]+$' | sort -u >"$build/exported.txt"
 x86_64-w64-mingw32-nm "$lib" 2>/dev/null | grep -oE ' T lr_[a-z0-9_]+$' | awk '{print $2}' | sort -u >"$build/imported.txt"
 test -s "$build/exported.txt"

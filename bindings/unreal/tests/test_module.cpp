@@ -8,7 +8,7 @@
 #include <doctest/doctest.h>
 #include <fstream>
 
-// Without UHT's registration a world must be told which subsystems there are.
+// Without UHT's registration a world needs a list of its subsystems.
 extern UClass* const ShimWorldSubsystems[];
 UClass* const ShimWorldSubsystems[] = {ULangevinWorldSubsystem::StaticClass(), nullptr};
 
@@ -31,7 +31,7 @@ UObject* import(ULangevinAssetFactory* factory, const TArray<uint8>& bytes, FFee
 } // namespace
 
 int main(int argc, char** argv) {
-    // Before the library is there: what a user sees whose plugin was not packaged.
+    // Without the library: the messages for users of an unpackaged plugin.
     ShimStartModule("LangevinRigid");
     bool good = logged(ShimTakeLog(), "plugin folder of LangevinRigid was not found");
     ShimStopModule("LangevinRigid");

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# package.py must refuse what cannot work, with a reason: test_package.sh PACKAGE_PY PREFIX BUILD_DIR
+# package.py must refuse unusable input, with a reason: test_package.sh PACKAGE_PY PREFIX BUILD_DIR
 # SPDX-License-Identifier: MIT
 set -euo pipefail
 package="$1" prefix="$2" build="$3"
@@ -20,7 +20,7 @@ sed 's/LR_VERSION_MINOR 1/LR_VERSION_MINOR 2/' "$prefix/include/langevin_rigid.h
 refuse 'all must be of one version' --native "$prefix" --native "$build/changed" --out "$build/a"
 rm "$build/changed/include/langevin_rigid.h"
 refuse 'is missing' --native "$build/changed" --out "$build/a"
-# All that the library needs goes along, and it is found there; twice into the same folder is fine.
+# All dependencies are packaged and found there; packaging twice into the same folder works.
 for _ in 1 2; do python3 "$package" --native "$prefix" --out "$build/a" >"$build/log.txt" 2>&1; done
 test -s "$build/a/LangevinRigid/Licenses/LICENSE"
 native="$build/a/LangevinRigid/Source/ThirdParty/LangevinRigidLibrary/lib/Linux"
@@ -30,7 +30,7 @@ for library in "$native"/*.so*; do
         exit 1
     fi
 done
-# A library that is nowhere: no package without it. Given by --also it goes along.
+# Without a missing dependency there is no package. With --also it is included.
 mkdir -p "$build/lacking/lib" "$build/lacking/include" "$build/given"
 cp -L "$prefix/lib/liblangevin_rigid.so" "$build/lacking/lib/"
 cp "$prefix/include/langevin_rigid.h" "$build/lacking/include/"

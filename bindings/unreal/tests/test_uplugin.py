@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""LangevinRigid.uplugin against the folder it lies in: test_uplugin.py PLUGIN"""
+"""Checks LangevinRigid.uplugin against its folder: test_uplugin.py PLUGIN"""
 import json
 import re
 import sys

@@ -1,4 +1,4 @@
-// Wind of the level's sources, and what Niagara reads. SPDX-License-Identifier: MIT
+// Wind of the level's sources, and Niagara's data interface. SPDX-License-Identifier: MIT
 #include "Components/WindDirectionalSourceComponent.h"
 #include "NiagaraDataInterfaceLangevin.h"
 #include "NiagaraSystemInstance.h"
@@ -29,7 +29,7 @@ TEST_CASE("a directional source blows along its arrow") {
     game.world->ShimBeginPlay();
     UWindDirectionalSourceComponent* wind = add_wind(game, FTransform(FRotator(0, 90, 0), FVector()), 0.3f);
     game.run(2);
-    // Yaw 90: towards +Y. Speed 0.3 at 10 m/s a unit is 300 cm/s.
+    // Yaw 90: towards +Y. Speed 0.3 at 10 m/s per unit is 300 cm/s.
     CHECK(game.langevin->SampleWind(FVector(100, 200, 300)).Equals(FVector(0, 300, 0), 1e-2));
     game.langevin->SetWind(FVector(50, 0, -20));
     game.run(1);
@@ -88,7 +88,7 @@ TEST_CASE("a point source blows outward, also while bodies are stepped on many t
     wind->Radius = 500.0f;
     ULangevinBatchComponent* batch = game.add_batch(20000, 20000, FTransform(FVector(5000, 6000, 700)));
     game.run(1);
-    // A tenth of the radius from the middle it is strongest.
+    // It is strongest a tenth of the radius from the middle.
     CHECK(game.langevin->SampleWind(FVector(5000, 6050, 700)).Equals(FVector(0, 400, 0), 0.1));
     CHECK(game.langevin->SampleWind(FVector(5000, 5950, 700)).Equals(FVector(0, -400, 0), 0.1));
     CHECK(game.langevin->SampleWind(FVector(5000, 6000, 1300)).IsZero());
@@ -99,7 +99,7 @@ TEST_CASE("a point source blows outward, also while bodies are stepped on many t
         batch->GetInstanceTransform(i, t, true);
         out += (t.GetLocation() - FVector(5000, 6000, 700)).Size() / 20000;
     }
-    CHECK(out > 105); // 96 in the box of the emitter
+    CHECK(out > 105); // the emitter's box has 96
     ShimDestroy(wind);
     game.run(1);
     CHECK(game.langevin->SampleWind(FVector(5000, 6050, 700)).IsZero());
@@ -160,8 +160,8 @@ TEST_CASE("Niagara reads what the bodies do") {
         FVMExternalFunction call;
         reader->GetVMExternalFunction({function.Name}, memory.data(), call);
         REQUIRE(call.IsBound());
-        std::thread([&] { call.Execute(context); }).join(); // as Niagara's simulations do
-        // What it reads and writes is what its signature says.
+        std::thread([&] { call.Execute(context); }).join(); // like Niagara's simulations
+        // It reads and writes exactly the registers of its signature.
         CHECK(context.ShimNextInput == inputs);
         CHECK(context.ShimOutputs.size() == outputs);
         if (function.Name == FName(TEXT("GetNumBodies"))) {

@@ -1,6 +1,6 @@
 /*
- * Callbacks of the library as calls into JavaScript. WebAssembly can't make a function pointer of a JavaScript function without
- * help that not all browsers have: so `user` is a number by which the host knows which of its functions is meant.
+ * Callbacks of the library as calls into JavaScript. In WebAssembly a function pointer to a JavaScript function needs features
+ * that some browsers lack. Instead, `user` is a number that selects the host's function.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -14,7 +14,7 @@ LR_HOST(wind) void host_wind(void* user, const lr_wind_query* query);
 LR_HOST(surface) void host_surface(void* user, const lr_water_query* query);
 LR_HOST(record) int32_t host_record(void* user, const void* bytes, uint64_t size);
 
-/* Function pointers for the library, as the host writes them into its structs and arguments. */
+/* Function pointers for the library; the host writes them into structs and arguments. */
 lr_log_fn lr_web_log(void);
 lr_fault_fn lr_web_fault(void);
 lr_wind_fn lr_web_wind(void);

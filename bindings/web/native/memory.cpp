@@ -1,6 +1,6 @@
-// What the C++ library would throw for, without exceptions: a call that runs out of memory, or stops for a defect, is left by an
-// exception of the host's. Memory that it held by itself is lost then; what it was called on is as before, because the
-// library changes nothing before it has all the memory that it needs.
+// Replaces C++ exceptions, which this module lacks: a call that runs out of memory or finds a defect ends by an exception of the
+// host. Memory that only this call owned leaks. The called object stays unchanged, because the library allocates all memory
+// before it changes anything.
 //
 // SPDX-License-Identifier: MIT
 #include <cstddef>
@@ -12,7 +12,7 @@ extern "C" {
 [[noreturn, clang::import_module("langevin_rigid"), clang::import_name("out_of_memory")]] void host_out_of_memory();
 [[noreturn, clang::import_module("langevin_rigid"), clang::import_name("defect")]] void host_defect();
 
-// In place of the C library's, which ends the whole module.
+// The C library's abort would end the whole module.
 void abort() {
     host_defect();
 }

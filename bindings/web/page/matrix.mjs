@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The few matrices that a camera needs: column-major, as WebGL has them.
+// Matrices of a camera: column-major, as in WebGL.
 
 export function multiply(a, b) {
   const out = new Float32Array(16);

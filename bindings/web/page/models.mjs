@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// What can fall: the asset for the library, and a coarse sheet to draw in the same frame, x along, y across, z through.
+// Models: the asset for the library, and a coarse sheet to draw in the same frame, x along, y across, z through.
 
 const smooth = (x) => Math.max(0, Math.min(1, x));
 
-/** Five points, of length and at degrees from the tip, and a stem. */
+/** Radius of a leaf by angle: five lobes, each a length and an angle from the tip, and a stem. */
 function lobes(angle) {
   const far = (at) => Math.abs(Math.atan2(Math.sin(angle - at), Math.cos(angle - at)));
   const points = [[1, 0], [0.92, 0.96], [0.92, -0.96], [0.62, 1.95], [0.62, -1.95]];
   return Math.max(0.36, ...points.map(([length, at]) => length * (1 - 1.5 * far(at)))) + (far(Math.PI) < 0.06 ? 0.6 : 0);
 }
 
-/** Half width at u from -1 to 1 along, and height of the sheet there, for v from -1 to 1 across. */
+/** Half width at u from -1 to 1 along, and height of the sheet there for v from -1 to 1 across. */
 const shapes = {
   leaf: { along: 10, across: 4, width: (u) => 0.57 * (1 - u * u) ** 0.7 * (1 - 0.28 * u), bend: (u, v) => 0.1 * (1 - u * u) + 0.12 * Math.abs(v) * (1 - u * u) },
   maple: { around: 60, radius: lobes, bend: (u, v) => 0.12 * (1 - u * u) * (1 - v * v) },
@@ -19,7 +19,7 @@ const shapes = {
   confetti: { along: 2, across: 2, width: () => 0.5, bend: () => 0 },
 };
 
-/** Vertices of x, y, z, u, v, and triangles, for half a length of 1. */
+/** Vertices (x, y, z, u, v) and triangles of a sheet of half length 1. */
 export function sheet(shape) {
   const vertices = [];
   const triangles = [];
@@ -52,7 +52,7 @@ function grid({ along, across, width, bend }, vertices, triangles) {
   }
 }
 
-// half: of the length, m. room: half width and height of what the storm fills, m. fall: m/s, about. substeps: at 60 Hz, docs/maintainers/numerics.md.
+// half: half length, m. room: half width and height of the storm, m. fall: fall speed, m/s. substeps: at 60 Hz, docs/maintainers/numerics.md.
 const autumn = [[0.93, 0.71, 0.1], [0.9, 0.45, 0.08], [0.72, 0.22, 0.06], [0.95, 0.82, 0.3], [0.55, 0.33, 0.12], [0.62, 0.6, 0.16]];
 export const models = {
   leaf: { name: 'Leaf, 7 cm', file: 'leaf.lrb', half: 0.035, shape: shapes.leaf, room: [3, 3.4], fall: 1.2, substeps: 2, colours: autumn, ribs: 1 },

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page: controls, the loop of frames, the camera under the mouse.
+// The page: controls, frame loop, and the camera's mouse control.
 import { load } from './package/langevin_rigid.mjs';
 import { models } from './models.mjs';
 import { Renderer } from './render.mjs';
@@ -14,7 +14,7 @@ const settings = {
 const camera = { yaw: 0.5, pitch: 0.16, distance: 1.7 };
 const dt = 1 / 60;
 const state = { frames: 0, steps: 0, paused: given.has('paused'), stepMs: 0, fps: 0, settings, camera, storm: null };
-globalThis.leafStorm = state; // for tests, and for the curious
+globalThis.leafStorm = state; // for tests and for the browser's console
 
 function problem(error) {
   element('problem').textContent = error.message ?? String(error);
@@ -32,7 +32,7 @@ async function run() {
     const turn = ++making;
     const model = models[settings.model];
     if (!assets.has(settings.model)) assets.set(settings.model, await assetOf(lr, model));
-    if (turn !== making) return; // another choice has come meanwhile
+    if (turn !== making) return; // the user has made another choice meanwhile
     state.storm?.dispose();
     state.storm = new Storm(lr, assets.get(settings.model), model, settings.count);
     state.storm.setWind(settings);
@@ -97,7 +97,7 @@ async function run() {
   function frame(now) {
     try {
       if (state.storm) {
-        // As many steps as time has gone by, but for what a slow machine can't do.
+        // Takes as many steps as time has passed, but at most two: a slow machine falls behind.
         owed = Math.min(owed + (now - last) / 1000, 2 * dt);
         if (state.paused) owed = 0;
         for (; owed >= dt; owed -= dt) step();

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Draws a storm with WebGL2: all bodies in one instanced call, from the transforms as they lie in the module's memory.
+// Draws a storm with WebGL2: all bodies in one instanced call, from the transforms in the module's memory.
 import { lookAt, multiply, perspective, unit } from './matrix.mjs';
 import { sheet } from './models.mjs';
 import { bodyFragment, bodyVertex, groundFragment, groundVertex, skyFragment, skyVertex } from './shaders.mjs';
 
 const sun = unit([-0.55, 0.5, -0.65]);
-const angle = 0.85; // rad, of the view from below to above
+const angle = 0.85; // rad, the vertical field of view
 
 export class Renderer {
   constructor(canvas) {
     const gl = canvas.getContext('webgl2', { alpha: false, antialias: true, stencil: true });
-    if (!gl) throw new Error('This page needs WebGL2, which this browser does not give');
+    if (!gl) throw new Error('This page needs WebGL2, which this browser does not support');
     this.canvas = canvas;
     this.gl = gl;
     this.sky = this.#program(skyVertex, skyFragment);
@@ -77,7 +77,7 @@ export class Renderer {
     this.revision = -1;
   }
 
-  /** Only what moved: bodies at rest are in the buffer already. Colours follow when bodies have changed places. */
+  /** Uploads only moved bodies: sleeping ones are already in the buffer. Colours follow if bodies have changed places. */
   #upload({ batch, transforms }) {
     const { gl } = this;
     gl.bindBuffer(gl.ARRAY_BUFFER, this.transforms);
@@ -137,7 +137,7 @@ export class Renderer {
     gl.uniform3fv(uniforms.colours, model.colours.flat());
     gl.uniform1i(uniforms.colour_count, model.colours.length);
     gl.bindVertexArray(this.instances);
-    // Where one shadow has fallen another makes nothing darker.
+    // Overlapping shadows do not darken each other.
     gl.enable(gl.STENCIL_TEST);
     gl.stencilFunc(gl.EQUAL, 0, 255);
     gl.stencilOp(gl.KEEP, gl.KEEP, gl.INCR);

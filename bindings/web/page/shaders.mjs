@@ -64,7 +64,7 @@ void main() {
   colour = vec4(hazy(grass * (0.55 + 0.6 * sun.y), world), 1.0);
 }`;
 
-// shadow 1: flattened along the light onto the ground.
+// shadow 1: projects the body along the light onto the ground.
 export const bodyVertex = `${common}
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec2 uv;

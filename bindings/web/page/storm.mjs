@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The storm: one batch over ground, that begins again upwind and above when it has lain for a while or blown away.
+// The storm: one batch over a ground. Bodies respawn upwind and above at a given age or outside the storm.
 import { LR } from './package/langevin_rigid.mjs';
 
-const longest = 16; // s, in the air and on the ground
+const longest = 16; // s, largest age, in the air and on the ground
 const random = (low, high) => low + (high - low) * Math.random();
 
 export class Storm {
@@ -22,7 +22,7 @@ export class Storm {
     this.#fill(count);
   }
 
-  /** All over the room and of any age, as if it had gone on for long. */
+  /** Fills the storm with bodies of any age, as after a long time. */
   #fill(count) {
     const [half, height] = this.model.room;
     const position = new Float32Array(3 * count).map((_, i) => (i % 3 === 1 ? random(0.05 * height, height) : random(-half, half)));
@@ -39,7 +39,7 @@ export class Storm {
     this.world.setUniformWind(velocity);
     this.world.updateGusts(this.#gusts, { rms: gusts, direction: [Math.cos(angle), 0, Math.sin(angle)], angleRms: 0.4, integralTime: 3 });
     this.world.updateTurbulence(this.eddies, { rms: 0.4 * gusts, integralLength: 0.4 * half });
-    // They are carried so far while they fall, and must begin as far upwind.
+    // The wind carries bodies this far while they fall, so they must start this far upwind.
     const carried = velocity.map((v) => (0.6 * v * height) / fall);
     const reach = carried.map((c) => half + Math.abs(c) / 2);
     this.batch.setEmitter({
@@ -63,7 +63,7 @@ export class Storm {
   }
 }
 
-/** As lr_bake made it, or a thin ellipsoid of the same size and mass. */
+/** The baked asset, or a thin ellipsoid of the same size and mass. */
 export function assetOf(lr, model) {
   if (model.file) return lr.fetchAsset(new URL(`models/${model.file}`, import.meta.url));
   const [x, y, z] = model.box;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Shapes, as baked or made.
+// Assets: baked shapes, ellipsoids and rigid bodies with given coefficients.
 
 const leaked = new FinalizationRegistry(({ host, address }) => host.release('lr_asset_release', address));
 const silent = () => '';
 
-/** An immutable shape, for any number of worlds and batches, which keep what they need of it. */
+/** An immutable shape for any number of worlds and batches, which keep their own references. */
 export class Asset {
   #host;
   #address;
@@ -16,7 +16,7 @@ export class Asset {
     leaked.register(this, { host, address }, this);
   }
 
-  /** @internal make(scratch, where the address goes) calls a C function */
+  /** @internal make(scratch, address of the result) calls a C function */
   static create(host, name, values) {
     return host.scratch((scratch) => {
       const out = scratch.bytes(4);
@@ -82,7 +82,7 @@ export class Asset {
     return this.#get('lr_aerodynamics', 'lr_asset_get_aerodynamics');
   }
 
-  /** Another object with a reference of its own. */
+  /** Another object with its own reference. */
   clone() {
     this.#host.call(silent, 'lr_asset_retain', this.address);
     return new Asset(this.#host, this.#address);

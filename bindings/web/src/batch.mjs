@@ -5,7 +5,7 @@ import { BatchPlain } from './generated/plain.mjs';
 import { Asset } from './asset.mjs';
 
 const arrayTypes = { f32: Float32Array, u32: Uint32Array, big: BigUint64Array };
-const floats = [7, 8, 12, 12, 16, 16]; // of one body, by LR.TRANSFORM_*
+const floats = [7, 8, 12, 12, 16, 16]; // per body, by LR.TRANSFORM_*
 const bodyArrays = { position: 3, orientation: 4, linearVelocity: 3, angularVelocity: 3, scale: 1, age: 1, noiseSeed: 1, user: 1 };
 
 export class Batch extends BatchPlain {
@@ -14,7 +14,7 @@ export class Batch extends BatchPlain {
 
   /** @internal */
   static create(world, { asset, ...desc }) {
-    if (!(asset instanceof Asset)) throw new TypeError('createBatch needs an asset: of loadAsset, fetchAsset, createEllipsoid or createRigid');
+    if (!(asset instanceof Asset)) throw new TypeError('createBatch needs an asset from loadAsset, fetchAsset, createEllipsoid or createRigid');
     const batch = new Batch();
     batch.#world = world;
     batch.#host = world.host;
@@ -44,7 +44,7 @@ export class Batch extends BatchPlain {
 
   // Bodies.
 
-  /** Ids of new bodies. descs: an array of objects, or one object of arrays with `count`, for many at once. */
+  /** Creates bodies and returns their ids. descs: an array of objects, or for many bodies an object of arrays with `count`. */
   createBodies(descs) {
     return this.#host.scratch((scratch) => {
       const count = Array.isArray(descs) ? descs.length : descs.count;
@@ -80,7 +80,7 @@ export class Batch extends BatchPlain {
     return at;
   }
 
-  /** Bears bodies where the emitter says. */
+  /** Spawns bodies from the emitter now. */
   emit(count) {
     return this.#host.scratch((scratch) => {
       const out = scratch.bytes(8 * count);
@@ -89,7 +89,7 @@ export class Batch extends BatchPlain {
     });
   }
 
-  /** The bodies where they lie, without a copy: until the world changes. */
+  /** The bodies' arrays without a copy, valid until the world changes. */
   view() {
     const { heap } = this.#host;
     const { position, orientation, velocity, spin, scale, age, noiseSeed, ids, user, ...numbers } = this.#get('lr_batch_view', 'lr_batch_get_view');
@@ -118,7 +118,7 @@ export class Batch extends BatchPlain {
     return new TransformBuffer(this, format, capacity);
   }
 
-  // How they move.
+  // Forces and loads.
 
   setTurbulenceTable(table) {
     if (table === null) return this.#call('lr_batch_set_turbulence_table', 0);
@@ -129,25 +129,25 @@ export class Batch extends BatchPlain {
     })));
   }
 
-  /** Forces on many bodies in the order of the view: x, y, z of each are arrays. */
+  /** Adds forces to many bodies in the order of the view: x, y, z of each are arrays. */
   addForces({ force = null, torque = null, ...rest }) {
     const lengths = [...(force ?? []), ...(torque ?? [])].map((values) => values.length);
     const count = rest.count ?? lengths[0] ?? 0;
-    if (lengths.some((length) => length !== count)) throw new RangeError(`arrays of ${lengths.join(', ')} elements are not of one length`);
+    if (lengths.some((length) => length !== count)) throw new RangeError(`arrays have different lengths: ${lengths.join(', ')}`);
     this.#host.scratch((scratch) => {
       const arrays = (three) => (three ?? [null, null, null]).map((values) => scratch.copy(Float32Array, values));
       this.#call('lr_batch_add_forces', scratch.struct('lr_force_arrays', { ...rest, count, force: arrays(force), torque: arrays(torque) }));
     });
   }
 
-  // Births and ends.
+  // Emitter and rules.
 
-  /** null without rules. */
+  /** The rules, or null. */
   get rules() {
     return this.#world.getIfPresent('lr_batch_rules', 'lr_batch_get_rules', this.handle);
   }
 
-  /** null without an emitter. */
+  /** The emitter, or null. */
   get emitter() {
     return this.#world.getIfPresent('lr_emitter_desc', 'lr_batch_get_emitter', this.handle);
   }
@@ -165,7 +165,7 @@ export class TransformBuffer {
 
   /** @internal */
   constructor(batch, format, capacity) {
-    if (!floats[format]) throw new RangeError(`${format} is no LR.TRANSFORM_*`);
+    if (!floats[format]) throw new RangeError(`${format} is not an LR.TRANSFORM_*`);
     const { host } = batch.world;
     this.#batch = batch;
     this.#heap = host.heap;
@@ -183,7 +183,7 @@ export class TransformBuffer {
     return this.#address;
   }
 
-  /** The whole buffer, anew after the memory has grown. */
+  /** The whole buffer; a new array after the memory grew. */
   get array() {
     const address = this.#live;
     if (this.#array.buffer !== this.#heap.buffer)
@@ -200,13 +200,13 @@ export class TransformBuffer {
     });
   }
 
-  /** Writes all bodies that fit, and gives that part of the buffer. */
+  /** Writes all bodies that fit, and returns this part of the buffer. */
   write() {
     this.count = this.#write(this.capacity);
     return this.array.subarray(0, this.floatsPerBody * this.count);
   }
 
-  /** Writes those that may have moved since the last time, and gives that part, from the first body on. Others still are where they were. */
+  /** Writes the bodies that can have moved since the last write, and returns this part, from the first body on. The others are unchanged. */
   writeMoved() {
     const view = this.#batch.view();
     if (view.count > this.capacity) throw this.#batch.world.host.error('lr_batch_write_transforms', LR.ERROR_BUFFER_TOO_SMALL);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The module's memory: views that follow its growth, and structs read and written at the offsets that the C compiler gave them.
+// The module's memory: views that follow its growth, and structs at the C compiler's offsets.
 import { structs } from './generated/api.mjs';
 
 const scalars = {
@@ -26,7 +26,7 @@ export class Heap {
     this.#view = new DataView(exports.memory.buffer);
   }
 
-  /** Changes whenever the memory has grown: views of the buffer before are then empty. */
+  /** Changes when the memory grows: views of the old buffer are then empty. */
   get buffer() {
     return this.#exports.memory.buffer;
   }
@@ -63,7 +63,7 @@ export class Heap {
     return scalars[type] ? this.number(type, address) : this.read(type, address);
   }
 
-  /** A struct as an object. Pointers are addresses. */
+  /** Reads a struct as an object. Pointers are addresses. */
   read(name, address) {
     const out = {};
     for (const [field, offset, type, count] of structs[name].fields) {
@@ -86,7 +86,7 @@ export class Heap {
       return;
     }
     if (typeof value !== 'number') throw new TypeError(`${field} must be a number, not ${value === null ? 'null' : typeof value}`);
-    if (type[0] !== 'f') { // NaN and fractions would silently become other numbers
+    if (type[0] !== 'f') { // NaN and fractions would silently become other integers
       const low = type === 'i32' ? -(2 ** 31) : 0;
       const high = type === 'i32' ? 2 ** 31 : 2 ** 32;
       if (!Number.isInteger(value) || value < low || value >= high)
@@ -100,7 +100,7 @@ export class Heap {
     else this.write(type, address, value, field);
   }
 
-  /** Writes the fields that an object has; others keep what they were. */
+  /** Writes the fields of an object; other fields of the struct stay. */
   write(name, address, values, where = name) {
     if (values === null || typeof values !== 'object') throw new TypeError(`${where} must be an object, not ${values}`);
     const { fields } = structs[name];
@@ -125,13 +125,13 @@ export class Heap {
   }
 }
 
-/** Memory for the arguments of one call, given back together. */
+/** Memory for the arguments of a call, freed together. */
 export class Scratch {
   #heap;
   #init;
   #taken = [];
 
-  /** @param init (function's name, address, size): has the library fill a struct with its initial values */
+  /** @param init (function's name, address, size): makes the library fill a struct with its initial values */
   constructor(heap, init, outOfMemory) {
     this.#heap = heap;
     this.#init = init;
@@ -145,7 +145,7 @@ export class Scratch {
     return address;
   }
 
-  /** An initialised struct with these values; zeroed where it has no init function. */
+  /** An initialised struct with these values; zeroed without an init function. */
   struct(name, values = {}) {
     return this.structs(name, [values]);
   }
@@ -162,7 +162,7 @@ export class Scratch {
     return address;
   }
 
-  /** A copy of an array; 0 for null. */
+  /** The address of a copy of an array; 0 for null. */
   copy(Type, values) {
     if (values === null || values === undefined) return 0;
     const address = this.bytes(values.length * Type.BYTES_PER_ELEMENT);

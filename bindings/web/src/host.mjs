@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Starts the module, and stands between it and JavaScript: what it imports, and what happens when a call fails.
+// Starts the module and connects it to JavaScript: its imports, callbacks, and failed calls.
 import { LangevinRigidError } from './errors.mjs';
 import { headerVersion, LR, structs } from './generated/api.mjs';
 import { Heap, Scratch } from './heap.mjs';
@@ -11,7 +11,7 @@ const defect = Symbol('defect');
 const BAD_DESCRIPTOR = 8;
 const NOT_CAPABLE = 76;
 
-/** There are no files here: assets are fetched, and given as bytes. */
+/** The module has no files: assets are fetched and loaded from bytes. */
 function wasiImports(heap) {
   const none = () => BAD_DESCRIPTOR;
   return {
@@ -41,7 +41,7 @@ export class Host {
   #exports;
   #callbacks = new Map();
   #nextCallback = 1;
-  #thrown = null; // by a callback, kept until the call that it was in has returned
+  #thrown = null; // by a callback; kept until the call around it has returned
   #broken = null;
 
   static async create(source) {
@@ -70,7 +70,7 @@ export class Host {
     instance.exports._initialize();
     const version = instance.exports.lr_version();
     if (version >>> 12 !== headerVersion >>> 12)
-      throw new Error(`langevin_rigid.wasm is version ${versionText(version)}, its wrapper ${versionText(headerVersion)}: take both from one package`);
+      throw new Error(`langevin_rigid.wasm is version ${versionText(version)}, but its wrapper is ${versionText(headerVersion)}: take both from the same package`);
     return host;
   }
 
@@ -82,19 +82,19 @@ export class Host {
     return versionText(this.#exports.lr_version());
   }
 
-  // 0, or 1 where the callback has thrown: a recording ends by that.
+  // 0, or 1 if the callback has thrown, which ends a recording.
   #answer(id, values) {
     if (this.#thrown) return 1;
     try {
       this.#callbacks.get(id)?.(...values());
       return 0;
-    } catch (error) { // must not run through frames of C++ in the middle of a step
+    } catch (error) { // an exception must not unwind C++ frames in the middle of a step
       this.#thrown = { error };
       return 1;
     }
   }
 
-  /** A number that stands for a function in the module. */
+  /** A number that stands for a JavaScript function in the module. */
   addCallback(callback) {
     if (typeof callback !== 'function') throw new TypeError(`a callback must be a function, not ${typeof callback}`);
     const id = this.#nextCallback++;
@@ -106,7 +106,7 @@ export class Host {
     this.#callbacks.delete(id);
   }
 
-  /** Calls a C function and gives what it returns. */
+  /** Calls a C function and returns its result. */
   invoke(name, ...values) {
     if (this.#broken) throw new Error(`the module stopped in ${this.#broken} and can't be used any more: load() another`);
     const stack = this.#exports.__stack_pointer;
@@ -131,7 +131,7 @@ export class Host {
     return result;
   }
 
-  /** Gives something back to the module, if that still works: from finalizers too, which have nobody to throw at. */
+  /** Frees an object of the module, if the module still works. Never throws, because finalizers call it too. */
   release(name, address) {
     if (!this.#broken) this.invoke(name, address);
   }
@@ -140,13 +140,13 @@ export class Host {
     return new LangevinRigidError(status, name, this.heap.string(this.#exports.lr_status_string(status)), detail);
   }
 
-  /** Calls a C function that returns a status, and throws what is not LR_OK. `said`: what the library logged of it. */
+  /** Calls a C function that returns a status, and throws unless it is LR_OK. `said`: the library's log of the call. */
   call(said, name, ...values) {
     const status = this.invoke(name, ...values);
     if (status !== LR.OK) throw this.error(name, status, said() || this.heap.string(this.#exports.lr_last_error()));
   }
 
-  /** Runs use(scratch), whose memory then ends. */
+  /** Runs use(scratch), then frees the scratch memory. */
   scratch(use) {
     const scratch = new Scratch(this.heap, (init, address, size) => this.#exports[init](address, size),
       () => this.error('malloc', LR.ERROR_OUT_OF_MEMORY));
@@ -166,18 +166,18 @@ async function instantiate(source, imports) {
   return (await WebAssembly.instantiate(await readBytes(source, 'langevin_rigid.wasm'), imports)).instance;
 }
 
-/** The bytes at an address: of the web, or a file where there is a node. */
+/** The bytes at a URL, or in node of a file. */
 export async function readBytes(source, what) {
   const url = source instanceof URL ? source : new URL(String(source), globalThis.location?.href ?? `file://${globalThis.process?.cwd()}/`);
   if (url.protocol === 'file:' && globalThis.process?.versions?.node) {
-    const fileSystem = 'node:fs/promises'; // not a literal: bundlers for browsers would look for it
+    const fileSystem = 'node:fs/promises'; // not a literal: bundlers for browsers would search for the module
     const { readFile } = await import(/* @vite-ignore */ /* webpackIgnore: true */ fileSystem);
     return new Uint8Array(await readFile(url));
   }
   const response = await fetch(url);
-  if (!response.ok) throw new Error(`${what}: ${url.href} answers ${response.status} ${response.statusText}`);
+  if (!response.ok) throw new Error(`${what}: ${url.href} returned ${response.status} ${response.statusText}`);
   const bytes = new Uint8Array(await response.arrayBuffer());
   if (response.headers.get('content-type')?.startsWith('text/html'))
-    throw new Error(`${what}: ${url.href} is a page, not the file: the server gives index.html for what it doesn't have`);
+    throw new Error(`${what}: ${url.href} is a page, not the file: the server returns index.html for missing files`);
   return bytes;
 }

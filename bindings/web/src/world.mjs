@@ -18,12 +18,12 @@ export class World extends WorldPlain {
   #host;
   #address = 0;
   #said = '';
-  #kept; // what ends with the world: its address and the numbers of its callbacks
+  #kept; // freed with the world: its address and the numbers of its callbacks
   #wind = 0;
   #record = 0;
   #surface = 0;
 
-  /** @internal What the library logs of a refused call is part of what is thrown. */
+  /** @internal The library's log of a refused call becomes part of the thrown message. */
   hear(message) {
     this.#said = message;
   }
@@ -70,7 +70,7 @@ export class World extends WorldPlain {
     this.#call(name, this.address, ...values);
   }
 
-  /** @internal A struct that a C function fills. */
+  /** @internal Reads a struct that a C function fills. */
   get(struct, name, ...values) {
     return this.#host.scratch((scratch) => {
       const at = scratch.struct(struct);
@@ -79,7 +79,7 @@ export class World extends WorldPlain {
     });
   }
 
-  /** @internal A number that a C function gives out. */
+  /** @internal Reads a number that a C function writes. */
   number(type, name, ...values) {
     return this.#host.scratch((scratch) => {
       const at = scratch.bytes(8);
@@ -88,7 +88,7 @@ export class World extends WorldPlain {
     });
   }
 
-  /** @internal A struct that may not be there: null then. */
+  /** @internal Reads an optional struct; null if there is none. */
   getIfPresent(struct, name, ...values) {
     return this.#host.scratch((scratch) => {
       const [at, present] = [scratch.struct(struct), scratch.bytes(4)];
@@ -113,7 +113,7 @@ export class World extends WorldPlain {
     this.dispose();
   }
 
-  // What it is, and time.
+  // Information and time.
 
   step(dt, substeps = 2) {
     this.call('lr_world_step', dt, substeps);
@@ -168,7 +168,7 @@ export class World extends WorldPlain {
     if (kind !== 'wind_grid') return scratch.struct(`lr_${kind}_desc`, desc);
     const components = (desc.counts ?? [0, 0, 0]).reduce((product, n) => product * n, 3 * (desc.frames ?? 1));
     if (samples && samples.length !== components)
-      throw new RangeError(`samples of ${desc.counts} in ${desc.frames ?? 1} frames are ${components} numbers, not ${samples.length}`);
+      throw new RangeError(`samples of ${desc.counts} in ${desc.frames ?? 1} frames need ${components} numbers, not ${samples.length}`);
     return scratch.struct('lr_wind_grid_desc', { ...desc, samples: scratch.copy(Float32Array, samples) });
   }
 
@@ -184,7 +184,7 @@ export class World extends WorldPlain {
     this.#host.scratch((scratch) => this.call(`lr_world_update_${kind}`, source, this.#windSource(scratch, kind, desc)));
   }
 
-  // addGusts(desc), updateGusts(source, desc), gusts(source), and their like.
+  // Defines addGusts(desc), updateGusts(source, desc), gusts(source), and the same for other kinds.
   static {
     for (const kind of ['gusts', 'vortex', 'blower', 'turbulence', 'wind_grid', 'ground_wind']) {
       const name = kind.replace(/_./g, (part) => part[1].toUpperCase());
@@ -209,7 +209,7 @@ export class World extends WorldPlain {
     return this.#isValid('lr_wind_source_is_valid', source);
   }
 
-  /** A callback in place of another, unless `install` is refused. */
+  /** Replaces a callback, unless `install` is refused. */
   #exchange(before, id, install) {
     try {
       install(id);
@@ -234,7 +234,7 @@ export class World extends WorldPlain {
 
   sampleWind(positions) {
     const count = positions.length / 3;
-    if (!Number.isInteger(count)) throw new RangeError(`positions are x, y, z of each point: ${positions.length} numbers are none`);
+    if (!Number.isInteger(count)) throw new RangeError(`positions are x, y, z of each point: ${positions.length} is not a multiple of 3`);
     return this.#host.scratch((scratch) => {
       const at = scratch.copy(Float32Array, positions);
       this.call('lr_world_sample_wind', at, count, at);
@@ -242,7 +242,7 @@ export class World extends WorldPlain {
     });
   }
 
-  /** null without water. */
+  /** The water's settings; null without water. */
   get water() {
     return this.getIfPresent('lr_water_desc', 'lr_world_get_water');
   }
@@ -274,7 +274,7 @@ export class World extends WorldPlain {
     return this.#isValid('lr_batch_is_valid', batch.handle);
   }
 
-  /** What `state` does not say stays as it is. */
+  /** Fields missing in `state` stay unchanged. */
   setBodyState(id, state) {
     this.#host.scratch((scratch) => {
       const at = scratch.struct('lr_body_state');
@@ -345,20 +345,20 @@ export class World extends WorldPlain {
       this.call('lr_collider_set_material', at, count, scratch.struct('lr_material', surface)));
   }
 
-  // What happened, and what is where.
+  // Events and queries.
 
   setEvents(capacity, kinds = LR.EVENTS_ALL) {
     this.call('lr_world_set_events', capacity, capacity === 0 ? 0 : kinds);
   }
 
-  /** Those of the last step. */
+  /** The events of the last step. */
   events() {
     const { count, events, ...numbers } = this.get('lr_event_list', 'lr_world_get_events');
     const { size } = structs.lr_event;
     return { events: Array.from({ length: count }, (_, i) => this.#host.heap.read('lr_event', events + size * i)), ...numbers };
   }
 
-  /** One hit a ray, null where nothing is hit. */
+  /** The first hit of each ray, or null. */
   rayCast(rays) {
     const { size } = structs.lr_ray_hit;
     return this.#host.scratch((scratch) => {
@@ -388,7 +388,7 @@ export class World extends WorldPlain {
   }
 }
 
-// Where no world is in scope: the host's list of callbacks must not keep one from being collected.
+// Defined outside the world's scope: the host's list of callbacks must not keep a world alive.
 const logTo = (world, log) => (level, message) => {
   if (level === LR.LOG_ERROR) world.deref()?.hear(message);
   log?.(level, message);
@@ -403,6 +403,6 @@ function three(values, name) {
 
 function checkedHeights(heights, counts) {
   if (counts && heights.length !== counts[0] * counts[1])
-    throw new RangeError(`a heightfield of ${counts[0]} by ${counts[1]} samples has ${counts[0] * counts[1]} heights, not ${heights.length}`);
+    throw new RangeError(`a heightfield of ${counts[0]} by ${counts[1]} samples needs ${counts[0] * counts[1]} heights, not ${heights.length}`);
   return heights;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A headless Chromium by its DevTools protocol over a pipe, a server of static files, and pictures as pixels: nothing but node.
+// Controls a headless Chromium through its DevTools protocol over a pipe; also a static file server and PNG decoder. Needs only node.
 import { spawn } from 'node:child_process';
 import { mkdtemp, readFile, rm } from 'node:fs/promises';
 import { createServer } from 'node:http';
@@ -107,7 +107,7 @@ export class Browser {
   }
 }
 
-/** Pixels of a PNG of 8 bits without a palette, as screenshots are. */
+/** Pixels of an 8-bit PNG without a palette, as in screenshots. */
 export function pixels(png) {
   const width = png.readUInt32BE(16);
   const height = png.readUInt32BE(20);

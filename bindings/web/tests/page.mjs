@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page in a real browser: node page.mjs chromium SITE DIRECTORY (where screenshots go)
+// The page in a real browser: node page.mjs chromium SITE DIRECTORY (for screenshots)
 import assert from 'node:assert/strict';
 import { writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
@@ -23,7 +23,7 @@ async function picture(name) {
   await writeFile(join(directory, name), png);
   return pixels(png);
 }
-/** Of those outside the panel: which part differs by more than a little. */
+/** The share of pixels outside the panel that differ by more than a little. */
 function difference(a, b) {
   let differ = 0;
   let all = 0;
@@ -43,7 +43,7 @@ try {
   await browser.until("document.getElementById('stats').textContent.includes('fps')");
   assert.match(await browser.evaluate("document.getElementById('stats').textContent"), /ms a step\n.*of 1,000 in the air\nWebAssembly SIMD/);
 
-  // It moves, it stands still, and goes on by a step.
+  // It runs, pauses, and takes a single step.
   const first = await picture('leaf.png');
   await later(20);
   const second = await picture('leaf_later.png');
@@ -58,7 +58,7 @@ try {
   await click('step');
   assert.equal(await storm('steps'), steps + 1);
 
-  // The view turns under the mouse, and nears by the wheel.
+  // The mouse turns the view, the wheel moves it nearer.
   const [yaw, distance] = [await storm('camera.yaw'), await storm('camera.distance')];
   const mouse = (type, x, more = {}) => browser.send('Input.dispatchMouseEvent', { type, x, y: 200, button: 'left', clickCount: 1, ...more });
   await mouse('mousePressed', 400, { buttons: 1 });
@@ -71,7 +71,7 @@ try {
   assert.ok(difference(still, await picture('turned.png')) > 0.05, 'the view has turned');
   await click('pause');
 
-  // Wind carries them along, and the other way.
+  // Wind carries bodies, in either direction.
   await slide('gusts', 0);
   await slide('direction', 0);
   await slide('wind', 0);
@@ -87,7 +87,7 @@ try {
   await later(30);
   assert.ok((await speed()) < -5.9);
 
-  // As many, and of what kind, as is wished.
+  // The chosen number and model.
   await slide('wind', 1.5);
   await slide('gusts', 1);
   await slide('count', 3.2, 'change');

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The storm of storm.c, here. node storm.mjs PACKAGE leaf.lrb BODIES FRAMES: hash and ns a body-step, as that prints them.
+// The storm of storm.c in JavaScript. node storm.mjs PACKAGE leaf.lrb BODIES FRAMES: prints hash and ns per body-step in the same form.
 import { pathToFileURL } from 'node:url';
 
 export function storm(lr, LR, leaf, bodies) {

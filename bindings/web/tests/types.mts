@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiled, never run: the types let through what is right, and say no to what is wrong.
+// Compiled, never run: the types accept correct calls and refuse wrong ones.
 import { Asset, Batch, LR, LangevinRigid, LangevinRigidError, World, load } from './langevin-rigid/langevin_rigid.mjs';
 
 export async function right(): Promise<void> {
@@ -36,7 +36,7 @@ export async function wrong(lr: LangevinRigid, world: World, leaf: Asset): Promi
   world.bodyState(1);
   // @ts-expect-error constants are constant
   LR.OK = 1;
-  // @ts-expect-error made by loadAsset and others alone
+  // only loadAsset and similar functions create assets
   new Asset();
   // @ts-expect-error read only
   leaf.info = leaf.info;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The package as it is delivered, in node. LR_PACKAGE: its folder; LR_LEAF: an asset; LR_NATIVE: what storm.c printed, LR_SNAPSHOT: and wrote.
+// The delivered package in node. LR_PACKAGE: its folder; LR_LEAF: an asset; LR_NATIVE: output of storm.c; LR_SNAPSHOT: its snapshot file.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import test from 'node:test';
@@ -36,11 +36,11 @@ test('the module is of this header, with SIMD, and has every function', () => {
 test('every C function is called by the wrapper', async () => {
   const files = ['langevin_rigid.mjs', ...['asset', 'batch', 'generated/plain', 'host', 'world'].map((name) => `src/${name}.mjs`)];
   const source = (await Promise.all(files.map((file) => readFile(`${process.env.LR_PACKAGE}/${file}`, 'utf8')))).join('\n');
-  // Wind sources: the name of a call is put together from what is done and the kind.
+  // Wind sources: a call's name is built from verb and kind.
   const kinds = /for \(const kind of (\[.*?\])\)/s.exec(source)[1].match(/\w+/g);
   const stems = [...source.matchAll(/`(lr_world_\w+_)\$\{kind\}`/g)].map(([, stem]) => stem);
   const built = new Set(stems.flatMap((stem) => kinds.map((kind) => stem + kind)));
-  const without = new Set(['lr_asset_load_file']); // there are no files; fetchAsset
+  const without = new Set(['lr_asset_load_file']); // the module has no files; fetchAsset replaces it
   const missing = functions.filter((name) => !without.has(name) && !name.endsWith('_init') && !source.includes(name) && !built.has(name));
   assert.deepEqual(missing, []);
 });
@@ -81,7 +81,7 @@ test('struct layouts are those of the module', () => {
   assert.deepEqual(lr.initial('lr_collider_desc').orientation, [0, 0, 0, 1]);
 });
 
-test('assets: what they are, references, faults', async () => {
+test('assets: properties, references, faults', async () => {
   const { info } = leaf;
   assert.equal(Math.round(info.density), 350);
   assert.ok(info.mass > 0 && info.hullVertexCount > 0 && info.addedMass.length === 36 && typeof info.contentHash === 'bigint');
@@ -108,7 +108,7 @@ test('assets: what they are, references, faults', async () => {
   await assert.rejects(lr.fetchAsset(new URL('nowhere.lrb', import.meta.url)), /nowhere/);
 });
 
-test('errors name function, status and reason, and mistakes are not written', () => {
+test('errors name function, status and reason; wrong values are refused', () => {
   const { world, batch } = scene();
   assert.throws(() => world.step(-1), refused('TIMESTEP_NEGATIVE', /lr_world_step/));
   assert.throws(() => world.step(0), refused('TIMESTEP_ZERO'));
@@ -146,7 +146,7 @@ test('errors name function, status and reason, and mistakes are not written', ()
   assert.equal(lr.statusString(LR.ERROR_THREADS), 'the worker threads could not be started');
 });
 
-test('bodies: made singly and many at once, read, set, forced, at rest', () => {
+test('bodies: created singly and many at once, read, set, pushed, asleep', () => {
   const { world, batch } = scene({ gravity: [0, 0, 0] });
   const single = batch.createBody({ position: [1, 2, 3], noiseSeed: 9, scale: 2 });
   const many = batch.createBodies({ count: 3, position: [0, 0, 0, 1, 0, 0, 2, 0, 0], scale: [1, 2, 3], noiseSeed: [5, 6, 7] });
@@ -329,7 +329,7 @@ test('rules, emitters, rates, budgets, gains, tables', () => {
   world.dispose();
 });
 
-test('hash and snapshot are those of the native library', async () => {
+test('hash and snapshot equal those of the native library', async () => {
   const [native] = (await readFile(process.env.LR_NATIVE, 'utf8')).split('\n');
   const [expected, , , bodies, frames] = [...native.split(' ').slice(0, 3), 2000, 60];
   const { world } = storm(lr, LR, leaf, bodies);
@@ -392,12 +392,12 @@ test('the memory grows: buffers follow, old views are empty, nothing is lost', a
   assert.equal(other.view().count, 2e5);
 });
 
-test('out of memory is a status, and the world is as it was', async () => {
+test('out of memory is a status, and the world is unchanged', async () => {
   const { world, batch } = scene();
   batch.createBody();
   const before = world.hash();
   assert.throws(() => world.createBatch({ asset: leaf, capacity: 2 ** 26 }), refused('OUT_OF_MEMORY'));
-  // By way of std::vector, which can't throw here: a heap that is filled up first.
+  // By way of std::vector, which cannot throw here: a heap filled beforehand.
   const full = await load();
   const asset = full.loadAsset(leafBytes);
   const small = full.createWorld();
@@ -414,19 +414,19 @@ test('out of memory is a status, and the world is as it was', async () => {
   world.step(1 / 60);
 });
 
-test('a defect ends the module, and says so', async () => {
+test('a defect ends the module with a message', async () => {
   const broken = await load();
   const world = broken.createWorld();
   world.createBatch({ asset: broken.loadAsset(leafBytes), capacity: 10 }).createBody();
-  new Uint32Array(broken.memory.buffer, world.address, 512).fill(0x7ffffff0); // addresses behind the end of memory
+  new Uint32Array(broken.memory.buffer, world.address, 512).fill(0x7ffffff0); // addresses beyond the end of memory
   assert.throws(() => world.hash(), refused('INTERNAL'));
   assert.throws(() => broken.createWorld(), /stopped in lr_world_hash/);
 });
 
-test('what is forgotten is collected', async () => {
+test('forgotten objects are collected', async () => {
   const own = await load();
   const asset = own.loadAsset(leafBytes);
-  for (let i = 0; i < 300; ++i) { // some GB in all
+  for (let i = 0; i < 300; ++i) { // some GB in total
     const world = own.createWorld();
     world.createBatch({ asset, capacity: 50000 }).createTransforms();
     if (i % 10 === 9) {
@@ -439,7 +439,7 @@ test('what is forgotten is collected', async () => {
   assert.ok(Batch && TransformBuffer);
 });
 
-test('a recording that has been stopped lets go of what it wrote to', async () => {
+test('a stopped recording releases its callback', async () => {
   const world = lr.createWorld();
   let wrote = 0;
   const file = (() => {

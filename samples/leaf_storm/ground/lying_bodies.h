@@ -1,4 +1,4 @@
-// How the bodies of a storm lie on the ground: counted by the vertices of what is drawn for them.
+// Measures how the bodies of a storm lie on the ground, by the vertices of their drawn meshes.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -13,16 +13,16 @@ struct Lying {
 
     double time = 0.0; // s
     std::uint64_t bodies = 0, at_rest = 0;
-    std::uint64_t near_awake = 0; // move, though less than 5 cm above the ground
-    std::uint64_t below = 0;      // reach deeper than the tolerance into the ground, at rest or not
-    std::uint64_t trodden = 0;    // the same, but the walker stands on them
-    std::uint64_t hovering = 0; // at rest, higher than the tolerance over the ground, with nothing else there to lie on
-    std::uint64_t on_edge = 0;  // at rest on the ground, more than 60 degrees from flat
-    double deepest = 0.0;       // m, below the ground
-    double highest = 0.0;       // m, of the lowest points of those at rest where nothing but ground is
-    double median_tilt = 0.0;   // degrees, of those at rest on the ground against its slope
+    std::uint64_t near_awake = 0; // awake, though less than 5 cm above the ground
+    std::uint64_t below = 0;      // deeper than the tolerance in the ground, awake or asleep
+    std::uint64_t trodden = 0;    // like below, but the walker stands on them
+    std::uint64_t hovering = 0;   // asleep, more than the tolerance above the ground, with no other support
+    std::uint64_t on_edge = 0;    // asleep on the ground, more than 60 degrees from flat
+    double deepest = 0.0;         // m, below the ground
+    double highest = 0.0;         // m, largest gap below bodies asleep where only the ground can support them
+    double median_tilt = 0.0;     // degrees to the slope, of bodies asleep on the ground
 
-    // thin: the body axis across which it is thin.
+    // thin: the body axis along which the body is thin.
     void add(const lr_batch_view& view, const Mesh& mesh, int thin, const Park& park);
     void finish();
 

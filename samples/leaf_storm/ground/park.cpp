@@ -83,7 +83,7 @@ void Park::add_furniture() {
     std::uint64_t index = 0;
     for (const Stone& stone : {Stone{-1.25, 1.15, 0.17}, Stone{-0.85, 0.95, 0.09}, Stone{1.15, 1.35, 0.12},
                                Stone{-3.3, -0.9, 0.32}, Stone{3.2, -0.6, 0.24}}) {
-        // A lump: points at random on a flattened sphere.
+        // A lump: random points on a flattened sphere.
         std::vector<Vector> points;
         std::vector<float> vertices;
         for (int k = 0; k < 22; ++k) {
@@ -103,7 +103,7 @@ void Park::add_furniture() {
         add(desc, hull_mesh(points), Surface::stone, stone.size);
     }
     if (options_.walk < 0.0) return;
-    lr_collider_desc desc = collider(LR_COLLIDER_CAPSULE, {0.0, -50.0, 0.0}); // out of the way until it comes
+    lr_collider_desc desc = collider(LR_COLLIDER_CAPSULE, {0.0, -50.0, 0.0}); // out of the way until the walk begins
     desc.size[0] = walker_radius;
     desc.size[1] = walker_half_length;
     add(desc, capsule_mesh(static_cast<double>(walker_radius), static_cast<double>(walker_half_length)), Surface::cloth,
@@ -111,7 +111,7 @@ void Park::add_furniture() {
     footprints_.pop_back();
 }
 
-// Air is slow near the ground: under the lowest hollow the wind is nought, at 10 m all of it is there.
+// Air is slow near the ground: the wind is 0 below the lowest hollow and complete at 10 m.
 void Park::add_boundary_layer() {
     lr_ground_wind_desc ground;
     check(lr_ground_wind_desc_init(&ground, sizeof ground), "lr_ground_wind_desc_init");
@@ -164,7 +164,7 @@ void Park::move(double to) {
     if (!walks) piece.position[1] = -50.0f;
     lr_collider_motion motion;
     check(lr_collider_motion_init(&motion, sizeof motion), "lr_collider_motion_init");
-    motion.mode = walks && walks_ ? LR_MOVE_TO : LR_MOVE_PLACE; // it comes and goes in no time
+    motion.mode = walks && walks_ ? LR_MOVE_TO : LR_MOVE_PLACE; // it appears and disappears at once
     motion.collider = last_;
     std::copy(piece.position, piece.position + 3, motion.position);
     check(lr_collider_move(world_, &motion, 1), "the walker");

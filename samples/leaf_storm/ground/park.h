@@ -1,5 +1,5 @@
-// What leaves fall on with --ground: rolling ground, a bench, a low wall, stones, and somebody who walks across. And the wind
-// there: calm, until a gust comes.
+// The park of --ground: rolling ground, a bench, a low wall, stones, and a walker who crosses it. And its wind: calm, until a
+// gust comes.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -29,17 +29,17 @@ public:
     const Terrain& terrain() const { return terrain_; }
     const std::vector<Piece>& pieces() const { return pieces_; } // boxes, stones, and last the walker
 
-    // Where the walker stands; null before it comes and after it has gone.
+    // The walker's position; null before and after the walk.
     const float* walker() const { return walks_ ? pieces_.back().position : nullptr; }
     static constexpr float walker_radius = 0.24f, walker_half_length = 0.62f; // m
 
-    // Where the heap of --heap comes to lie, m: on the walker's way.
+    // Position of the heap of --heap, m: on the walker's way.
     struct Place {
         float x, y, z;
     };
     Place heap() const;
 
-    // Whether something else than the ground may be under a place, or within `reach` (m) of it.
+    // Whether an object other than the ground can be under a point, or within `reach` (m) of it.
     bool furnished(double x, double z, double reach) const;
 
 private:

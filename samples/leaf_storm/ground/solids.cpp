@@ -17,7 +17,7 @@ Vertex vertex_at(const Vector& position, const Vector& normal) {
     return vertex;
 }
 
-// With a normal of its own: edges stay sharp.
+// Each triangle has its own normal, so edges stay sharp.
 void add_triangle(Mesh& mesh, const Vector& a, const Vector& b, const Vector& c) {
     const Vector normal = unit(cross(minus(b, a), minus(c, a)));
     for (const Vector& corner : {a, b, c}) {
@@ -49,7 +49,7 @@ Mesh capsule_mesh(double radius, double half_length) {
     constexpr std::uint32_t around = 48, rings = 24; // rings: an even number, half of them for each cap
     Mesh mesh;
     for (std::uint32_t ring = 0; ring <= rings + 1; ++ring) {
-        const std::uint32_t step = ring > rings / 2 ? ring - 1 : ring; // the middle one is there twice
+        const std::uint32_t step = ring > rings / 2 ? ring - 1 : ring; // the middle ring is there twice
         const double polar = std::numbers::pi * step / rings;
         for (std::uint32_t k = 0; k <= around; ++k) {
             const double turn = 2.0 * std::numbers::pi * k / around;

@@ -1,4 +1,4 @@
-// Meshes of what stands on the ground, about the origin of their colliders.
+// Meshes of objects on the ground, about the origin of their colliders.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -9,5 +9,5 @@
 
 Mesh box_mesh(const Vector& half_extents);
 Mesh capsule_mesh(double radius, double half_length); // along y
-// Of the convex hull of a few points.
+// The convex hull of a few points.
 Mesh hull_mesh(const std::vector<Vector>& points);

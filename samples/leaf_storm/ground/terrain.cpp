@@ -14,7 +14,7 @@ float fade(float t) {
     return t * t * t * (t * (6.0f * t - 15.0f) + 10.0f);
 }
 
-// Between random values at lattice points `length` apart, -1 to 1, with two continuous derivatives.
+// Interpolates random values at lattice points `length` apart: -1 to 1, with two continuous derivatives.
 float value_noise(std::uint64_t seed, float x, float z, float length) {
     const float u = x / length + 1000.0f, v = z / length + 1000.0f;
     const float i = std::floor(u), k = std::floor(v);
@@ -50,7 +50,7 @@ Terrain::Place Terrain::at(double x, double z) const {
                k = static_cast<std::size_t>(std::min(std::floor(v), most - 1.0));
     const auto height = [&](std::size_t a, std::size_t b) { return static_cast<double>(heights_[a + side * b]); };
     const double p = u - static_cast<double>(i), q = v - static_cast<double>(k), corner = height(i, k);
-    // The cell is parted from (i, k) to (i + 1, k + 1).
+    // The diagonal of the cell goes from (i, k) to (i + 1, k + 1).
     const double rise_x = p >= q ? height(i + 1, k) - corner : height(i + 1, k + 1) - height(i, k + 1);
     const double rise_z = p >= q ? height(i + 1, k + 1) - height(i + 1, k) : height(i, k + 1) - corner;
     const double size = static_cast<double>(cell);

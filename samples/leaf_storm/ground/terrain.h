@@ -1,5 +1,5 @@
-// Gently rolling ground, level with y = 0 at its borders: heights of a smooth function of place, and the triangles
-// between them that bodies land on.
+// Gently rolling ground, level with y = 0 at its borders: a smooth height function, sampled, and the triangles between the
+// samples, on which bodies land.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -24,7 +24,7 @@ public:
         double height; // m
         Vector normal; // unit, upwards
     };
-    // Of the triangle that is there, as the collider has it; outside the nearest one.
+    // Height and normal of the collider's triangle at a point; outside, of the nearest one.
     Place at(double x, double z) const;
     Mesh mesh() const;
 

@@ -17,7 +17,7 @@ EglContext::EglContext() {
         throw Failure("no OpenGL for the picture: " + std::string(what) + code,
                       "install EGL and a driver (Debian: libegl1 libgl1-mesa-dri), or leave --png out");
     };
-    // Mesa's surfaceless platform needs neither display nor device; elsewhere the default display may do.
+    // Mesa's surfaceless platform needs neither display nor device; on other systems the default display can work.
     using GetPlatformDisplay = EGLDisplay (*)(EGLenum, void*, const EGLint*);
     const auto get_platform_display =
         reinterpret_cast<GetPlatformDisplay>(eglGetProcAddress("eglGetPlatformDisplayEXT"));

@@ -3,5 +3,5 @@
 
 #include <string>
 
-// Compiles and links; throws Failure with the compiler's words.
+// Compiles and links. Throws Failure with the compiler's message.
 unsigned make_program(const char* name, const std::string& vertex, const std::string& fragment);

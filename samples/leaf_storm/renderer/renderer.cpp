@@ -13,7 +13,7 @@
 
 namespace {
 
-using Matrix = std::array<float, 16>; // by columns, as OpenGL wants it
+using Matrix = std::array<float, 16>; // column-major, as in OpenGL
 
 constexpr float tan_half_view = 0.404f; // vertical: 44 degrees
 
@@ -27,7 +27,7 @@ struct Renderer::Camera {
     float eye[3], right[3], up[3], back[3]; // m; unit vectors
     float aspect, near, far, pixels;        // pixels: height of the frame
 
-    // Distance ahead; negative when the sphere cannot be in the picture.
+    // Distance ahead; negative if the sphere cannot be in the picture.
     float ahead(float x, float y, float z, float radius) const {
         const float d[3] = {x - eye[0], y - eye[1], z - eye[2]};
         const auto along = [&d](const float* axis) { return d[0] * axis[0] + d[1] * axis[1] + d[2] * axis[2]; };
@@ -38,7 +38,7 @@ struct Renderer::Camera {
         return seen ? std::max(depth, near) : -1.0f;
     }
 
-    // The view turned but not moved, or also moved.
+    // The view's rotation, with or without its translation.
     Matrix to_clip(bool moved) const {
         Matrix m{};
         const float* rows[3] = {right, up, back};
@@ -175,7 +175,7 @@ std::size_t Renderer::add_kind(const Mesh& mesh, Look look, std::uint32_t capaci
 
 void Renderer::draw_kind(const lr_world* world, const Bodies& bodies, const Camera& camera) {
     const Kind& kind = kinds_.at(bodies.kind);
-    // The library writes into the mapped buffer; the shader reads rows of the matrices from it.
+    // The library writes into the mapped buffer; the shader reads the matrices' rows from it.
     glBindBuffer(GL_TEXTURE_BUFFER, kind.transforms);
     void* mapped = glMapBufferRange(GL_TEXTURE_BUFFER, 0, static_cast<GLsizeiptr>(kind.capacity) * 48,
                                     GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
@@ -231,7 +231,7 @@ void Frame::use(unsigned program) const {
 std::vector<std::uint8_t> Renderer::draw(const lr_world* world, const std::vector<Bodies>& all, const View& view,
                                          int width, int height, const std::function<void(const Frame&)>& first) {
     if (width > width_ || height > height_)
-        throw Failure("a frame is larger than the renderer was made for", "report it");
+        throw Failure("a frame is larger than the renderer's largest size", "report it");
     Camera camera{};
     const float s = std::sin(view.pitch), c = std::cos(view.pitch);
     const float right[3] = {1.0f, 0.0f, 0.0f}, up[3] = {0.0f, c, s}, back[3] = {0.0f, -s, c};
@@ -257,7 +257,7 @@ std::vector<std::uint8_t> Renderer::draw(const lr_world* world, const std::vecto
     frame.use(body_program_);
     glUniform1i(glGetUniformLocation(body_program_, "transforms"), 0);
     for (const Bodies& bodies : all) draw_kind(world, bodies, camera);
-    // The sky comes last, where nothing is in front of it.
+    // The sky last, only where nothing covers it.
     frame.use(sky_program_);
     glUniformMatrix4fv(glGetUniformLocation(sky_program_, "from_clip"), 1, GL_FALSE, camera.from_clip().data());
     glBindVertexArray(sky_array_);

@@ -1,4 +1,4 @@
-// Draws a storm: bodies by instances, the transforms straight from the library into a buffer of the graphics card.
+// Draws a storm by instances. The library writes the transforms directly into a buffer of the graphics card.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -13,43 +13,43 @@
 
 enum class Look { leaf, petal, paper };
 
-// Where the camera stands, looking along -z, and the air that it sees.
+// The camera's place, looking along -z, and the air in front of it.
 struct View {
     float eye[3];    // m
     float pitch;     // rad, upwards
     float near, far; // m
-    float haze;      // m: where the air hides 63 % of what is there
+    float haze;      // m: distance at which the air hides 63 %
     float sun[3];    // unit, towards it
 };
 
-// In the box.
+// A view from inside the box.
 View view_of(const storm::Box& box);
 
-// A picture that is being drawn.
+// A picture in progress.
 struct Frame {
     const View& view;
-    const float* to_clip; // 16, by columns
+    const float* to_clip; // 16 numbers, column-major
 
-    // Makes a program current that has shader_air, and tells it of view and to_clip.
+    // Makes a program with shader_air current, and sets its view and to_clip.
     void use(unsigned program) const;
 };
 
 class Renderer {
 public:
-    // Frames may be as large as width x height (px). Throws Failure.
+    // Frames can be as large as width x height (px). Throws Failure.
     Renderer(int width, int height);
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    // Returns the number by which `draw` knows it. capacity: the most bodies.
+    // Returns the kind's index for `draw`. capacity: largest number of bodies.
     std::size_t add_kind(const Mesh& mesh, Look look, std::uint32_t capacity);
 
     struct Bodies {
         lr_batch batch;
         std::size_t kind;
     };
-    // 4 bytes a pixel, sRGB, rows from the top. first: draws what is not bodies; may be empty.
+    // 4 bytes per pixel, sRGB, rows from the top. first: draws everything besides bodies; may be empty.
     std::vector<std::uint8_t> draw(const lr_world* world, const std::vector<Bodies>& all, const View& view, int width,
                                    int height, const std::function<void(const Frame&)>& first = {});
 
@@ -66,7 +66,7 @@ private:
         Look look;
         float radius; // m
         std::uint32_t capacity;
-        unsigned transforms = 0, texture = 0; // 3 texels a body: the rows of its 3 x 4 matrix
+        unsigned transforms = 0, texture = 0; // 3 texels per body: the rows of its 3 x 4 matrix
     };
     struct Camera;
     void draw_kind(const lr_world* world, const Bodies& bodies, const Camera& camera);

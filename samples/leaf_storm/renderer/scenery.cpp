@@ -49,7 +49,7 @@ Vector half_extents(const Mesh& mesh) {
     return half;
 }
 
-// World to a box that is -1 to 1 along each axis.
+// Maps the world to a box from -1 to 1 along each axis.
 Matrix to_box(const Park::Piece& piece) {
     const Quaternion back = inverse(quaternion_of(piece.orientation));
     const Vector half = half_extents(piece.mesh), middle = turned(back, vector_of(piece.position));
@@ -129,7 +129,7 @@ void Scenery::add_kind(lr_batch batch, const Mesh& mesh) {
     kinds_.push_back(kind);
 }
 
-// Along the sun's rays onto the ground below, paler and softer the higher the body is.
+// Projects along the sun's rays onto the ground below; the higher the body, the paler and softer the shadow.
 void Scenery::collect(const lr_world* world, const Kind& kind, const Frame& frame) {
     lr_batch_view view;
     check(lr_batch_view_init(&view, sizeof view), "lr_batch_view_init");
@@ -141,7 +141,7 @@ void Scenery::collect(const lr_world* world, const Kind& kind, const Frame& fram
         Terrain::Place ground = park_.terrain().at(middle[0], middle[2]);
         double height = middle[1] - ground.height;
         if (height > 1.5 || height < -0.1) continue;
-        if (height > 0.05) { // it falls somewhere else
+        if (height > 0.05) { // its shadow falls elsewhere
             middle = minus(middle, times(height / sun[1], sun));
             ground = park_.terrain().at(middle[0], middle[2]);
             if (park_.furnished(middle[0], middle[2], 0.0)) continue;

@@ -1,4 +1,4 @@
-// Draws the ground, what stands on it, and the shadows of bodies near it.
+// Draws the ground, the objects on it, and the shadows of bodies near it.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -12,13 +12,13 @@
 
 class Scenery {
 public:
-    // After the Renderer, whose context is current.
+    // Create after the Renderer, whose context is current.
     explicit Scenery(const Park& park);
     ~Scenery();
     Scenery(const Scenery&) = delete;
     Scenery& operator=(const Scenery&) = delete;
 
-    // Bodies of this batch, drawn as `mesh`, cast shadows.
+    // Makes bodies of this batch, drawn as `mesh`, cast shadows.
     void add_kind(lr_batch batch, const Mesh& mesh);
     void draw(const lr_world* world, const Frame& frame);
 
@@ -29,7 +29,7 @@ private:
     };
     struct Kind {
         lr_batch batch;
-        Vector long_axis, wide_axis; // m, half axes of the body seen across its thin side, body frame
+        Vector long_axis, wide_axis; // m, half axes of the body seen along its thin axis, body frame
     };
     struct Shadow {
         float middle[3], dark, along[3], across[3], soft;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-// Late light on a day in autumn: a low sun ahead of the camera, haze, woods on the horizon. Colours are linear.
+// Late light of an autumn day: a low sun ahead of the camera, haze, woods on the horizon. Colours are linear.
 inline constexpr const char* shader_air = R"(#version 330 core
 uniform vec3 eye;
 uniform vec3 sun;          // towards it

@@ -1,4 +1,4 @@
-// Ground and what stands on it, and shadows; to be put after shader_air.
+// Ground, objects and shadows; append to shader_air.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -26,7 +26,7 @@ uniform int round_from;                  // boxes before, ellipsoids from here o
 uniform mat4 to_box[12];                 // world to a box of half extents 1, or a ball of radius 1
 out vec4 colour;
 
-// What of the sun comes past an upright capsule: soft where its edge is far away.
+// The sun's share past an upright capsule: softer with distance.
 float past_walker(vec3 from) {
     if (walker.w == 0.0) return 1.0;
     vec3 low = walker.xyz - vec3(0.0, walker_half_length, 0.0), axis = vec3(0.0, 2.0 * walker_half_length, 0.0);

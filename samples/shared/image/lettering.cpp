@@ -20,7 +20,7 @@ Point catmull_rom(const Point& a, const Point& b, const Point& c, const Point& d
     return {blend(a.x, b.x, c.x, d.x), blend(a.y, b.y, c.y, d.y)};
 }
 
-// Draws with a picture, measures without one. Returns the advance.
+// Draws if there is a picture, otherwise only measures. Returns the advance.
 double stroke_glyph(Picture* picture, Point origin, double unit, Colour colour, char c) {
     const char* at = glyph(c);
     double right = *at ? 0.0 : 2.0;

@@ -1,4 +1,4 @@
-// A picture in linear light, and the few shapes that captions and diagrams are drawn with, antialiased.
+// A picture in linear light, and antialiased shapes for captions and diagrams.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -23,13 +23,13 @@ public:
 
     int width() const { return width_; }
     int height() const { return height_; }
-    std::vector<std::uint8_t> srgb() const; // 3 bytes a pixel, rows from the top
+    std::vector<std::uint8_t> srgb() const; // 3 bytes per pixel, rows from the top
 
     void paste_srgba(const std::vector<std::uint8_t>& pixels, int width, int height, int left,
-                     int top); // 4 bytes a pixel
+                     int top); // 4 bytes per pixel
     void fill(int left, int top, int width, int height, Colour colour, float alpha);
     void line(Point a, Point b, double thickness, Colour colour, float alpha = 1.0f);
-    // direction: of the long half axis (its length counts); minor: the short half axis over the long one.
+    // direction: of the long half axis (its length counts); minor: ratio of the short half axis to the long one.
     void ellipse(Point centre, Point direction, double minor, Colour colour, float alpha);
 
 private:
@@ -39,6 +39,6 @@ private:
     std::vector<Colour> pixels_;
 };
 
-// Letters of strokes: digits, small letters, . , : = + - / % ( ). height: px of a digit. Returns the width, px.
+// Letters as strokes: digits, small letters, . , : + = - / % ( ). height: px of a digit. Returns the width, px.
 double write_text(Picture& picture, Point baseline, double height, Colour colour, std::string_view text);
 double text_width(double height, std::string_view text);

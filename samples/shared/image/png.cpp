@@ -11,7 +11,7 @@
 
 namespace {
 
-// pixels: as the format of `image` says. Encodes, writes and commits.
+// pixels: in the format of `image`. Encodes, writes and commits.
 void encode(png_image& image, const std::vector<std::uint8_t>& pixels, const void* palette, OutputFile& file) {
     png_alloc_size_t size = 0;
     std::vector<std::uint8_t> bytes;
@@ -42,7 +42,7 @@ void write_png(const Picture& picture, OutputFile& file) {
 
 void write_diagram_png(const Picture& picture, OutputFile& file) {
     const std::vector<std::uint8_t> pixels = picture.srgb();
-    for (const int levels : {31, 15, 7, 5}) { // at most 216 colours in the end
+    for (const int levels : {31, 15, 7, 5}) { // at most 216 colours
         std::map<std::array<std::uint8_t, 3>, std::uint8_t> numbers;
         std::vector<std::uint8_t> palette, indices;
         for (std::size_t i = 0; i < pixels.size(); i += 3) {

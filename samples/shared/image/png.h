@@ -7,5 +7,5 @@
 // Writes and commits; throws Failure.
 void write_png(const Picture& picture, OutputFile& file);
 
-// The same with a palette, in a fraction of the size: for pictures of few colours.
+// The same with a palette, much smaller: for pictures of few colours.
 void write_diagram_png(const Picture& picture, OutputFile& file);

@@ -1,4 +1,4 @@
-// Before every fragment shader of the scene, after frame.glsl: light, air, shadow. Colours are linear until `developed`.    SPDX-License-Identifier: MIT
+// Precedes every fragment shader of the scene, after frame.glsl: light, air, shadow. Colours are linear until `developed`.    SPDX-License-Identifier: MIT
 uniform mat4 to_light;         // world to the box that the shadow map holds, -1 to 1
 uniform vec2 light_box;        // m: its half width and half depth
 uniform sampler2D depth_map;
@@ -34,8 +34,8 @@ vec3 through_air(vec3 c, vec3 d, float metres) {
 
 vec3 ambient(vec3 n) { return mix(from_ground, from_sky, 0.5 + 0.5 * n.y); }
 
-// What of the sun gets to a point: percentage-closer soft shadows, the sun as a disc. slack: m towards the sun within which
-// nothing counts, so that a surface does not shadow itself.
+// The sun's visible share at a point: percentage-closer soft shadows, the sun as a disc. slack: m towards the sun without
+// occluders, so that a surface does not shadow itself.
 float sun_seen(vec3 at, float slack) {
     vec3 p = (to_light * vec4(at + slack * sun, 1.0)).xyz * 0.5 + 0.5;
     float side = max(abs(p.x - 0.5), abs(p.y - 0.5));

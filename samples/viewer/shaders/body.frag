@@ -22,7 +22,7 @@ vec3 leaf_colour(float top, out float vein) {
     c = mix(c, c * vec3(0.55, 0.38, 0.35), smoothstep(0.52, 0.85, spots) * (0.25 + 0.6 * lot.w));
     float side = abs(across.y - 0.5), u = across.x;
     c = mix(c, 0.75 * c + vec3(0.02, 0.06, 0.0), smoothstep(0.20, 0.0, side) * lot.z);
-    // Side veins leave the midrib forward and bend to the tip, by turns on either side.
+    // Side veins leave the midrib forward and bend to the tip, alternating between both sides.
     float along = u - 0.75 * side - 0.6 * side * side + (across.y > 0.5 ? 0.04 : 0.0);
     float fine = line(abs(fract(along * 10.0) - 0.5) - 0.5, 0.05) * smoothstep(0.31, 0.2, side) * smoothstep(1.0, 0.9, u);
     vein = max(0.7 * fine, line(side, 0.011 * (1.2 - u)));
@@ -70,7 +70,7 @@ void main() {
     float seen = sun_seen(at, texel * (1.5 + 2.0 * slant));
     float lit = max(facing_sun, 0.0) * seen, behind = max(-facing_sun, 0.0) * seen;
     vec3 c = base * (sunlight * lit + ambient(n) + 0.25 * through * ambient(-n));
-    // Light from behind has gone through the tissue twice over: deeper in colour, less at the veins.
+    // Light from behind passes through the tissue: deeper in colour, less at the veins.
     c += pow(base, vec3(1.25)) * sunlight * 1.35 * through * behind * (1.0 - 0.6 * vein);
     vec3 h = normalize(v + sun);
     c += sunlight * gloss * (0.5 * pow(max(dot(n, h), 0.0), 40.0) * lit) + gloss * 0.35 * sky(reflect(-v, n)) * pow(1.0 - max(dot(n, v), 0.0), 4.0);

@@ -1,5 +1,5 @@
 #version 330 core
-// Before every shader of the scene.    SPDX-License-Identifier: MIT
+// Precedes every shader of the scene.    SPDX-License-Identifier: MIT
 uniform vec3 eye;
 uniform vec3 sun;              // towards it
 uniform mat4 to_clip;

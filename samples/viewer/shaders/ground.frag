@@ -14,7 +14,7 @@ vec3 lawn(vec2 p, inout vec3 n) {
     return mix(c, vec3(0.090, 0.066, 0.036) * (0.6 + 0.8 * blades), smoothstep(0.60, 0.78, patches) * 0.8);
 }
 
-// 1 in the gap around a tile of which `own` is the place from its middle; w: m a pixel.
+// 1 in the gap around a tile; `own`: position from the tile's middle; w: m per pixel.
 float joint(vec2 own, vec2 half_size, float width, vec2 w) {
     vec2 d = half_size - abs(own);
     vec2 gap = clamp((width - d) / w + 0.5, 0.0, 1.0) * min(vec2(1.0), 2.0 * width / w);

@@ -175,10 +175,10 @@ TEST_CASE("the table of an ellipsoid is the closed decay, in the asset's units")
 TEST_CASE("scales: lengths of the body, and a speed that never vanishes") {
     const BodyScales s = body_scales(0.08, 0.0001, 1e-7, 1e-3, 2e-6, 800.0, 1.2);
     CHECK(s.d == 0.08);
-    CHECK(s.b == doctest::Approx(0.0001)); // the extent, thinner than 3/2 of the mean thickness
+    CHECK(s.b == doctest::Approx(0.0001)); // the extent, less than 3/2 of the mean thickness
     CHECK(s.l == doctest::Approx(1e-3));
     CHECK(s.u0 == doctest::Approx(std::sqrt((800.0 / 1.2 - 1.0) * 9.80665 * 0.0001)));
-    // A curled sheet is as thick as its volume says, not as deep as its curl.
+    // A curled sheet's thickness follows from its volume, not from the depth of the curl.
     CHECK(body_scales(0.08, 0.02, 1e-7, 1e-3, 2e-6, 800.0, 1.2).b == doctest::Approx(1.5e-4));
     CHECK(body_scales(0.08, 0.02, 1e-7, 1e-3, 2e-6, 1.2, 1.2).u0 == 1e-6);
     // A bubble rises as fast as its density ratio says.

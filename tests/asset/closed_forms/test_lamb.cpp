@@ -14,7 +14,7 @@ using test::Random;
 
 namespace {
 
-// int_0^inf f(l) dl by the double exponential rule l = unit exp(pi/2 sinh t): made for ends like these.
+// int_0^inf f(l) dl by the double exponential rule l = unit exp(pi/2 sinh t), which suits such integrands.
 template <class F> double integral(F&& f, double unit) {
     double sum = 0.0;
     const double h = 1.0 / 128.0;
@@ -76,7 +76,7 @@ TEST_CASE("a thin disc tends to 8/3 a^3 broadside and 16/45 a^5 about a diameter
         CHECK(a < 0.2 * last_a);
         CHECK(d < 0.2 * last_d);
         last_a = a, last_d = d;
-        CHECK(m.rotation[1] == 0.0); // about its axis
+        CHECK(m.rotation[1] == 0.0); // about its axis of revolution
         CHECK(m.rotation[0] == doctest::Approx(m.rotation[2]).epsilon(1e-12));
         CHECK(m.translation[0] < 1.6 * thickness * thickness * 4.0);
     }
@@ -98,7 +98,7 @@ TEST_CASE("random ellipsoids agree with quadrature of Lamb's integrals") {
         CAPTURE(a[1]);
         CAPTURE(a[2]);
         const double q[3] = {alpha(a, 0), alpha(a, 1), alpha(a, 2)};
-        REQUIRE(q[0] + q[1] + q[2] == doctest::Approx(2.0).epsilon(1e-10)); // else the quadrature is not to be trusted
+        REQUIRE(q[0] + q[1] + q[2] == doctest::Approx(2.0).epsilon(1e-10)); // otherwise the quadrature is wrong
         const EllipsoidAddedMass m = lamb_added_mass(a);
         for (size_t i = 0; i < 3; ++i) {
             const size_t j = (i + 1) % 3, k = (i + 2) % 3;
@@ -136,7 +136,7 @@ TEST_CASE("added mass goes with the third and fifth power of the size, in whatev
     }
 }
 
-// Nearly a body of revolution both factors of the closed form vanish. The limit is 0 with the square of the difference.
+// Nearly a body of revolution: both factors of the closed form vanish. The limit is 0, quadratic in the difference.
 TEST_CASE("rotation goes to zero smoothly towards an axis of revolution") {
     for (const std::array<double, 3> base :
          {std::array{1.0, 0.5, 0.5}, std::array{0.1, 1.0, 1.0}, std::array{1.0, 1.0, 1.0}}) {

@@ -84,7 +84,7 @@ TEST_CASE("resistances of any ellipsoid are finite, grow with the body and scale
         const StokesResistance scaled = stokes_resistance({s * a[0], s * a[1], s * a[2]});
         const auto [least, most] = std::minmax({a[0], a[1], a[2]});
         for (size_t i = 0; i < 3; ++i) {
-            // Hill & Power 1956: between those of the spheres inside and around.
+            // Hill & Power 1956: between the resistances of the inscribed and the circumscribed sphere.
             CHECK(r.translation[i] > 6.0 * pi * least * (1.0 - 1e-12));
             CHECK(r.translation[i] < 6.0 * pi * most * (1.0 + 1e-12));
             CHECK(r.rotation[i] > 8.0 * pi * least * least * least * (1.0 - 1e-12));

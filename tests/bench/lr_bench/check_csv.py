@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """The table of lr_bench --quick: every column in every row, and one hash for equal scenes, whatever the instruction set
-and the workers. Not how fast anything is.    usage: check_csv.py LR_BENCH    SPDX-License-Identifier: MIT"""
+and the workers. Does not check speed.    usage: check_csv.py LR_BENCH    SPDX-License-Identifier: MIT"""
 import csv
 import os
 import subprocess
@@ -43,7 +43,7 @@ def main(program):
         found = {row["hash"] for row in same}
         assert len(found) == 1, (scene, [(row["target"], row["workers"], row["hash"]) for row in same])
         hashes += found
-    # Scenes differ, and so do their hashes: none of them is that of nothing.
+    # Different scenes have different hashes; none is that of an empty world.
     assert len(set(hashes)) == len(hashes)
     assert any(len({row["target"] for row in same}) > 1 for same in scenes.values()), "one instruction set only"
     assert any(len({row["workers"] for row in same}) > 1 for same in scenes.values()), "one count of workers only"

@@ -21,10 +21,10 @@ namespace lr_bench {
 namespace {
 
 struct Range {
-    uint64_t base = 0, end = 0; // base: where address 0 of the file lies
+    uint64_t base = 0, end = 0; // base: address of the file's offset 0
 };
 
-// Of a file in this process; a forked child has the same.
+// The mapping of a file in this process; a forked child has the same.
 Range find_mapped(const char* name) {
     std::ifstream maps("/proc/self/maps");
     Range range;

@@ -1,4 +1,4 @@
-// Which instructions of the library, or of a peer in this program, a step runs, and how often: one at a time under ptrace.
+// Counts how often a step runs each instruction of the library, or of a peer in this program: single-stepped under ptrace.
 // Works for instruction sets that emulators do not know.
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace lr_bench {
 
-// Writes `address,count` rows, addresses as objdump shows them. Returns an exit code; 2 where it cannot be done.
+// Writes `address,count` rows, with addresses as in objdump. Returns an exit code; 2 if tracing is impossible.
 int write_trace(const Row& row, const char* path);
 
 } // namespace lr_bench

@@ -1,4 +1,4 @@
-// The body that everyone drops: the leaf of the paper, an ellipsoid of 8 cm x 2 cm x 0.1 mm.
+// The body of all subjects: the leaf of the paper, an ellipsoid of 8 cm x 2 cm x 0.1 mm.
 #pragma once
 
 #include "langevin_rigid.h"
@@ -10,20 +10,20 @@ constexpr double leaf_density = 800.0;
 constexpr double air_density = 1.2;
 constexpr double air_viscosity = 1.5e-5;
 
-// To be released; null after an error. `ballasted`: its weight off centre, which needs the full 6x6 matrix.
+// The caller releases it; null after an error. `ballasted`: its weight off centre, which needs the full 6x6 matrix.
 lr_asset* leaf_asset(bool ballasted);
 
-// What the equations of LANGEVIN loads ask for along the body axes; docs/maintainers/physics.md, sections 3 and 4. SI.
+// Coefficients of the LANGEVIN equations along the body axes; docs/maintainers/physics.md, sections 3 and 4. SI.
 struct LeafConstants {
     float weight;     // m - rho V
     float mass[3];    // m + rho A
     float inertia[3]; // J0 + rho D
-    float carried[3]; // rho (V + A): what the turbulent force acts on
+    float carried[3]; // rho (V + A): the mass for the turbulent force
     float turned[3];  // rho D'
     float alpha;      // damping over speed, 1/m
     float beta2;      // noise intensity over speed^3, 1/m
     float ell;        // m
-    float drag;       // 1/2 rho C S of a plain quadratic drag, kg/m, for peers without a fluid of their own
+    float drag;       // 1/2 rho C S of a plain quadratic drag, kg/m, for peers without a fluid
 };
 LeafConstants leaf_constants();
 

@@ -1,4 +1,4 @@
-// The library, through its C API and shared object alone.
+// The library, only through its C API and shared object.
 #include "lr_bench/leaf.h"
 #include "lr_bench/rows.h"
 #include "lr_bench/subject.h"
@@ -31,7 +31,7 @@ public:
         lr_world_desc_init(&wd, sizeof wd);
         wd.worker_count = row.workers;
         wd.simd_target = target_value(row.target);
-        // Nothing would slow bodies down without loads.
+        // Without loads nothing would slow bodies down.
         if (row.model == "none") wd.gravity[1] = 0.0f;
         if (lr_world_create(&wd, &world_) != LR_OK) return "this processor cannot run it";
 
@@ -41,7 +41,7 @@ public:
         bd.capacity = row.bodies;
         if (!find_model(row.model, bd.load_model, bd.clock)) return "unknown model";
         if (!find_integrator(row.integrator, bd.integrator)) return "unknown integrator";
-        // Turbulence that dies out in a second would leave nothing to time.
+        // Turbulence that decays in a second would leave nothing to time.
         bd.table_end = LR_TABLE_LOOP;
         if (lr_batch_create(world_, &bd, &batch_) != LR_OK) return "batch";
         if (row.path == "full" && !take_full_path(world_, batch_)) return "full path";
@@ -59,7 +59,7 @@ public:
         return nullptr;
     }
 
-    // Into instances of a renderer: `format` is LR_TRANSFORM_*.
+    // Writes instances for a renderer: `format` is LR_TRANSFORM_*.
     bool write(int32_t format, void* to, uint32_t capacity) const {
         return lr_batch_write_transforms(world_, batch_, format, to, 0, capacity, nullptr) == LR_OK;
     }
@@ -115,7 +115,7 @@ struct Layout {
 };
 constexpr Layout layouts[] = {{"3x4", LR_TRANSFORM_3X4_ROW_MAJOR, 48}, {"4x4", LR_TRANSFORM_4X4_ROW_MAJOR, 64}};
 
-// Transforms of all bodies, or a copy of as many bytes by memcpy; the row's path is the layout.
+// Transforms of all bodies, or a memcpy of the same size; the row's path is the layout.
 class Transforms final : public Subject {
 public:
     const char* make(const Row& row) {
@@ -132,7 +132,7 @@ public:
     bool step() override {
         if (from_.empty()) return ours_.write(layout_.format, to_.data(), bodies_);
         std::memcpy(to_.data(), from_.data(), to_.size());
-        asm volatile("" : : "r"(to_.data()) : "memory"); // or it would be left out
+        asm volatile("" : : "r"(to_.data()) : "memory"); // keeps the compiler from removing it
         return true;
     }
 

@@ -1,5 +1,5 @@
-// Speed of a step: ours, the first sketch of it, and what else can move rigid bodies, in one run.
-//     lr_bench --csv rows.csv [--quick | --full] [--seconds S]     timed in turns; docs/maintainers/performance.md is made of it
+// Speed of a step: the library, its first sketch, and other simulators of rigid bodies, in one run.
+//     lr_bench --csv rows.csv [--quick | --full] [--seconds S]     timed in turns; the source of docs/maintainers/performance.md
 //     lr_bench --benchmark_filter=...                              Google Benchmark over the same rows
 //     lr_bench --one ROW [--steps N]                               N steps of one row, for profilers
 //     lr_bench --trace ROW --out FILE | --ports FILE | --list

@@ -20,7 +20,7 @@ Instant now() {
     return {std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(), cpu};
 }
 
-// Of this thread alone: workers may still be waiting for more.
+// Of this thread alone: workers can still be waiting for work.
 double thread_seconds() {
     timespec t{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
@@ -31,8 +31,8 @@ struct Lane {
     Row row;
     std::unique_ptr<Subject> subject;
     Facts facts;
-    uint64_t steps = 1; // a burst
-    bool warm = true;   // one step before each burst, not timed
+    uint64_t steps = 1; // per burst
+    bool warm = true;   // an untimed step before each burst
     std::vector<double> wall, cpu, cycles;
 };
 
@@ -45,7 +45,7 @@ bool burst(Lane& lane, uint64_t steps, Instant& spent) {
     return true;
 }
 
-// Steps that take a burst's time.
+// Steps that fill a burst.
 bool calibrate(Lane& lane, double seconds) {
     Instant spent{};
     for (;;) {
@@ -112,7 +112,7 @@ std::vector<Measured> measure(const std::vector<Row>& rows, const Schedule& sche
             const double body_steps = static_cast<double>(lane.steps) * lane.row.bodies * lane.row.substeps;
             lane.wall.push_back(1e9 * spent.wall / body_steps);
             lane.cpu.push_back(1e9 * spent.cpu / body_steps);
-            // The clock is not the same from one burst to the next.
+            // The clock frequency changes between bursts.
             constexpr int ticks = 200;
             const double before = thread_seconds();
             for (int i = 0; i < ticks; ++i) clock->step();

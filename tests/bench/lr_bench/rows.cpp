@@ -38,7 +38,7 @@ std::string target_word(int32_t target) {
 
 class Rows {
 public:
-    // Each but once.
+    // Without duplicates.
     void add(Row row) {
         const std::string name = row.name();
         if (std::none_of(rows_.begin(), rows_.end(), [&](const Row& r) { return r.name() == name; }))
@@ -73,7 +73,7 @@ std::vector<Row> goals(const std::vector<std::string>& targets, bool quick) {
                 if (substeps == 4 || workers == 0)
                     rows.ours("aerodynamic", "default", "diagonal", best, workers, bodies, substeps);
             }
-        // As users have it: a few bodies go to another target than many.
+        // As for users: a few bodies run on another target than many.
         if (bodies == 1)
             for (const char* const model : {"langevin-speed", "aerodynamic"})
                 for (const uint32_t substeps : {1u, 4u})
@@ -93,7 +93,7 @@ std::vector<Row> goals(const std::vector<std::string>& targets, bool quick) {
         for (const Integrator& integrator : integrators)
             for (const char* const path : paths) {
                 rows.ours(model.name, integrator.name, path, best, 0, middle, 4);
-                // Few rows of a second kind of everything, so that their hashes can be compared.
+                // A few rows of each other kind, so that their hashes can be compared.
                 if (quick) rows.ours(model.name, integrator.name, path, targets.back(), 1, middle, 4);
             }
     for (const char* const layout : {"3x4", "4x4"})

@@ -1,4 +1,4 @@
-// Which rows are measured, and what their words mean to the library.
+// The measured rows, and the library's constants for their names.
 #pragma once
 
 #include "lr_bench/subject.h"
@@ -9,7 +9,7 @@
 namespace lr_bench {
 
 enum class Selection {
-    quick,  // what the goals ask for, small bodies counts
+    quick,  // enough for the goals, small numbers of bodies
     usual,  // the table of docs/maintainers/performance.md
     product // all models, integrators, paths, targets, counts, workers, substeps
 };
@@ -19,13 +19,13 @@ bool find_integrator(const std::string& name, int32_t& integrator);
 int32_t target_value(const std::string& name); // -1: unknown
 std::vector<std::string> targets_here();       // best first
 
-// Rows of one group are alive together and timed in turns.
+// Rows of a group exist together and are timed in turns.
 std::vector<std::vector<Row>> select_rows(Selection selection);
 
-// From Row::name(); false if it is none.
+// From Row::name(); false if invalid.
 bool parse_row(const std::string& name, Row& row);
 
-// The subject of any row. Null, with a reason.
+// The subject of any row; null, with a reason.
 std::unique_ptr<Subject> make_subject(const Row& row, std::string& why_not);
 
 } // namespace lr_bench

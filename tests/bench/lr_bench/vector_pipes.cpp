@@ -19,7 +19,7 @@ double cpu_seconds() {
 
 constexpr int repeats = 30000;
 
-// Eight results that do not wait for each other; registers 8 and 9 are the operands.
+// Eight independent results; registers 8 and 9 are the operands.
 #define LR_EIGHT(line) line(0) line(1) line(2) line(3) line(4) line(5) line(6) line(7)
 #define LR_LOOP(name, r, line)                                                                                         \
     void name(float* memory) {                                                                                         \
@@ -77,7 +77,7 @@ struct Operation {
     int width;
     const char* name;
     void (*run)(float*);
-    int instructions; // a line
+    int instructions; // per line
 };
 #define LR_ROWS(w)                                                                                                      \
     {w, "mul", mul_##w, 1}, {w, "add", add_##w, 1}, {w, "fma", fma_##w, 1}, {w, "mul+add", mixed_##w, 2},               \
@@ -100,7 +100,7 @@ int write_ports(const char* path) {
     const auto clock = make_clock();
     for (const Operation& o : operations) {
         if (o.width == 512 && !wide) continue;
-        // In turns with the clock, so that both meet the same frequency.
+        // In turns with the clock measurement, so that both have the same frequency.
         std::vector<double> cycles;
         for (int round = 0; round < 61; ++round) {
             const double t0 = cpu_seconds();

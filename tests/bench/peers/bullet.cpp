@@ -1,5 +1,5 @@
 // Bullet's rigid bodies alone: gravity, quadratic drag, its own integration and motion. No broad phase, contacts or
-// islands, which a leaf storm would not want either.
+// islands, because a storm in the air does not need them.
 #include "lr_bench/leaf.h"
 #include "peers/peers.h"
 

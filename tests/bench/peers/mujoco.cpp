@@ -65,7 +65,7 @@ public:
     uint64_t lost() const override {
         uint64_t count = 0;
         for (int i = 0; i < model_->nq; i += 7) count += !std::isfinite(data_->qpos[i + 1]);
-        // It starts anew when it finds a number too large.
+        // It resets itself if a number is too large.
         for (const int warning : {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC})
             count += static_cast<uint64_t>(data_->warning[warning].number);
         return count;

@@ -1,5 +1,5 @@
-// Others that do similar work, in the same process and turns. Each in its own file; those whose library was not found
-// when this was built are told by why_not.
+// Other programs with similar work, in the same process and turns, each in its own file. why_not lists those whose library was
+// not found by the build.
 #pragma once
 
 #include "lr_bench/subject.h"
@@ -8,12 +8,12 @@
 
 namespace lr_bench {
 
-// Rows of all peers that this build has, whatever the count of bodies below `most`; and what it lacks, in words.
+// Rows of all peers in this build, for numbers of bodies below `most`; and the missing peers, in words.
 std::vector<Row> peer_rows(uint32_t most, std::vector<std::string>& missing);
 
 std::unique_ptr<Subject> make_peer(const Row& row, std::string& why_not);
 
-// Peers keep denormals from slowing them down; ours need no such mode.
+// Keeps denormals from slowing peers down; the library needs no such mode.
 class DenormalsFlushed {
 public:
     DenormalsFlushed();

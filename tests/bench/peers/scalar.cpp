@@ -1,5 +1,5 @@
-// Algorithm 2 of the paper, written out plainly: one body after the other, arrays of structures, Runge-Kutta, normal
-// numbers from the standard library. LANGEVIN loads with the SPEED clock (docs/maintainers/physics.md, 3 and 4).
+// Algorithm 2 of the paper, straightforward: body by body, arrays of structures, Runge-Kutta, normal numbers from the standard
+// library. LANGEVIN loads with the SPEED clock (docs/maintainers/physics.md, 3 and 4).
 #include "lr_bench/leaf.h"
 #include "peers/peers.h"
 

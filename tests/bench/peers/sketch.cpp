@@ -7,7 +7,7 @@
 namespace lr_bench {
 namespace {
 
-// A leaf in centimetres and grams, as the first sketch had it.
+// A leaf in centimetres and grams, as in the first sketch.
 SketchConstants constants() {
     SketchConstants p{};
     constexpr float mass[3] = {0.067f, 0.067f, 0.086f}, inertia[3] = {0.0154f, 0.269f, 0.2279f};
@@ -27,7 +27,7 @@ public:
     Sketch(SketchStep kernel, const Row& row)
         : step_(kernel), count_((row.bodies + 15u) / 16u * 16u), substeps_(static_cast<int>(row.substeps)) {
         for (size_t k = 0; k < state_.size(); ++k) {
-            // An odd number of lines between arrays, or those of large powers of two would share their places in the cache.
+            // An odd number of cache lines between arrays: a large power of two would map them to the same cache sets.
             state_[k] = static_cast<float*>(std::aligned_alloc(128, (count_ * sizeof(float) + 127) / 128 * 128 + 128));
             if (!state_[k]) std::abort();
             for (size_t i = 0; i < count_; ++i)

@@ -1,3 +1,3 @@
-// With -march=native: the best that the machine that builds it has.
+// With -march=native: the best instruction set of the build machine.
 #define LR_SKETCH_STEP sketch_step_native
 #include "peers/sketch_step-inl.h"

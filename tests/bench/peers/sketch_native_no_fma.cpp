@@ -1,4 +1,4 @@
-// As sketch_native.cpp, products and sums each rounded: what the promise of equal bits everywhere costs.
+// Like sketch_native.cpp, but products and sums are rounded separately: the cost of equal bits everywhere.
 #define LR_SKETCH_STEP sketch_step_native_no_fma
 #define LR_SKETCH_NO_FMA
 #include "peers/sketch_step-inl.h"

@@ -1,8 +1,8 @@
-// The sketch's step, included once for each instruction set with LR_SKETCH_STEP the name of its function. Every operation
-// is that of the first sketch: it is what speed is compared with, and must not become faster or slower.
+// The sketch's step, included once for each instruction set; LR_SKETCH_STEP is the name of its function. Every operation is that
+// of the first sketch: as the reference of speed it must not become faster or slower.
 #include "peers/sketch.h"
 
-// Whatever the library is built for: this has one target, that of its flags.
+// Independent of the library's targets: this has one target, that of its flags.
 #undef HWY_DISABLED_TARGETS
 #include <hwy/highway.h>
 
@@ -113,7 +113,7 @@ HWY_INLINE void gaussian_pair(U a, U b, F& g0, F& g1) {
     g1 = mul(radius, s);
 }
 
-// n: factor times the component i x j of a x b, added to what is in c.
+// n: factor times the component i x j of a x b, added to c.
 HWY_INLINE F add_cross(F ai, F bj, F aj, F bi, F c) {
     return mul_add(ai, bj, neg_mul_add(aj, bi, c));
 }
@@ -207,7 +207,7 @@ HWY_INLINE void substep(const SketchConstants& p, const Load& load, float h, F* 
         finish(kv[0], kv[1], kv[2], kv[3], k, v, v_mean);
         finish(kw[0], kw[1], kw[2], kw[3], k, w, w_mean);
     }
-    // The mean velocity, turned into the world by the orientation in the middle.
+    // The mean velocity, rotated to the world by the orientation in the middle.
     F r[4], u[3];
     turned(q, q, w_mean, half, r);
     for (int k = 0; k < 3; ++k) {

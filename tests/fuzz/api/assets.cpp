@@ -15,9 +15,9 @@ const std::vector<unsigned char>& asset_bytes() {
     return bytes;
 }
 
-// Light and heavy, diagonal and full, with a hull and without. Kept from run to run.
+// Light and heavy, diagonal and full, with and without a hull. Kept between runs.
 const std::vector<lr_asset*>& common_assets() {
-    static const auto& all = *[] { // never destroyed: LeakSanitizer looks for them at the end
+    static const auto& all = *[] { // never destroyed: LeakSanitizer still finds them at the end
         auto* const kept = new std::vector<lr_asset*>(4);
         std::vector<lr_asset*>& made = *kept;
         lr_ellipsoid_desc e = initialised(LR_CALL(lr_ellipsoid_desc_init));
@@ -40,8 +40,8 @@ const std::vector<lr_asset*>& common_assets() {
 
 namespace {
 
-// Where an asset is made or refused: it is there exactly if the status says so.
-// The asset by reference: it is written by the call that is the argument before it.
+// Checks that an asset exists exactly if the status says so. The asset is a reference: the call in the preceding argument writes
+// it.
 void made(Fuzzer& f, const char* function, const Expected& expected, lr_status status, lr_asset* const& asset) {
     if (!expected.allows(status)) defect(function, "status", status);
     if ((asset != nullptr) != (status == LR_OK)) defect(function, "asset and status do not agree", status);
@@ -73,7 +73,7 @@ void ellipsoid(Fuzzer& f) {
     for (double v : {d.density, d.fluid_density, d.fluid_viscosity}) {
         e.range(v, 0.0, 1e300);
         e.add_if(v == 0.0, LR_ERROR_INVALID_ARGUMENT);
-        e.may_if(v < 1e-2 || v > 1e3, LR_ERROR_INVALID_ARGUMENT); // densities and viscosities that nothing has
+        e.may_if(v < 1e-2 || v > 1e3, LR_ERROR_INVALID_ARGUMENT); // densities and viscosities of no real material
     }
     e.may_if(!(d.density >= 1e-3 && d.fluid_density >= 1e-3 && d.fluid_viscosity <= 1e3), LR_ERROR_INVALID_ARGUMENT);
     e.may_if(!(most <= 1e4 * least), LR_ERROR_INVALID_ARGUMENT);
@@ -112,7 +112,7 @@ void rigid(Fuzzer& f) {
     for (double v : d.center_of_buoyancy) e.finite(v);
     e.range(d.intensity, 0.0, 10.0);
     e.add_if(d.reserved != 0, LR_ERROR_INVALID_ARGUMENT);
-    e.may(LR_ERROR_INVALID_ARGUMENT); // matrices that no body has
+    e.may(LR_ERROR_INVALID_ARGUMENT); // matrices of no real body
     Given<lr_rigid_desc> given(in, d, 1, e);
     lr_asset* asset = nullptr;
     e.add_if(in.null(2), LR_ERROR_NULL_ARGUMENT);
@@ -120,7 +120,7 @@ void rigid(Fuzzer& f) {
          asset);
 }
 
-// The leaf's file, or what is left of it; as anything else, when the record wants it.
+// The leaf's file, or a part of it; in another format, if the record says so.
 std::vector<unsigned char> damaged(const Input& in, Expected& e) {
     std::vector<unsigned char> bytes = asset_bytes();
     const size_t at = (in.value(0) * 256u + in.value(1)) % bytes.size();
@@ -133,7 +133,7 @@ std::vector<unsigned char> damaged(const Input& in, Expected& e) {
     case 2:
         bytes[at] = static_cast<unsigned char>(bytes[at] ^ (in.value(2) | 1u));
         break;
-    default: // another kind of file: the record itself, again and again
+    default: // another kind of file: the record, repeated
         for (size_t i = 0; i < bytes.size(); ++i) bytes[i] = in.value(i % 6);
     }
     for (lr_status s : {LR_ERROR_ASSET_FORMAT, LR_ERROR_ASSET_VERSION, LR_ERROR_ASSET_CORRUPT, LR_ERROR_ASSET_INVALID})
@@ -171,7 +171,7 @@ void check_memory(Fuzzer& f) {
 }
 
 void load_file(Fuzzer& f) {
-    // A file without a name on any disk.
+    // A path that exists nowhere.
     static const std::string good = [] {
         const int file = memfd_create("leaf.lrb", 0);
         if (file < 0 || write(file, asset_bytes().data(), asset_bytes().size()) < 0) std::abort();
@@ -198,7 +198,7 @@ void references(Fuzzer& f) {
     const lr_status status = LR_CALL(lr_asset_retain)(asset);
     if (status != (asset ? LR_OK : LR_ERROR_NULL_ARGUMENT)) defect("lr_asset_retain", "status", status);
     LR_CALL(lr_asset_release)(asset);
-    // Batches hold their own.
+    // Batches hold their own references.
     if (f.in.variant() == 3 && f.assets.size() > common_assets().size()) {
         const auto at = f.assets.begin() + f.in.selector() / 8u % static_cast<uint32_t>(f.assets.size());
         LR_CALL(lr_asset_release)(*at);

@@ -1,4 +1,4 @@
-// Batches: their making and end, views and transforms, rates.
+// Batches: creation, end, views, transforms, rates.
 #include "fuzz/api/model.h"
 
 namespace fuzz {
@@ -26,7 +26,7 @@ void create(Fuzzer& f) {
     e.range(d.damping_gain, 0.0, 100.0);
     e.range(d.noise_gain, 0.0, 100.0);
     if (in.null(3)) d.asset = nullptr, e.add(LR_ERROR_NULL_ARGUMENT);
-    // Mass and fluid of this world together may be none that can be inverted.
+    // Mass and fluid of this world can give a matrix without an inverse.
     e.may_if(d.asset && std::find(common_assets().begin(), common_assets().end(), d.asset) == common_assets().end(),
              LR_ERROR_INVALID_ARGUMENT);
     e.may_if(w.state.wild, LR_ERROR_INVALID_ARGUMENT);
@@ -106,7 +106,7 @@ void transforms(Fuzzer& f) {
     const uint64_t element = known ? bytes[format] : 64, step = stride == 0 ? element : stride;
     const uint32_t wanted = std::min(capacity, count);
     const bool fits = known && step >= element && step % 4 == 0;
-    // Exactly the room that is promised.
+    // Exactly the promised room.
     std::vector<float> room(fits && wanted != 0 ? ((wanted - 1) * step + element) / 4 : 0);
     Expected e;
     e.add_if(!b, LR_ERROR_STALE_BATCH);

@@ -1,4 +1,4 @@
-// Bodies: births, ends, states, rest.
+// Bodies: creation, end, states, sleep.
 #include "fuzz/api/model.h"
 
 #include <set>
@@ -44,7 +44,7 @@ void create(Fuzzer& f) {
     const bool ok =
         call.ended(LR_CALL(lr_body_create)(call.world(), id, given.get(), count, in.null(2) ? nullptr : ids.data()));
     if (!ok || !b) return;
-    if (in.null(2)) { // those that the caller does not know
+    if (in.null(2)) { // then the caller does not know the ids
         const lr_batch_view view = view_of(w, id);
         ids.clear();
         for (uint32_t i = 0; i < view.count; ++i)
@@ -145,7 +145,7 @@ void wake_box(Fuzzer& f) {
         call.world(), f.in.null(1) ? nullptr : low, f.in.null(2) ? nullptr : high, f.in.null(3) ? nullptr : &woken));
     w.state.wild = wild;
     if (f.in.null(3) || !w.at) return;
-    // Bodies that rest on those wake with them.
+    // Bodies that sleep on those wake with them.
     if (woken > info_of(w).awake_count - before || (!ok && woken != 0)) defect("lr_world_wake_box", "woken", woken);
 }
 

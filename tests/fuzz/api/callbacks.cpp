@@ -1,4 +1,4 @@
-// Callbacks that return nonsense, and job systems that run tasks in any way that is allowed.
+// Callbacks that return nonsense, and job systems that run tasks in every permitted way.
 #include "fuzz/api/model.h"
 
 namespace fuzz {
@@ -8,7 +8,7 @@ const float nonsense[] = {
     0.0f,   3.0f,  -1001.0f, std::numeric_limits<float>::quiet_NaN(), 1e30f, -std::numeric_limits<float>::infinity(),
     999.0f, 1e-40f};
 
-// Of position and time alone, as the header wants it.
+// A function of position and time alone, as the header requires.
 float some(const void* user, float position, uint32_t salt) {
     const auto kind = static_cast<uint32_t>(reinterpret_cast<uintptr_t>(user));
     if (kind == 1) return 0.5f;

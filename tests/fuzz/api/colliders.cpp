@@ -1,4 +1,4 @@
-// Colliders of every kind: creation, motion, surfaces, end.
+// Colliders of every kind: creation, motion, materials, end.
 #include "fuzz/api/model.h"
 
 #include <set>
@@ -68,7 +68,7 @@ void expect_shape(lr_collider_desc& d, uint32_t kind, Expected& e) {
     case LR_COLLIDER_MESH: {
         const bool hull = d.kind == LR_COLLIDER_HULL;
         const uint32_t limit = hull ? LR_MAX_HULL_VERTICES : LR_MAX_COLLIDER_VERTICES;
-        // What must be read has to be there.
+        // Required arrays must exist.
         if (d.vertex_count > most_vertices && d.vertex_count <= limit) d.vertex_count = 8;
         if (d.triangle_count > 4 && d.triangle_count <= LR_MAX_COLLIDER_VERTICES) d.triangle_count = 4;
         const bool counted = d.vertex_count >= (hull ? 4u : 3u) && d.vertex_count <= limit;
@@ -136,7 +136,7 @@ void create(Fuzzer& f) {
     const lr_collider_desc d = read_desc(f, one);
     if (count != 0) e = one;
     std::vector<lr_collider_desc> descs(count, d);
-    // A box besides, which is made and unmade with the rest.
+    // A box besides, created and destroyed with the others.
     if (count > 1) descs[0].kind = LR_COLLIDER_BOX, std::fill(descs[0].size, descs[0].size + 3, 0.2f);
     GivenArray<lr_collider_desc> given(in, descs, 1, e);
     Call call(f, w, "lr_collider_create", e);
@@ -213,7 +213,7 @@ void move(Fuzzer& f) {
         expect_pose(m.position, m.orientation, pose);
         speed.range(m.linear_velocity, -1e6, 1e6);
         speed.range(m.angular_velocity, -1e6, 1e6);
-        // What a mode does not use must be finite at least.
+        // Unused fields of a mode must at least be finite.
         for (const auto& [part, used] : {std::pair{&pose, m.mode != LR_MOVE_VELOCITY}, {&speed, m.mode != LR_MOVE_TO}})
             for (lr_status s : {LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT}) {
                 e.add_if(used && part->fails() && part->allows(s), s);

@@ -1,4 +1,4 @@
-// What a call may return, by the header alone, and structs as callers give them.
+// Permitted results of a call, by the header alone, and structs as callers pass them.
 #pragma once
 
 #include "fuzz/api/input.h"
@@ -16,7 +16,7 @@ namespace fuzz {
     std::abort();
 }
 
-// Remembers which functions of the library were called, for the test that none is left out.
+// Remembers the called functions of the library, for the test that none is missing.
 bool note_reached(const char* function);
 #define LR_CALL(function)                                                                                              \
     ([] {                                                                                                              \
@@ -26,7 +26,7 @@ bool note_reached(const char* function);
          ? function                                                                                                    \
          : function)
 
-// Errors of which one must come, whichever; and those that may.
+// Errors of which one must come, and errors that can.
 class Expected {
 public:
     void add(lr_status error) { must_ |= bit(error); }
@@ -50,7 +50,7 @@ public:
     template <class T, size_t N> void range(const T (&values)[N], double low, double high) {
         for (T v : values) range(v, low, high);
     }
-    // Of some length, as squares in double can tell.
+    // Non-zero length, by squares in double.
     template <size_t N> void length(const float (&values)[N], double low, double high) {
         double square = 0.0;
         for (float v : values) {
@@ -73,7 +73,7 @@ private:
     uint64_t must_ = 0, may_ = 0;
 };
 
-// A struct in a block of exactly as many bytes as it says it has: AddressSanitizer sees what is read or written behind.
+// A struct in a block of exactly its stated size: AddressSanitizer detects accesses behind it.
 template <class T> class Given {
 public:
     Given(const Input& in, const T& value, uint32_t which, Expected& expected, bool nullable = false) {
@@ -97,7 +97,7 @@ public:
         if (tail) block_[bytes - 1] = 1;
     }
     T* get() { return reinterpret_cast<T*>(block_.get()); }
-    // What the library wrote.
+    // The struct as written by the library.
     T read() const {
         T out;
         std::memcpy(&out, block_.get(), sizeof out);
@@ -108,7 +108,7 @@ private:
     std::unique_ptr<unsigned char[]> block_;
 };
 
-// An array whose stride is what its first element says, in a block without a byte more.
+// An array with the stride of its first element, in a block of exactly that size.
 template <class T> class GivenArray {
 public:
     GivenArray(const Input& in, const std::vector<T>& values, uint32_t which, Expected& expected) {
@@ -127,10 +127,10 @@ public:
         }
         unsigned char* const last = block_.get() + stride * (values.size() - 1);
         const uint32_t longer = sizeof(T) + 8;
-        if (kind == 3) std::memcpy(last, &longer, sizeof longer); // reaches past the end, or is not what the first says
+        if (kind == 3) std::memcpy(last, &longer, sizeof longer); // past the end, or not like the first
         if (kind == 4) std::memset(last, 0xff, 4);
         if (kind == 1 && in.variant() == 3) last[stride - 1] = 1, expected.add(LR_ERROR_STRUCT_SIZE);
-        // A lone element that says it is longer is one, if what follows is zero: nothing follows here.
+        // A single element that states a larger size is valid if zeros follow; here nothing follows.
         if (kind == 3 && values.size() == 1) std::memcpy(last, &stride, sizeof stride);
         expected.add_if(kind == 2 || kind == 4 || (kind == 3 && values.size() > 1), LR_ERROR_STRUCT_SIZE);
     }

@@ -25,7 +25,7 @@ void on_bodies(Fuzzer& f) {
                  LR_ERROR_INVALID_ARGUMENT);
         e.add_if(d.flags == 1 && (d.mode == LR_FORCE_MODE_ACCELERATION || d.mode == LR_FORCE_MODE_VELOCITY),
                  LR_ERROR_INVALID_ARGUMENT);
-        // More than 1e9 m/s^2 or 1e6 m/s: by masses and arms.
+        // More than 1e9 m/s^2 or 1e6 m/s, depending on masses and arms.
         e.may(LR_ERROR_INVALID_ARGUMENT);
     }
     GivenArray<lr_body_force> given(in, forces, 1, e);
@@ -50,7 +50,7 @@ void on_batch(Fuzzer& f) {
     Expected e;
     const bool inside = uint64_t{a.first} + a.count <= bodies;
     const uint32_t count = inside ? a.count : 0;
-    // Of their very size; the last body's value is the changed one.
+    // In blocks of exactly their size; the last body's value is the changed one.
     std::vector<float> values[6];
     for (size_t k = 0; k < 6; ++k) {
         values[k].resize(count == 0 ? 1 : (count - 1) * step / 4 + 1);
@@ -79,7 +79,7 @@ void on_batch(Fuzzer& f) {
              LR_ERROR_INVALID_ARGUMENT);
     Given<lr_force_arrays> given(in, a, 1, e);
     Call call(f, w, "lr_batch_add_forces", e);
-    if (w.state.loose) return; // nobody knows how many bodies there are
+    if (w.state.loose) return; // the number of bodies is unknown
     if (call.ended(LR_CALL(lr_batch_add_forces)(call.world(), id, given.get())) && count != 0) w.state.wild = true;
 }
 

@@ -1,4 +1,4 @@
-// What the fuzzer's bytes mean: records of 12 bytes, one a call, so that a changed byte changes one argument of one call.
+// The meaning of the fuzzer's bytes: records of 12 bytes, one per call, so that a changed byte changes one argument of one call.
 #pragma once
 
 #include <array>
@@ -30,16 +30,16 @@ public:
         return true;
     }
     uint8_t operation() const { return record_[0]; }
-    uint8_t selector() const { return record_[2]; }           // which world, asset, snapshot
+    uint8_t selector() const { return record_[2]; }           // selects world, asset, snapshot
     uint8_t handle(size_t i) const { return record_[3 + i]; } // three, or counts
     uint8_t value(size_t i) const { return record_[6 + i]; }  // six
     uint32_t variant() const { return record_[1] >> 6; }
     bool flag(uint8_t bit) const { return (record_[1] & bit) != 0; }
     bool null(uint32_t which) const { return flag(flag_null) && (record_[1] >> 4 & 3u) == which; }
-    // Whether a number of this record is none that a game would give: what follows need not be physics.
+    // Whether this record has a number beyond those of games: later results need not be physical.
     bool hostile() const { return hostile_; }
 
-    // Overrides up to three of these numbers, or elements of these arrays, each with one of the values below.
+    // Overrides up to three of these numbers, or elements of these arrays, with the values below.
     template <class... Fields> void change(Fields&... fields) {
         const size_t total = (count(fields) + ...);
         for (size_t i = 0; i < (record_[1] & 3u); ++i) {
@@ -61,8 +61,8 @@ public:
     }
 
 private:
-    // 0 to 159: plain numbers of either sign from 0.001 to 100. 160 to 175: small round ones. From 176 on: limits of the API, and
-    // what is beyond.
+    // 0 to 159: plain numbers of either sign from 0.001 to 100. 160 to 175: small round numbers. From 176: limits of the API, and
+    // values beyond.
     static float real_of(uint8_t byte) {
         static constexpr float digit[] = {1.0f, 1.5f, 2.0f, 3.0f, 0.5f, 7.0f, 9.81f, 0.1f};
         static constexpr float power[] = {1.0f, 0.1f, 10.0f, 0.01f, 1.0f, 0.3f, 1.0f, 0.02f, 5.0f, 0.05f};
@@ -125,7 +125,7 @@ private:
     template <class T> void set(T& to, uint8_t byte) {
         if constexpr (std::is_floating_point_v<T>) {
             to = static_cast<T>(real(byte));
-            if constexpr (std::is_same_v<T, double>) // beyond what a float can hold
+            if constexpr (std::is_same_v<T, double>) // beyond the range of a float
                 if (byte >= 250) to = byte % 2 ? 1e300 : 1e-300;
         } else {
             to = static_cast<T>(integer(byte));

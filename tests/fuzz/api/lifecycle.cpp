@@ -1,4 +1,4 @@
-// Rules, emitters, births on demand.
+// Rules, emitters, spawns on demand.
 #include "fuzz/api/model.h"
 
 namespace fuzz {

@@ -1,4 +1,4 @@
-// What acts on a batch as a whole: coefficients, gains, tables, fields of force.
+// Settings of a whole batch: coefficients, gains, tables, forces.
 #include "fuzz/api/model.h"
 
 namespace fuzz {
@@ -27,7 +27,7 @@ void aerodynamics(Fuzzer& f) {
         e.range(a.intensity, 0.0, 10.0);
         e.range(a.broadside, 0.0, 1.0);
         e.add_if(a.reserved != 0, LR_ERROR_INVALID_ARGUMENT);
-        e.may(LR_ERROR_INVALID_ARGUMENT); // axes that are no rotation, or not the body's on the fast path
+        e.may(LR_ERROR_INVALID_ARGUMENT); // axes that are not a rotation, or on the fast path not the body's
     }
     e.add_if(!b, LR_ERROR_STALE_BATCH);
     Given<lr_aerodynamics> given(in, a, 1, e, true);
@@ -37,7 +37,7 @@ void aerodynamics(Fuzzer& f) {
     lr_aerodynamics got = initialised(LR_CALL(lr_aerodynamics_init));
     if (LR_CALL(lr_batch_get_aerodynamics)(w.at, id, &got) != LR_OK || std::memcmp(&got, &a, sizeof a) != 0)
         defect("lr_batch_get_aerodynamics", "not what was set");
-    if ((in.value(0) | in.value(1)) != 0 && in.flag(3)) w.state.wild = true; // coefficients of no body
+    if ((in.value(0) | in.value(1)) != 0 && in.flag(3)) w.state.wild = true; // coefficients of no real body
 }
 
 void gains(Fuzzer& f) {
@@ -70,8 +70,8 @@ void table(Fuzzer& f) {
     lr_turbulence_table t = initialised(LR_CALL(lr_turbulence_table_init));
     t.count = 1 + in.handle(1) % most, t.dt = 0.1f, t.u0 = 1.0f, t.l = 0.05f;
     in.change(t.count, t.dt, t.u0, t.l, t.c0, t.stationary, chi[0], epsilon[0], t.reserved);
-    if (t.count > most && t.count <= 65536) t.count = most; // or the caller would be lying
-    // Copied to blocks of their very size.
+    if (t.count > most && t.count <= 65536) t.count = most; // otherwise the caller would state a wrong length
+    // Copied to blocks of exactly their size.
     std::vector<float> c(chi, chi + std::min(t.count, most)), s(epsilon, epsilon + std::min(t.count, most));
     t.chi = in.variant() == 1 && in.flag(flag_null) ? nullptr : c.data();
     t.epsilon = in.variant() == 2 && in.flag(flag_null) ? nullptr : s.data();
@@ -118,7 +118,7 @@ void field(Fuzzer& f) {
     e.add_if(!w.find(id), LR_ERROR_STALE_BATCH);
     Given<lr_batch_force> given(in, d, 1, e, true);
     Call call(f, w, "lr_batch_set_force", e);
-    // Newtons on a leaf of a gram, for as long as the world lasts.
+    // Newtons on a leaf of a gram, for the whole life of the world.
     if (!call.ended(LR_CALL(lr_batch_set_force)(call.world(), id, given.get()))) return;
     if (strong) w.state.wild = true;
     lr_batch_force got = initialised(LR_CALL(lr_batch_force_init));

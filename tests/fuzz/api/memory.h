@@ -1,4 +1,4 @@
-// A world's memory: counted, bounded, checked for what is given back, and failing when told.
+// A world's memory: counted, bounded, with checked releases, and failing on request.
 #pragma once
 
 #include "fuzz/api/expect.h"

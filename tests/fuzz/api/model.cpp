@@ -65,7 +65,7 @@ bool Call::ended(lr_status status) {
     if (world_.memory->refused() && status == LR_OK) defect(function_, "has no memory, and does not say so");
     if (status != LR_OK && compared_) {
         lr_world_info now = info_of(world_);
-        now.memory_bytes = info_.memory_bytes; // what was reserved may stay
+        now.memory_bytes = info_.memory_bytes; // reserved memory can stay
         if (hash_of(world_) != hash_) defect(function_, "was refused, and changed the world", status);
         if (std::memcmp(&now, &info_, sizeof now) != 0)
             defect(function_, "was refused, and changed the counts", status);
@@ -86,7 +86,7 @@ void check_body(const World& w, const Batch& b, const lr_batch_view& view, uint3
     for (size_t k = 0; k < 3; ++k)
         if (std::memcmp(&s.position[k], &view.position[k][i], 4) != 0)
             defect("lr_body_get_state", "position is not that of the view");
-    // Whatever was given: docs/reference/bodies.md. Velocities in a snapshot are finite, and judged by the next step.
+    // For any arguments: docs/reference/bodies.md. Velocities in a snapshot are finite; the next step checks them.
     const auto square = [](const auto& v) {
         double sum = 0.0;
         for (float x : v) sum += static_cast<double>(x) * static_cast<double>(x);

@@ -1,4 +1,4 @@
-// What must be in the library's worlds after the calls so far.
+// The expected state of the library's worlds after the calls so far.
 #pragma once
 
 #include "fuzz/api/memory.h"
@@ -27,9 +27,9 @@ struct Wind {
     AnyWind desc{};
 };
 
-// How a world's batches came to be: where that is the same, each can take the snapshots of the other.
+// The creation history of a world's batches: worlds with equal histories accept each other's snapshots.
 struct Past {
-    lr_batch_desc created{}; // of no asset: a batch was destroyed
+    lr_batch_desc created{}; // without an asset: a batch was destroyed
     lr_batch destroyed{};
     bool operator==(const Past& o) const {
         return created.asset == o.created.asset && created.capacity == o.created.capacity && destroyed == o.destroyed &&
@@ -39,18 +39,18 @@ struct Past {
     }
 };
 
-// What a snapshot brings back.
+// The part of the model that a snapshot restores.
 struct State {
     std::vector<Batch> batches;
     std::vector<Collider> colliders;
     std::vector<Wind> winds;
     uint64_t substeps = 0;
     double time = 0.0;
-    bool wild = false;  // numbers beyond physics were given: results need not be plausible
-    bool loose = false; // a damaged snapshot was taken: anything possible may be there
+    bool wild = false;  // arguments beyond physics were given: results need not be plausible
+    bool loose = false; // a damaged snapshot was accepted: the state is unknown
 };
 
-// What a recording's `write` does: refuse when `left` calls are over, 0: never.
+// Behaviour of a recording's `write`: it refuses after `left` calls; 0: never.
 struct Writer {
     uint32_t left = 0;
     bool refused = false;
@@ -70,7 +70,7 @@ struct World {
     uint32_t wind_callback = 0, surface_callback = 0; // 0: none
     uint32_t event_capacity = 0;
     std::unique_ptr<Writer> writer = std::make_unique<Writer>();
-    bool recording = false; // unless the writer has refused since
+    bool recording = false; // unless the writer has refused
 
     const Batch* find(lr_batch id) const {
         for (const Batch& b : state.batches)
@@ -105,7 +105,7 @@ public:
     Fuzzer& operator=(const Fuzzer&) = delete;
 
     World& world() { return worlds[in.selector() % 8 == 7 ? 2 : in.selector() % 8 >= 5 ? 1 : 0]; }
-    // A handle: mostly one of those that there are, else an old one, or made up.
+    // A handle: mostly an existing one, else a stale or invented one.
     template <class Id, class List> Id pick(const List& live, const std::vector<Id>& stale, uint8_t byte) const {
         if (byte < 208 && !live.empty()) return id_of(live[byte % live.size()]);
         if (byte < 232 && !stale.empty()) return stale[byte % stale.size()];
@@ -123,10 +123,10 @@ public:
 
     Input in;
     World worlds[3];
-    std::vector<lr_asset*> assets; // one reference each is ours
+    std::vector<lr_asset*> assets; // the model holds a reference to each
     std::vector<Saved> saved;
     uint32_t substeps_left = 48;
-    uint32_t assets_left = 2; // to be made: an ellipsoid's surface takes longer than a step
+    uint32_t assets_left = 2; // still to create: an ellipsoid's surface takes longer than a step
 
 private:
     static lr_batch id_of(const Batch& b) { return b.id; }
@@ -135,13 +135,13 @@ private:
     static lr_body id_of(lr_body b) { return b; }
 };
 
-// Around each call on a world: what must come, and that a refused call changes nothing.
+// Around each call on a world: its expected results, and that a refused call changes nothing.
 class Call {
 public:
     Call(Fuzzer& fuzzer, World& world, const char* function, Expected& expected);
     // True when the call succeeded.
     bool ended(lr_status status);
-    // The world to be given, which the record may want to be null.
+    // The world argument, or null if the record says so.
     lr_world* world() const { return null_ ? nullptr : world_.at; }
 
 private:
@@ -157,11 +157,11 @@ private:
 uint64_t hash_of(const World& w);
 lr_world_info info_of(const World& w);
 lr_batch_view view_of(const World& w, lr_batch batch);
-// Everything that can be seen of a world against its model.
+// Compares the observable state of a world with its model.
 void check_world(World& w);
 void remember(std::vector<lr_body>& stale, lr_body id);
 
-// Which of these a record's first byte stands for.
+// Which of these a record's first byte selects.
 using Operation = void (*)(Fuzzer&);
 struct Named {
     const char* name;
@@ -183,9 +183,9 @@ std::vector<Named> recording_operations();
 
 // One of the plain getters and setters of the header.
 void call_plain(Fuzzer& f);
-// Whether it was taken with all the memory that it asked for.
+// Whether it had all the memory that it requested.
 bool step_world(Fuzzer& f, World& w, float dt, uint32_t substeps);
-// A first world with a batch and bodies, so that few bytes are enough to get somewhere.
+// A first world with a batch and bodies, so that a few bytes suffice.
 void begin_scene(Fuzzer& f);
 const std::vector<lr_asset*>& common_assets();
 const std::vector<unsigned char>& asset_bytes();

@@ -1,5 +1,5 @@
-// Plain getters and setters of the header with any arguments: nobody has to add a new one. They may be refused for whatever reason, but must
-// then have changed nothing.
+// Plain getters and setters of the header with any arguments; new ones are included automatically. A refusal for any reason must
+// have changed nothing.
 #include "fuzz/api/model.h"
 #include "support/arguments.h"
 
@@ -29,7 +29,7 @@ struct Arguments {
         kept.push_back(std::make_unique<uint64_t[]>(sizeof(T) / 8 + 1));
         return f.in.null(1) ? nullptr : reinterpret_cast<T*>(kept.back().get());
     }
-    // With up to three words of it changed.
+    // With up to three changed words.
     template <class T> T* of() {
         kept.push_back(std::make_unique<uint64_t[]>(sizeof(T) / 8 + 1));
         auto* const s = reinterpret_cast<T*>(kept.back().get());

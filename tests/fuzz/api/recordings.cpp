@@ -1,4 +1,4 @@
-// Recordings: their writers take some, or refuse.
+// Recordings: writers that accept some calls, or refuse.
 #include "fuzz/api/model.h"
 
 namespace fuzz {
@@ -46,7 +46,7 @@ void stop(Fuzzer& f) {
     Expected e;
     if (w.writer->refused) w.recording = false;
     e.add_if(!w.recording, LR_ERROR_INVALID_ARGUMENT);
-    e.may_if(w.writer->left != 0, LR_ERROR_INVALID_ARGUMENT); // it refuses what was kept for the end
+    e.may_if(w.writer->left != 0, LR_ERROR_INVALID_ARGUMENT); // `write` refuses the remaining bytes
     Call call(f, w, "lr_world_record_stop", e);
     if (call.ended(LR_CALL(lr_world_record_stop)(call.world())) || w.writer->refused) w.recording = false;
 }

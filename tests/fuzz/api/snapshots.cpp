@@ -1,4 +1,4 @@
-// Snapshots: into the same world, into others, into a second one made the same way; and bytes that are none.
+// Snapshots: into the same world, into others, into a second one with the same history; and invalid bytes.
 #include "fuzz/api/model.h"
 
 #include "support/reseal_snapshot.h"
@@ -48,7 +48,7 @@ void save(Fuzzer& f) {
         f.saved[in.handle(1) % 4] = std::move(saved);
 }
 
-// Data that snapshots only name must be in the world already.
+// The world must already have the data that snapshots only refer to.
 bool has_data(const World& w, const State& needed) {
     const auto has_wind = [&](const AnyWind& any) {
         const auto* const d = std::get_if<lr_wind_grid_desc>(&any);
@@ -87,14 +87,14 @@ void restore(Fuzzer& f) {
     if (!call.ended(LR_CALL(lr_world_snapshot_restore)(call.world(), in.null(1) ? nullptr : from.bytes.data(),
                                                        from.bytes.size())))
         return;
-    if (!same_past) w.past.push_back({{}, {}}); // like no other from now on
+    if (!same_past) w.past.push_back({{}, {}}); // a unique history from now on
     w.state = from.state;
     if (hash_of(w) != from.hash)
         defect("lr_world_snapshot_restore", "the hash is not that of the world that was saved");
     check_world(w);
 }
 
-// Damaged with a wrong checksum, and with a right one.
+// Damaged, with a wrong checksum and with a right one.
 void restore_damaged(Fuzzer& f) {
     World& w = f.world();
     Input& in = f.in;
@@ -114,7 +114,7 @@ void restore_damaged(Fuzzer& f) {
         }
         e.add(LR_ERROR_SNAPSHOT_FORMAT);
     } else if (sealed) {
-        // Words of eight, as most of its fields are, or of four.
+        // Words of eight bytes, like most of its fields, or of four.
         for (size_t i = 0; i < 2; ++i) {
             const size_t word = in.variant() == 1 ? (in.value(3 * i) * 256u + in.value(3 * i + 1)) : in.value(3 * i);
             const size_t at = word % (bytes.size() / 4) * 4;
@@ -136,12 +136,12 @@ void restore_damaged(Fuzzer& f) {
     check_world(w);
 }
 
-// A world like another, with other workers and instruction set, takes its snapshot and goes on with the same bits.
+// An equal world with other workers and another instruction set restores its snapshot and continues with the same bits.
 void twin(Fuzzer& f) {
     World& w = f.world();
     if (!w.at || w.state.loose) return;
     for (const Past& p : w.past)
-        if (p.created.asset == nullptr && p.destroyed.id == 0) return; // restored from a world of another past
+        if (p.created.asset == nullptr && p.destroyed.id == 0) return; // restored from a world with another history
     World other;
     lr_world_desc d = w.desc;
     d.allocator = other.memory->hooks();

@@ -1,4 +1,4 @@
-// Steps, and what rules and emitters have done in them.
+// Steps, and the effects of rules and emitters.
 #include "fuzz/api/model.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace fuzz {
 namespace {
 
-// Who is there after a step: those before, without the ended, with the spawned.
+// Bodies after a step: those before, without the ended, with the spawned.
 void account(World& w, Batch& b) {
     const lr_batch_view view = view_of(w, b.id);
     lr_batch_counts counts = initialised(LR_CALL(lr_batch_counts_init));
@@ -22,7 +22,7 @@ void account(World& w, Batch& b) {
     if ((counts.destroyed != 0 && !b.rules) || (counts.spawned != 0 && !b.emitter) ||
         (counts.respawned != 0 && !b.respawns))
         defect("lr_batch_get_counts", "without rules or emitter");
-    // Who is not there any more has been destroyed, who was not there has been spawned.
+    // A missing body was destroyed, a new body was spawned.
     const std::set<lr_body> now(view.ids, view.ids + view.count);
     std::vector<lr_body> gone, came;
     std::set_difference(before.begin(), before.end(), now.begin(), now.end(), std::back_inserter(gone));
@@ -33,7 +33,7 @@ void account(World& w, Batch& b) {
     b.bodies.assign(view.ids, view.ids + view.count);
     lr_batch_pace pace = initialised(LR_CALL(lr_batch_pace_init));
     if (LR_CALL(lr_batch_get_pace)(w.at, b.id, &pace) != LR_OK) defect("lr_batch_get_pace", "failed");
-    // Rules end whatever is nowhere.
+    // Rules end every body at a non-finite place.
     for (uint32_t i = 0; b.rules && pace.substeps != 0 && i < view.awake_count; ++i)
         for (size_t k = 0; k < 3; ++k)
             if (!std::isfinite(view.position[k][i])) defect("lr_world_step", "rules left a body that is not finite");
@@ -68,7 +68,7 @@ bool step_world(Fuzzer& f, World& w, float dt, uint32_t substeps) {
     const bool starved = w.memory->refused();
     if (starved) {
         if (status != LR_ERROR_OUT_OF_MEMORY) defect("lr_world_step", "has no memory, and does not say so", status);
-        w.memory->begin(); // it was taken all the same
+        w.memory->begin(); // the step was taken nevertheless
         status = LR_OK;
     }
     const bool ok = call.ended(status);

@@ -6,7 +6,7 @@ namespace {
 
 constexpr size_t most_samples = 3 * 64;
 
-// Of a grid: still, plain, not finite, too fast.
+// Samples of a grid: still, plain, not finite, too fast.
 const float* samples(uint32_t kind) {
     static const auto all = [] {
         std::array<std::array<float, most_samples>, 4> s{};
@@ -18,7 +18,7 @@ const float* samples(uint32_t kind) {
     return all[kind % 4].data();
 }
 
-// What is common to all kinds: a place, or a direction where there is one.
+// Common to all kinds: a place, or a direction.
 template <class D> void expect_place(Expected& e, const D& d) {
     if constexpr (requires { d.position; }) e.range(d.position, -1e9, 1e9);
     if constexpr (requires { d.velocity; }) e.range(d.velocity, -1000.0, 1000.0);
@@ -27,7 +27,7 @@ template <class D> void expect_place(Expected& e, const D& d) {
     if constexpr (requires { d.normal; }) e.length(d.normal, 1e-6, 1e9);
 }
 
-// Changes a desc, and says what must come of it. Samples are of a kind, which only a grid has.
+// Changes a desc, and states the expected result. Samples exist only for grids.
 void read(Input& in, Expected& e, lr_gusts_desc& d, uint32_t&) {
     in.change(d.seed, d.direction, d.rms, d.angle_rms, d.integral_time);
     e.range(d.rms, 0.0, 1000.0);
@@ -71,7 +71,7 @@ void read(Input& in, Expected& e, lr_wind_grid_desc& d, uint32_t& kind_of_sample
     const uint64_t total = uint64_t{d.counts[0]} * d.counts[1] * d.counts[2];
     bool large = total > LR_MAX_WIND_SAMPLES || total * d.frames > LR_MAX_WIND_SAMPLES;
     for (uint32_t n : d.counts) large = large || n > LR_MAX_WIND_SAMPLES;
-    // More than there are, but a number that must be read: the caller would be lying.
+    // Otherwise the caller would state more samples than it has.
     if (!large && total * d.frames > most_samples / 3)
         for (uint32_t* n : {&d.counts[0], &d.counts[1], &d.counts[2], &d.frames}) *n = 2;
     kind_of_samples = in.handle(0) < 160 ? in.handle(0) % 2u : in.handle(0) % 4u;
@@ -128,7 +128,7 @@ void add(Fuzzer& f) {
             if (!lost && ok != (id.id != 0)) defect("lr_world_add_...", "handle and status do not agree", id.id);
             if (!ok) return;
             if (lost) {
-                w.state.loose = true; // its handle is
+                w.state.loose = true; // its handle is unknown
                 return;
             }
             for (const Wind& other : w.state.winds)
@@ -144,7 +144,7 @@ Wind* find(World& w, lr_wind_source id) {
     return nullptr;
 }
 
-// Mostly of the kind that the source is.
+// Mostly of the source's kind.
 AnyWind for_source(Fuzzer& f, const Wind* found) {
     return initial(found && f.in.handle(1) < 200 ? found->desc.index() : f.in.handle(1) % 6);
 }
@@ -289,7 +289,7 @@ void surface(Fuzzer& f) {
             if (d.wave_count != 0 && wave.fails() && !wave.allows(LR_OK) && wave.allows(s)) e.add(s);
             e.may_if(wave.may_fail(), s);
         }
-        // Along the normal, or nearly; a normal that is not upright meets the other waves in any way.
+        // Along the normal, or nearly; a normal that is not upright crosses the other waves at any angle.
         e.may_if(d.wave_count != 0, LR_ERROR_INVALID_ARGUMENT);
     }
     Given<lr_water_desc> given(in, d, 1, e, true);

@@ -1,4 +1,4 @@
-// Worlds, what belongs to none, and settings of a whole world.
+// Worlds, functions without a world, and settings of a whole world.
 #include "fuzz/api/model.h"
 
 namespace fuzz {
@@ -25,7 +25,7 @@ void create(Fuzzer& f) {
     lr_world_desc d = initialised(LR_CALL(lr_world_desc_init));
     d.log = in.variant() == 0 ? nullptr : log, d.log_user = &messages;
     d.simd_target = in.handle(0) < 64 ? static_cast<int32_t>(in.handle(0) % 9) : LR_SIMD_AUTO;
-    // Threads take time to start: seldom any.
+    // Threads take time to start, so most worlds have none.
     d.worker_count = in.handle(1) >= 250 ? in.handle(1) % 3u : 0u;
     if (in.handle(1) >= 224 && in.handle(1) < 250)
         d.jobs = hostile_jobs(in.handle(1)), d.worker_count = in.handle(1) % 3;
@@ -204,7 +204,7 @@ void names(Fuzzer& f) {
         LR_CALL(lr_simd_targets)(f.in.null(1) ? nullptr : targets, capacity, f.in.null(2) ? nullptr : &count);
     Expected e;
     e.add_if((f.in.null(1) && capacity != 0) || f.in.null(2), LR_ERROR_NULL_ARGUMENT);
-    // Without an array it is a question for their number.
+    // Without an array it asks for their number.
     e.add_if(!f.in.null(1) && count > capacity, LR_ERROR_BUFFER_TOO_SMALL);
     if (!e.allows(status)) defect("lr_simd_targets", "status", status);
     const std::string text = LR_CALL(lr_last_error)();

@@ -82,8 +82,8 @@ void fall(const lr_asset* asset, uint32_t variant) {
     lr_batch_counts events;
     must(lr_batch_counts_init(&events, sizeof events), "init");
     must(lr_batch_get_counts(world, batch, &events), "lr_batch_get_counts");
-    // What is smaller, or in steps of half a second, may spin faster than is taken for physics (docs/reference/bodies.md), by the fluid's
-    // inertia alone.
+    // Small bodies, or bodies in steps of half a second, can spin faster than the limit of physics (docs/reference/bodies.md) by the
+    // fluid's inertia alone.
     if (events.total_diverged != 0 && size >= 1e-4f && !slow) {
         std::fprintf(stderr, "DEFECT: left physics: model %d clock %d scale %g around %u %s\n", bd.load_model, bd.clock,
                      static_cast<double>(scale), around, slow ? "slow" : "");

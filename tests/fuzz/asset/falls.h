@@ -1,4 +1,4 @@
-// What any asset that loads must be able to do.
+// Requirements for every asset that loads.
 #pragma once
 
 #include "langevin_rigid.h"
@@ -7,8 +7,8 @@
 
 namespace fuzz {
 
-// Steps it 100 times with `variant`'s model, clock, scale and surroundings: wind, water, a plane to land on, others of its kind.
-// Ends the program where a number is not finite.
+// Steps it 100 times with `variant`'s model, clock, scale and surroundings: wind, water, a plane to land on, other bodies of
+// its kind. Ends the program if a number is not finite.
 void fall(const lr_asset* asset, uint32_t variant);
 
 } // namespace fuzz

@@ -8,7 +8,7 @@
 namespace fuzz {
 namespace {
 
-// Every number of an asset but the samples and the hull, whose places count besides.
+// Every number of an asset, except the samples and the hull, whose positions count too.
 std::vector<double*> numbers_of(lr::AssetData& d) {
     std::vector<double*> all = {&d.mass,     &d.volume,   &d.density,  &d.fluid_density,  &d.fluid_viscosity,
                                 &d.length_d, &d.length_b, &d.length_l, &d.projected_area, &d.u0};
@@ -83,7 +83,7 @@ template <class T> void change_values(std::vector<T>& values, test::Random& rand
     }
 }
 
-// Another length: all that is of lengths changes by its power.
+// Another length: all quantities change by their powers of length.
 void scale_lengths(lr::AssetData& d, double f) {
     const double f2 = f * f, f3 = f2 * f, f4 = f2 * f2, f5 = f4 * f;
     const auto by = [](auto& values, double factor) {

@@ -1,4 +1,4 @@
-// Changes an asset's fields and packs it again with a right checksum.
+// Changes an asset's fields and packs it again with a correct checksum.
 #pragma once
 
 #include "asset/asset_data.h"
@@ -7,8 +7,8 @@
 
 namespace fuzz {
 
-// One to four changes drawn by `seed`: numbers that none may be, numbers near those that are there, other lengths, other
-// strings, and whole bodies made larger, heavier or thinner, which stay physical.
+// One to four changes drawn by `seed`: invalid numbers, numbers near the present ones, other lengths, other strings, and whole
+// bodies made larger, heavier or thinner, which stay physical.
 void mutate_asset(lr::AssetData& data, uint32_t seed);
 
 } // namespace fuzz

@@ -1,4 +1,4 @@
-// What kernel/math/test_lanes.cpp offers to the tests beside it.
+// Functions of kernel/math/test_lanes.cpp for the tests beside it.
 #pragma once
 
 #include "base/lane_arrays.h"
@@ -26,7 +26,7 @@ struct Lanes {
     void (*three_gaussians)(const uint32_t* keys, uint64_t substep, uint64_t seed, float* out, size_t n);
 };
 
-// Of this processor and build, best first; plain C++ last.
+// For this processor and build, best first; plain C++ last.
 std::vector<Lanes> lanes();
 
 template <class T> struct LaneAllocator {

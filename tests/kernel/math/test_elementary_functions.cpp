@@ -1,4 +1,4 @@
-// log, sine and cosine at as many values as single precision has places for, and Philox against its published vectors.
+// log, sine and cosine at enough values to cover single precision, and Philox against its published vectors.
 #include "kernel/math/lanes.h"
 
 #include <doctest/doctest.h>
@@ -21,7 +21,7 @@ constexpr size_t every = 1;
 constexpr size_t values = (size_t{1} << 24) / every, block = size_t{1} << 16;
 static_assert(values % block == 0);
 
-// Distance from a float's neighbour at x, what an error is measured in.
+// Distance to a float's neighbour at x, the unit of errors.
 double ulp(double x) {
     int exponent = 0;
     std::frexp(x, &exponent);
@@ -83,7 +83,7 @@ TEST_CASE("sine and cosine of every fraction of a turn, and the same on every ta
     MESSAGE("worst error ", worst * 16777216.0, " of 2^-24");
     CHECK(worst * 16777216.0 < 2.0);
     CHECK(same);
-    // Where they must be exact.
+    // Values that must be exact.
     Aligned<float> quarter(lane_block);
     for (size_t i = 0; i < 4; ++i) quarter[i] = 0.25f * static_cast<float>(i);
     targets[0].sin_cos(quarter.data(), sine.data(), cosine.data(), lane_block);

@@ -1,4 +1,4 @@
-// The law that a pair of Gaussians has for uniform bits: sums over the bits themselves, no sampling.
+// The distribution of a pair of Gaussians for uniform bits: sums over the bits themselves, no sampling.
 #include "kernel/math/lanes.h"
 
 #include <doctest/doctest.h>
@@ -21,7 +21,7 @@ constexpr uint32_t finest = 1u << 7;
 #endif
 constexpr double quarter = std::numbers::pi / 2.0, unit = quarter / 2147483648.0; // radians of an angle's last place
 
-// begin, begin + stride, ... below end: f(words, their squared radii, how many).
+// begin, begin + stride, ... below end: f(words, their squared radii, their number).
 template <class F> void for_radii(const Lanes& target, uint64_t begin, uint64_t end, uint64_t stride, const F& f) {
     Aligned<uint32_t> words(block);
     Aligned<float> out(block);
@@ -34,7 +34,7 @@ template <class F> void for_radii(const Lanes& target, uint64_t begin, uint64_t 
     }
 }
 
-// Angles evenly over all of their range, with one radius: f(angles, pairs).
+// Angles evenly over their whole range, at one radius: f(angles, pairs).
 template <class F> void for_angles(const Lanes& target, uint32_t word, uint32_t stride, const F& f) {
     Aligned<uint32_t> words(block, word), angles(block);
     Aligned<float> first(block), second(block);
@@ -71,7 +71,7 @@ TEST_CASE("a pair's squared radius is twice the negative logarithm, never negati
             }
         });
     };
-    // All that reach the tails, every float below 2^31, and where the words round to 2^31.
+    // All words of the tails, every float below 2^31, and around 2^31, to which words round.
     check(0, 1u << 16, 1);
     check(0, uint64_t{1} << 31, finest);
     check((uint64_t{1} << 31) - (1u << 12), uint64_t{1} << 31, 1);
@@ -106,7 +106,7 @@ TEST_CASE("a pair has its radius at every angle, and its angle to 6e-6") {
 
 TEST_CASE("angles are equally dense all around, to 5e-5") {
     const Lanes target = lanes().front();
-    constexpr uint32_t stride = 1u << 23; // steps of 6e-3, whose rounding is 2e-5 of them at most
+    constexpr uint32_t stride = 1u << 23; // steps of 6e-3; their rounding is at most 2e-5 of a step
     Aligned<uint32_t> words(512, 0x40000000u), angles(512);
     Aligned<float> first(512), second(512);
     for (uint32_t i = 0; i < 512; ++i) angles[i] = (i + 256) % 512 * stride; // from -2^31 up
@@ -120,7 +120,7 @@ TEST_CASE("angles are equally dense all around, to 5e-5") {
 
 TEST_CASE("moments to the sixth, summed over the bits") {
     const Lanes target = lanes().front();
-    // Words in strata around their middles: below `few` each, above it the middle of every stride.
+    // Words in strata around their middles: each word below `few`, above it the middle of every stride.
     constexpr uint64_t few = 1u << 18;
     double weight = 0.0, radius[4] = {};
     const auto add = [&](uint64_t begin, uint64_t end, uint64_t stride) {
@@ -165,7 +165,7 @@ TEST_CASE("moments to the sixth, summed over the bits") {
 }
 
 TEST_CASE("tails, summed over all words that reach them") {
-    // 2^30 radii: the probability beyond 6 sigma is made of seventeen of them, and none is beyond 6.56.
+    // 2^30 radii: seventeen of them make up the probability beyond 6 sigma, and none is beyond 6.56.
     const Lanes target = lanes().front();
     const struct {
         double level, tolerance;
@@ -223,7 +223,7 @@ TEST_CASE("angles are their own bits: no sum of bits of signs, radii and angles 
     struct Row {
         uint64_t part[2];
     };
-    std::vector<Row> rows; // of each input bit: which of the 126 outputs it changes
+    std::vector<Row> rows; // for each input bit, the changed ones among the 126 outputs
     for (size_t bit = 0; bit < bits; ++bit) {
         Row row{};
         size_t at = 0;

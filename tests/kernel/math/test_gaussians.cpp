@@ -1,4 +1,4 @@
-// Six Gaussians a body and substep, as drawn: distribution, and no dependence between any neighbours.
+// Six Gaussians per body and substep: their distribution, and independence of all neighbours.
 #include "kernel/math/lanes.h"
 
 #include <doctest/doctest.h>
@@ -40,7 +40,7 @@ Draw draw_keys(const Aligned<uint32_t>& keys, uint64_t substep, uint64_t with_se
     lanes().front().gaussians(keys.data(), substep, with_seed, out.values.data(), out.n);
     return out;
 }
-// Of bodies as a world numbers them.
+// Noise seeds in a world's order.
 Draw draw(uint64_t substep, uint64_t with_seed = seed, size_t n = count) {
     return draw_keys(keys_from(1, n), substep, with_seed);
 }
@@ -52,7 +52,7 @@ double correlation(const float* a, const float* b, size_t n) {
     return sum / std::sqrt(static_cast<double>(n));
 }
 
-// Squares, with mean 0 and variance 1: what a shared radius would show in.
+// Squares, with mean 0 and variance 1: a shared radius would correlate them.
 Draw squares(const Draw& d) {
     Draw out(d.n);
     for (size_t i = 0; i < d.values.size(); ++i)
@@ -60,7 +60,7 @@ Draw squares(const Draw& d) {
     return out;
 }
 
-// Collects many correlations: their largest, and their mean square, which is 1 when there are none.
+// Collects many correlations: the largest, and the mean square, which is 1 for independent numbers.
 struct Correlations {
     void add(double c) {
         worst = std::max(worst, std::abs(c));
@@ -84,7 +84,7 @@ double normal_cdf(double x) {
     return 0.5 * std::erfc(-x / std::numbers::sqrt2);
 }
 
-// Chi-square in standard errors of its own.
+// Chi-square in its own standard errors.
 double chi_square(const std::vector<double>& observed, double expected) {
     double sum = 0.0;
     for (double o : observed) sum += (o - expected) * (o - expected) / expected;
@@ -119,7 +119,7 @@ TEST_CASE("the first six moments are those of a Gaussian, for each component") {
             CAPTURE(m);
             const double error = (moments[k][m] / n - expected[m]) / std::sqrt(variance[m] / n);
             worst = std::max(worst, std::abs(error));
-            // 36 of them: one beyond four standard errors in 400 runs by chance, and the numbers are always the same.
+            // 36 of them: one exceeds four standard errors in 400 runs by chance, and the numbers are the same in every run.
             CHECK(std::abs(error) < 4.0);
         }
     MESSAGE("largest of 36: ", worst, " standard errors of ", n, " numbers");
@@ -153,7 +153,7 @@ TEST_CASE("the distribution function is that of a Gaussian, and so are the tails
     for (size_t k = 0; k < 6; ++k) {
         CAPTURE(k);
         const double chi = chi_square(histogram[k], n / bins);
-        // Kolmogorov and Smirnov at the edges of the bins: beyond 2.2 once in 10^4.
+        // Kolmogorov-Smirnov at the edges of the bins: exceeds 2.2 once in 10^4.
         double below = 0.0, kolmogorov = 0.0;
         for (size_t b = 0; b < bins; ++b) {
             below += histogram[k][b];
@@ -173,7 +173,7 @@ TEST_CASE("the distribution function is that of a Gaussian, and so are the tails
 TEST_CASE("radii and angles of all pairs are independent") {
     constexpr size_t bins = 32;
     constexpr int draws = 8;
-    // Three radii, then three angles; a table for each two of them.
+    // Three radii, then three angles; a table for each pair.
     std::vector<double> table[6][6];
     for (auto& row : table)
         for (auto& t : row) t.assign(bins * bins, 0.0);
@@ -227,7 +227,7 @@ TEST_CASE("no correlation between bodies whose keys are near, or differ in a bit
     }
     constexpr size_t few = count / 8;
     for (uint32_t bit = 0; bit < 32; ++bit) {
-        // All numbers without that bit, and with it.
+        // All numbers with that bit clear, and with it set.
         Aligned<uint32_t> without = keys_from(0, few), with(few);
         for (size_t i = 0; i < few; ++i) {
             const uint32_t low = (1u << bit) - 1u;
@@ -251,7 +251,7 @@ TEST_CASE("no correlation between substeps that are near, or differ in a bit") {
         c.all(d2, squares(later));
     }
     for (uint64_t bit = 0; bit < 64; ++bit) c.all(d, draw(1000 ^ uint64_t{1} << bit, seed, few));
-    // The next body's, too: a counter that adds body and substep would show there.
+    // Also the next body's: a counter that adds body and substep would correlate them.
     c.all(d, draw(1001, seed, few), 1);
     c.all(d, draw(999, seed, few), 1);
     c.check(5.5);

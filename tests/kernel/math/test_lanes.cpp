@@ -1,4 +1,4 @@
-// The kernel's functions of lanes, on every instruction set that this processor has.
+// The kernel's lane functions, on every instruction set of this processor.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernel/math/test_lanes.cpp"
 #include "hwy/foreach_target.h" // IWYU pragma: keep
@@ -31,7 +31,7 @@ void test_philox(const uint32_t* counter, uint64_t key, uint32_t* out) {
     const DU d;
     VU word[4];
     philox(hn::Set(d, counter[0]), counter[1], counter[2], counter[3], key, word);
-    // Every lane has the same: the last is as good as the first.
+    // All lanes are equal: the last represents them.
     HWY_ALIGN uint32_t lanes[lane_block];
     for (size_t i = 0; i < 4; ++i) {
         hn::Store(word[i], d, lanes);

@@ -1,5 +1,5 @@
-// What sample_wind does not show: gradients and rates of every source against differences of its velocity, and how they
-// are put together. On every instruction set.
+// Gradients and rates of every source against differences of its velocity, and their combination; lr_world_sample_wind does not
+// show them. On every instruction set.
 #include "environment/wind_field.h"
 #include "support/random.h"
 
@@ -81,7 +81,7 @@ TEST_CASE("gradients and rates of every source are those of its velocity") {
                 double size = 0.0;
                 for (double g : v.gradient) size = std::max(size, std::abs(g));
                 if (size == 0.0) continue;
-                // Kinks of a core's edge, a cell's side, the start of a jet: no derivative there.
+                // At the kinks of a core's edge, a cell's side or the start of a jet the derivative does not exist.
                 const double e = 1.0 / 512.0;
                 const auto both_sides = [&](size_t j, double out[3], double ahead[3], double behind[3]) {
                     double up[3] = {x[0], x[1], x[2]}, down[3] = {x[0], x[1], x[2]};

@@ -1,4 +1,4 @@
-// Many meshes in one call, and what is baked again.
+// Many meshes in one call, and conditions for baking again.
 #include "asset/asset_file.h"
 #include "baker/file_io.h"
 #include "baker/json.h"
@@ -41,7 +41,7 @@ std::string numbered(const char* before, int i, const char* after) {
     return name;
 }
 
-// A cube of the side whose positions are in a file of their own.
+// A cube whose positions are in a separate file.
 void write_gltf(const Scratch& scratch, float side) {
     const Mesh cube = test::cube(1);
     std::string bytes;
@@ -77,7 +77,7 @@ TEST_CASE("batch: each input has its asset, its report and its line, a bad one s
     CAPTURE(outcome.out);
     CAPTURE(outcome.err);
     CHECK(outcome.exit_code == 1);
-    // In the order of the command line, whoever is first.
+    // In the order of the command line, whatever finishes first.
     std::size_t at = 0;
     for (const std::string& mesh : meshes) {
         const bool good = contains(mesh, "body");
@@ -92,7 +92,7 @@ TEST_CASE("batch: each input has its asset, its report and its line, a bad one s
     CHECK_FALSE(contains(outcome.err, "\x1b"));
     for (int i = 0; i < 5; ++i) {
         const std::string stem = numbered("body", i, "");
-        // The bytes of a bake by itself.
+        // The bytes of a separate bake.
         REQUIRE(
             lr_bake({"mesh", scratch.path(stem + ".obj"), "-o", scratch.path("one.lrb"), "--density", "700", "--quiet"})
                 .exit_code == 0);
@@ -188,12 +188,12 @@ TEST_CASE("batch: only what changed is baked again") {
     CHECK(run({}) == "unchanged");
     CHECK(run({"--if-changed"}) == "unchanged");
     CHECK(run({"--force"}) == "baked");
-    CHECK(run({"--density", "800.0"}) == "unchanged"); // the same, said otherwise
+    CHECK(run({"--density", "800.0"}) == "unchanged"); // the same density in another form
     CHECK(run({"--density", "801"}) == "baked");
     CHECK(run({"--density", "801"}) == "unchanged");
     CHECK(run({}) == "baked");
 
-    // A report is missing, then there, then of an older asset.
+    // A missing report, an existing one, one of an older asset.
     CHECK(run({"--report", reports}) == "baked");
     CHECK(run({"--report", reports}) == "unchanged");
     CHECK(run({"--density", "801"}) == "baked");
@@ -216,7 +216,7 @@ TEST_CASE("batch: only what changed is baked again") {
     CHECK(run({}) == "baked");
     CHECK(scratch.read("out/a.lrb") != good);
     CHECK(run({}) == "unchanged");
-    // Made by another baker.
+    // Made by another baker version.
     AssetData asset;
     Faults faults;
     const std::string bytes = scratch.read("out/a.lrb");
@@ -225,7 +225,7 @@ TEST_CASE("batch: only what changed is baked again") {
     const std::vector<uint8_t> older = write_asset(asset);
     scratch.write("out/a.lrb", std::string(older.begin(), older.end()));
     CHECK(run({}) == "baked");
-    // An asset of the same bytes under another name is not this one.
+    // An asset of the same bytes under another name counts as different.
     std::filesystem::copy_file(mesh, scratch.path("b.obj"));
     std::filesystem::copy_file(scratch.path("out/a.lrb"), scratch.path("out/b.lrb"));
     CHECK(contains(lr_bake({"mesh", scratch.path("b.obj"), "-d", out}).out, "1 baked"));
@@ -316,7 +316,7 @@ TEST_CASE("input hash: without baking, the same as in the asset, whatever the in
     o.mesh.reset();
     o.mesh_path = scratch.path("cube.gltf");
     const uint64_t small = check(o);
-    // The file beside it counts: it alone says how large the cube is.
+    // The separate file matters: it alone has the cube's size.
     write_gltf(scratch, 0.03F);
     CHECK(check(o) != small);
     write_gltf(scratch, 0.02F);
@@ -355,7 +355,7 @@ TEST_CASE("input files: what a mesh refers to must be a file") {
     REQUIRE_FALSE(faults.empty());
     CHECK(faults.back().id == FaultId::mesh_unreadable);
 
-    // Bytes in memory refer to nothing, not even by a whole path.
+    // Bytes in memory refer to no file, not even by an absolute path.
     write_gltf(scratch, 0.02F);
     std::string text = scratch.read("cube.gltf");
     text.replace(text.find("cube.bin"), 8, scratch.path("cube.bin"));

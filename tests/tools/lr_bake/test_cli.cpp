@@ -1,4 +1,4 @@
-// lr_bake as a user meets it: exit codes, streams, files.
+// lr_bake for users: exit codes, streams, files.
 #include "asset/asset_file.h"
 #include "baker/json.h"
 #include "baker/mesh_shapes.h"
@@ -23,7 +23,7 @@ bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
-// A numbered fault with the file in front, on standard error and nothing elsewhere.
+// A numbered fault, with the file first, on standard error only.
 void check_fault(const Outcome& outcome, const std::string& file, int number) {
     INFO(outcome.err);
     CHECK(outcome.exit_code == 1);
@@ -35,7 +35,7 @@ std::string small_mesh() {
     return test::obj_text(test::ellipsoid(0.03, 0.027, 0.024, 2));
 }
 
-// Where a field of the root table lies in a FlatBuffer.
+// The offset of a root table's field in a FlatBuffer.
 std::size_t field_at(const std::string& bytes, std::size_t id) {
     uint32_t root = 0;
     int32_t to_vtable = 0;
@@ -116,7 +116,7 @@ TEST_CASE("lr_bake: the options of the command line arrive") {
     CHECK(j["center_of_mass"] == std::vector<double>{0.001, -0.002, 0.0005});
     CHECK(j["center_of_buoyancy"] == std::vector<double>{-0.001, 0.002, -0.0005});
 
-    // air is the default, and one way of several to say the same: same bytes.
+    // Air is the default, and several options mean it: the same bytes.
     const auto bytes = [&](std::vector<std::string> fluid) {
         std::vector<std::string> arguments{"ellipsoid", "0.04", "0.02", "0.01", "-o", asset, "--quiet"};
         arguments.insert(arguments.end(), fluid.begin(), fluid.end());
@@ -293,7 +293,7 @@ TEST_CASE("lr_bake: outputs that cannot be written are fault 103, and nothing is
         check_fault(lr_bake({"mesh", mesh, "-o", out, "--report", bad, "--quiet"}), bad, 103);
         CHECK(scratch.names() == before);
     }
-    if (geteuid() != 0) { // root may write anywhere
+    if (geteuid() != 0) { // root can write anywhere
         std::filesystem::permissions(scratch.path("folder"),
                                      std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
         check_fault(lr_bake({"mesh", mesh, "-o", scratch.path("folder/out.lrb"), "--quiet"}),

@@ -1,4 +1,4 @@
-// A recording in memory, and how it is played.
+// A recording in memory, and its replay.
 #pragma once
 
 #include "support/scene.h"
@@ -9,7 +9,7 @@ namespace test {
 
 struct Recording {
     std::vector<unsigned char> bytes;
-    uint64_t refuse_at = UINT64_MAX; // of the calls of `write`, counted from 0
+    uint64_t refuse_at = UINT64_MAX; // counts calls of `write` from 0
     uint64_t calls = 0;
 
     lr_recording_desc desc() {
@@ -33,13 +33,13 @@ struct Recording {
     }
 };
 
-// What is wrong, or nothing.
+// The first problem, or empty.
 inline std::string wrong_in(const lr::replay::Outcome& o) {
     if (!o.difference) return "";
     return "call " + std::to_string(o.difference->call) + ", step " + std::to_string(o.difference->step) + ": " +
            o.difference->what;
 }
-// Of a recording that is refused: its fault; 0 for none.
+// The fault of a refused recording; 0: none.
 inline int fault_of(const std::vector<unsigned char>& bytes, uint64_t until = UINT64_MAX) {
     lr::replay::Options o;
     o.until = until;

@@ -1,4 +1,4 @@
-// Recordings that nobody wrote: changed bytes, with and without a right checksum. Refused by number, or played; never more.
+// Invalid recordings: changed bytes, with and without a correct checksum. Each is refused by number or replayed, and nothing else.
 #include "support/colliders.h"
 #include "support/random.h"
 #include "support/wind.h"
@@ -82,9 +82,9 @@ TEST_CASE("a byte that has changed is found by its frame") {
         std::vector<unsigned char> bytes = good;
         bytes[at] ^= 0x40;
         CAPTURE(at);
-        const bool version = at >= 12 && at < 16; // of the library that wrote it
+        const bool version = at >= 12 && at < 16; // of the library that recorded
         const int fault = fault_of(bytes);
-        // A frame that says it is longer than the file is like one that has not been written whole.
+        // A frame longer than the file counts as a partly written frame.
         if (!version && fault == 0) {
             const lr::replay::Outcome played = lr::replay::play(bytes.data(), bytes.size(), {});
             CHECK(played.cut);
@@ -113,12 +113,12 @@ TEST_CASE("changed records with right checksums are refused by number, or played
         };
         const size_t which = pick(frames.size());
         const Frame& f = frames[which];
-        // Word by word, so that counts, sizes and kinds are hit, with values that are hostile; now and then the header.
+        // Words at a time, so that counts, sizes and kinds get hostile values; sometimes in the header.
         unsigned char* const payload = bytes.data() + f.at + sizeof(FrameHeader);
         const uint32_t hostile[] = {0u,          1u,          2u,          7u,     0x7fffffffu, 0x80000000u,
                                     0xffffffffu, 0x7f800000u, 0x7fc00000u, 65536u, 4096u};
         for (size_t k = 0, n = 1 + pick(3); k < n; ++k) {
-            // The first words of a record are its counts and sizes.
+            // A record begins with its counts and sizes.
             const size_t limit = std::min<size_t>(f.header.size, pick(3) == 0 ? f.header.size : 64);
             if (limit < 4) continue;
             const size_t at = pick(limit / 2 - 1) * 2;
@@ -130,7 +130,7 @@ TEST_CASE("changed records with right checksums are refused by number, or played
             std::memcpy(bytes.data() + f.at + offsetof(FrameHeader, kind), &kind, sizeof kind);
         }
         seal(bytes, f, which);
-        // On the heap and no longer than it is: a read past its end is a fault under AddressSanitizer.
+        // On the heap, of exactly its length: AddressSanitizer detects reads past the end.
         const std::vector<unsigned char> exact(bytes.begin(), bytes.end());
         ++(fault_of(exact, 3) != 0 ? refused : played);
     }

@@ -1,4 +1,4 @@
-// What a recording holds, what it takes, and how it ends.
+// Contents, cost and end of a recording.
 #include "support/colliders.h"
 #include "support/counting_memory.h"
 #include "support/every_call.h"
@@ -49,10 +49,10 @@ template <class T> void twice(lr_status (*function)(lr_world*, lr_batch, const T
     REQUIRE(function(w, b, &desc) == LR_OK);
     CHECK(function(w, {999}, &desc) == LR_ERROR_STALE_BATCH);
     desc.struct_size = 3;
-    CHECK(function(w, b, &desc) == LR_ERROR_STRUCT_SIZE); // cannot be read
+    CHECK(function(w, b, &desc) == LR_ERROR_STRUCT_SIZE); // unreadable
 }
 
-// Calls every function that changes a world, rightly and wrongly.
+// Calls every function that changes a world, correctly and wrongly.
 void do_everything(const World& world, const Asset& flat, const Asset& plate, Recording* from_here) {
     lr_world* const w = world.get();
     if (from_here) from_here->start(world);
@@ -170,7 +170,7 @@ void do_everything(const World& world, const Asset& flat, const Asset& plate, Re
     const Triangles sheet = bumpy_sheet(6, 3);
     const std::vector<float> heights(25, -1.5f);
     std::vector<float> points = tetrahedron(0.3f);
-    points.insert(points.end(), {0.05f, 0.05f, 0.05f}); // within: not a corner of the hull
+    points.insert(points.end(), {0.05f, 0.05f, 0.05f}); // inside: not a corner of the hull
     lr_collider_desc solids[4] = {mesh_collider(sheet), heightfield_collider(heights, 5, 1.0f), hull_collider(points),
                                   collider_desc(LR_COLLIDER_SPHERE)};
     solids[3].size[0] = 0.4f;
@@ -236,7 +236,7 @@ TEST_CASE("calls that change a world are recorded, rightly made or not, and play
     Recording recording;
     do_everything(world, flat, plate, &recording);
     const uint64_t expected = hash_of(world);
-    CHECK(hash_of(plain) == expected); // recording changes nothing
+    CHECK(hash_of(plain) == expected); // recording does not change the motion
     const Held held = held_in(recording.bytes);
     CHECK(held.refused.size() >= 25);
     CHECK(held.answers >= 12);
@@ -256,7 +256,7 @@ TEST_CASE("calls that change a world are recorded, rightly made or not, and play
             CHECK(played.unread >= 8);
             CHECK(played.calls == held.calls.size());
         }
-    // From the middle: with a hole among the batches, forces that wait, events, callbacks, all that snapshots only name.
+    // From the middle: with a hole among the batches, pending forces, events, callbacks, and all data that snapshots only refer to.
     Recording second;
     REQUIRE(lr_world_record_stop(world.get()) == LR_OK);
     second.start(world);
@@ -273,7 +273,7 @@ namespace {
 
 template <class... P, class... A>
 void record_and_play(const char* name, lr_status (*function)(lr_world*, P...), std::tuple<A...> (*arguments)(Stage&)) {
-    // These change nothing that a recording could hold.
+    // These calls change nothing in a recording.
     for (const char* not_recorded : {"lr_world_record_start", "lr_world_record_stop"})
         if (std::strcmp(name, not_recorded) == 0) return;
     Stage stage;
@@ -307,7 +307,7 @@ TEST_CASE("every function that changes a world is recorded and played alone"){
 #undef LR_CALL
 }
 
-TEST_CASE("what is not the same is found at its step: a body that is somewhere else, a status, an id") {
+TEST_CASE("a difference is found at its step: a body's place, a status, an id") {
     const Asset flat = leaf();
     const World world = make(seeded());
     Recording recording;
@@ -315,7 +315,7 @@ TEST_CASE("what is not the same is found at its step: a body that is somewhere e
     const lr_batch batch = add_batch(world, flat, 4);
     const lr_body body = add_body(world, batch, body_desc());
     steps(world, 3, 0.01f);
-    // Something that no call of the API does: a recording whose third step was another.
+    // Impossible through the API: a recording whose third step differs.
     const std::vector<unsigned char> good = recording.bytes;
     const auto resealed = [&](uint64_t which_step, size_t at, unsigned char change) {
         std::vector<unsigned char> bytes = good;
@@ -388,14 +388,14 @@ TEST_CASE("a writer that refuses ends the recording at any call, and not the wor
         broken.refuse_at = at;
         told.clear();
         CHECK(play(broken, told, stopped) == expected);
-        CHECK(broken.calls == at + 1); // it is not asked again
+        CHECK(broken.calls == at + 1); // it is not called again
         CHECK(stopped == LR_ERROR_INVALID_ARGUMENT);
         CHECK(told.size() == 2);
         CHECK(std::equal(broken.bytes.begin(), broken.bytes.end(), whole.bytes.begin()));
     }
 }
 
-TEST_CASE("what a crash leaves is played up to its last whole record") {
+TEST_CASE("a recording cut by a crash is played up to its last whole record") {
     const Asset flat = leaf();
     const World world = make(seeded());
     Recording recording;
@@ -511,7 +511,7 @@ TEST_CASE("calls that are refused for want of memory while they are recorded cha
         lr_world* const w = world.get();
         Recording recording;
         recording.start(world);
-        // Again and again, with memory for one piece more.
+        // Repeatedly, each time with memory for one more piece.
         const auto insist = [&](auto&& call) {
             lr_status status = LR_ERROR_OUT_OF_MEMORY;
             for (uint64_t pieces = 0; status == LR_ERROR_OUT_OF_MEMORY; ++pieces) {
@@ -551,7 +551,7 @@ TEST_CASE("calls that are refused for want of memory while they are recorded cha
         steps(world, 2, 0.01f);
         CHECK(wrong_in(recording.play()) == "");
         if (!refuse) continue;
-        // A step that went on without cannot be played: it says why.
+        // A step that continued without memory cannot be replayed: lr_replay says why.
         lr_body_desc body = body_desc();
         insist([&] { return lr_body_create(w, batches[1], &body, 1, nullptr); });
         insist([&] { return lr_batch_set_body_contact(w, batches[0], batches[1], 1); });

@@ -1,4 +1,4 @@
-// Calls that are refused may name anything as what they have not looked at: a recording does not look at it either.
+// Refused calls can have arbitrary values in unchecked arguments: a recording does not read them either.
 #include "support/colliders.h"
 #include "support/wind.h"
 #include "tools/lr_replay/recording.h"
@@ -7,7 +7,7 @@ using namespace test;
 
 namespace {
 
-// Not of this program: whoever reads there is ended.
+// Not mapped in this program: reading there ends it.
 template <class T> const T* nowhere() {
     return reinterpret_cast<const T*>(uintptr_t{256});
 }
@@ -28,7 +28,7 @@ TEST_CASE("no recorder reads what a call has not accepted") {
     const lr_body body = add_body(world, batch, body_desc());
     const lr_collider ball = add_collider(world, sphere_collider(0.1f));
 
-    // Of each array no more than the beginning is there.
+    // Each array has only its beginning.
     const std::vector<float> few(12, 0.0f);
     const std::vector<uint32_t> indices(12, 0u);
     lr_collider_desc solid = collider_desc(LR_COLLIDER_HEIGHTFIELD);
@@ -48,7 +48,7 @@ TEST_CASE("no recorder reads what a call has not accepted") {
     solid.vertices = nowhere<float>(), solid.vertex_count = 4, solid.friction = -1.0f;
     CHECK(lr_collider_create(w, &solid, 1, nullptr) == LR_ERROR_INVALID_ARGUMENT);
     solid.friction = INFINITY;
-    CHECK(lr_collider_create(w, &solid, 4000000000u, nullptr) == LR_ERROR_NOT_FINITE); // by the first
+    CHECK(lr_collider_create(w, &solid, 4000000000u, nullptr) == LR_ERROR_NOT_FINITE); // refused by the first
 
     lr_wind_grid_desc grid = initialised(lr_wind_grid_desc_init);
     grid.counts[0] = 400, grid.counts[1] = grid.counts[2] = 300;
@@ -66,7 +66,7 @@ TEST_CASE("no recorder reads what a call has not accepted") {
     lr_batch_desc unmade = batch_desc();
     unmade.asset = reinterpret_cast<const lr_asset*>(uintptr_t{256});
     lr_batch none{};
-    CHECK(lr_batch_create(w, &unmade, &none) == LR_ERROR_INVALID_ARGUMENT); // for no capacity
+    CHECK(lr_batch_create(w, &unmade, &none) == LR_ERROR_INVALID_ARGUMENT); // refused for its capacity of 0
 
     lr_body_desc spawned = body_desc();
     spawned.position[0] = INFINITY;
@@ -106,7 +106,7 @@ TEST_CASE("no recorder reads what a call has not accepted") {
     stale(&lr_batch_set_rules, w);
     stale(&lr_batch_set_emitter, w);
 
-    // What is accepted is recorded still, a snapshot that lies in more memory among it.
+    // Accepted calls are still recorded, among them a snapshot in larger memory.
     std::vector<unsigned char> snapshot = snapshot_of(world);
     REQUIRE(lr_world_snapshot_restore(w, snapshot.data(), snapshot.size()) == LR_OK);
     motion.collider = ball;
@@ -116,7 +116,7 @@ TEST_CASE("no recorder reads what a call has not accepted") {
     REQUIRE(lr_body_add_force(w, &push, 1) == LR_OK);
     REQUIRE(lr_body_destroy(w, &body, 0) == LR_OK);
     steps(world, 3, 0.01f);
-    CHECK(lr_batch_destroy(w, {999}) == LR_ERROR_STALE_BATCH); // names no memory: played, and refused there too
+    CHECK(lr_batch_destroy(w, {999}) == LR_ERROR_STALE_BATCH); // has no pointers: replayed, and refused there too
     REQUIRE(lr_body_destroy(w, &body, 1) == LR_OK);
     const lr::replay::Outcome played = recording.play();
     CHECK(wrong_in(played) == "");

@@ -1,4 +1,4 @@
-// Every scene that there is, recorded from the beginning and from the middle, is played to the same hashes.
+// Every scene, recorded from the start and from the middle, replays to the same hashes.
 #include "support/determinism_scenes.h"
 #include "support/threads.h" // workers
 #include "tools/lr_replay/recording.h"

@@ -1,4 +1,4 @@
-// lr_replay itself: what it says by its exit code.
+// lr_replay itself: its exit codes.
 #include "tools/lr_replay/recording.h"
 
 #include <cstdlib>
@@ -39,7 +39,7 @@ TEST_CASE("lr_replay ends with 0, 1, 2 or 3") {
     CHECK(run(recording.bytes, "--simd MMX") == 3);
     CHECK(run(recording.bytes, "--unknown") == 3);
     CHECK(run(recording.bytes, "--csv /nowhere/at/all --body 1") == 3);
-    // Its last hash is another.
+    // Its last hash differs.
     std::vector<unsigned char> other = recording.bytes;
     size_t at = sizeof(lr::recording::FileHeader), last = 0;
     uint64_t frame = 0;

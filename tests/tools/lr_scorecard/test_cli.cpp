@@ -1,4 +1,4 @@
-// lr_scorecard as a user meets it: choices, files, exit codes.
+// lr_scorecard for users: choices, files, exit codes.
 #include "baker/json.h"
 #include "baker/scratch.h"
 

@@ -1,4 +1,4 @@
-// Averages, peaks and the measures of a fall, on tracks that are known.
+// Averages, peaks and measures of a fall, on known tracks.
 #include "tools/lr_scorecard/disc_fall.h"
 #include "tools/lr_scorecard/measured_bodies.h"
 #include "tools/lr_scorecard/random.h"
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// Glides along x at `glide`, sinks at `sink`, sways along z, and turns about x, which the camera's line of sight (z) crosses.
+// Glides along x at `glide`, sinks at `sink`, sways along z, and rotates about x, across the camera's line of sight (z).
 Track turning(double glide, double sink, double turns_per_second, double duration) {
     Track t;
     t.interval = 1.0 / 98.0;
@@ -36,9 +36,9 @@ TEST_CASE("fall measures: a glide with a steady turn") {
         CHECK(m.descent == doctest::Approx(0.6));
         CHECK(m.horizontal_speed == doctest::Approx(0.3));
         CHECK(m.drift_angle == doctest::Approx(std::atan(0.5) * 180.0 / pi));
-        CHECK(m.peak_rate == doctest::Approx(2.0 * rate).epsilon(0.02)); // two a turn
+        CHECK(m.peak_rate == doctest::Approx(2.0 * rate).epsilon(0.02)); // two per turn
     }
-    // A short window does not lose the peaks it cuts, but for the last.
+    // A short window loses no peak at its cuts, except the last.
     double sum = 0.0;
     for (int i = 0; i < 100; ++i)
         sum += measure_fall(turning(0.0, 1.0, 3.0 + 0.01 * i, 1.5), Eigen::Vector3d::UnitZ(), 0.1).peak_rate / 100.0;

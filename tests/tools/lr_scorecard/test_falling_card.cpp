@@ -39,7 +39,7 @@ TEST_CASE("falling card: dropped flat or edge on it reaches the speed at which d
     // Edge on, drag (A - B)/pi s^2; flat, (A + B)/pi s^2; the weight is 1. Edge on is unstable, but symmetric.
     const CardState edge = fall(model, {0, 0, 0, -pi / 2, 0, 0}, 8.0, 1.0, 0.01).back();
     CHECK(edge.vx == doctest::Approx(std::sqrt(pi / (model.a - model.b))).epsilon(0.05));
-    model.mu1 = 20.0; // held by the spin drag
+    model.mu1 = 20.0; // spin drag keeps it there
     const CardState flat = fall(model, CardState{}, 40.0, 1.0, 0.01).back();
     CHECK(flat.vy == doctest::Approx(-std::sqrt(pi / (model.a + model.b))).epsilon(1e-3));
 }

@@ -1,4 +1,4 @@
-// Points of the phase map: where they lie, and that they are run there.
+// Points of the phase map: their positions, and that the runs have them.
 #include "tools/lr_scorecard/phase_map.h"
 
 #include <doctest/doctest.h>

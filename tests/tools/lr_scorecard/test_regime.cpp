@@ -1,4 +1,4 @@
-// The classifier on motions whose regime is known beforehand.
+// The classifier on motions of known regime.
 #include "tools/lr_scorecard/fall_recording.h"
 #include "tools/lr_scorecard/random.h"
 #include "tools/lr_scorecard/regime.h"
@@ -35,7 +35,7 @@ std::string regime(const Normals& n) {
     const RegimeMeasures m = measure_regime(n, up());
     INFO("tilt95 ", m.tilt95, ", overturns ", m.overturns, ", half turns ", m.half_turns, ", tumbling ",
          m.tumbling_share, ", regularity ", m.regularity, ", period ", m.period, ", spread ", m.amplitude_spread);
-    // It is the motion that counts: not which face is up, and not where the vertical lies among the axes.
+    // Only the motion counts: not which face is up, nor the direction of the vertical among the axes.
     Normals other_face, turned;
     const Eigen::Quaterniond turn = Random(3).orientation();
     for (const Eigen::Vector3d& v : n) {
@@ -48,7 +48,7 @@ std::string regime(const Normals& n) {
     return regime_names[static_cast<size_t>(r)];
 }
 
-// Lorenz's equations at his own parameters, by RK4: x swings about 8 and about -8, changing sides without a rule.
+// Lorenz's equations at his parameters, by RK4: x swings about 8 and -8, and changes sides irregularly.
 std::vector<double> lorenz() {
     Eigen::Vector3d s(1.0, 1.0, 25.0);
     const auto rate = [](const Eigen::Vector3d& v) -> Eigen::Vector3d {
@@ -123,10 +123,10 @@ TEST_CASE("regime: flutter that now and then goes over, or has no regular amplit
     const auto at = [&](double t) { return x[static_cast<size_t>(std::lround(t / interval))]; };
     for (double gain : {3.0, 6.0, 10.0}) // up to 55, 110 and 185 degrees
         CHECK(regime(in_plane([&](double t) { return gain * at(t) * degree; })) == "chaotic");
-    // Its own sum: goes over by steps, with rests to and fro.
+    // The sum of its own increments: turns over in steps, with swings between.
     double sum = 0.0;
     CHECK(regime(in_plane([&](double t) { return sum += 0.012 * at(t); })) == "chaotic");
-    // Half of the time flutter, half of the time tumbling.
+    // Half the time flutter, half the time tumbling.
     CHECK(regime(in_plane([](double t) {
               const double cycle = std::fmod(t, 40.0);
               return cycle < 20.0 ? 60.0 * degree * std::sin(0.3 * pi * cycle) : 0.1 * pi * 2.0 * (cycle - 20.0);
@@ -148,6 +148,6 @@ TEST_CASE("regime: tumbling that turns back after a few half turns is chaotic") 
 }
 
 TEST_CASE("regime: turned back at every second half turn is not tumbling") {
-    // 0 to 200 degrees and back: the normal goes over, and returns the way it came.
+    // 0 to 200 degrees and back: the normal goes over, and returns the same way.
     CHECK(regime(in_plane([](double t) { return (100.0 - 100.0 * std::cos(0.8 * t)) * degree; })) != "tumbling");
 }

@@ -1,4 +1,4 @@
-// What is noted of bodies that touch other bodies: kept as long as they may meet, through snapshots, and told as no event.
+// Notes on touched bodies: kept as long as contact is possible, through snapshots, and without events.
 #include "collision/contact_cache.h"
 #include "support/colliders.h"
 #include "support/contact_events.h"
@@ -23,7 +23,7 @@ struct Scene {
         for (int i = 0; i < 3; ++i) {
             batch[i] = add_batch(world, asset, 4);
             lr_body_desc d = body_desc();
-            d.position[2] = static_cast<float>(i); // m: none meets another
+            d.position[2] = static_cast<float>(i); // m: none touches another
             body[i] = add_body(world, batch[i], d);
         }
     }
@@ -61,7 +61,7 @@ TEST_CASE("a body is known to touch others as long as its batch meets any") {
             else
                 for (int i : {0, 1}) s.meet(2, i, false);
             CHECK(s.touched(0) == row.after);
-            CHECK(s.touched(1) == row.before); // it meets its own
+            CHECK(s.touched(1) == row.before); // contact within the batch
             s.meet(1, 1, false);
             CHECK(s.touched(1) == row.after);
         }
@@ -92,7 +92,7 @@ TEST_CASE("snapshots have that bodies touch others, once and where they may meet
     }
     s.touch(0, {0, 0, 0, 0});
     REQUIRE(s.at(2).reserve_contact());
-    s.touch(2, {other, 0, 0, 0}); // nothing meets these
+    s.touch(2, {other, 0, 0, 0}); // no contact with these
     refused();
 }
 
@@ -123,7 +123,7 @@ TEST_CASE("bodies that are touched begin and end nothing, and the colliders besi
         REQUIRE(lr_collider_destroy(s.world.get(), &far, 1) == LR_OK);
         steps(s.world, 1, 1.0f / 60.0f, 2);
         CHECK(events_of(s.world).empty());
-        // It rises, and leaves all that it touched: the two colliders end alone, where both were among the four.
+        // It rises, and leaves all that it touched: only the two colliders end, if both were among the four.
         lr_body_force push = initialised(lr_body_force_init);
         push.body = s.body[0];
         push.mode = LR_FORCE_MODE_VELOCITY;

@@ -1,5 +1,5 @@
-// Every lane of every batch is stepped once, in pieces that no two threads share a cut of; where few bodies are left for the
-// last lanes, by the narrow target, and not those behind them.
+// Every lane of every batch is stepped once, in pieces with cuts that no two threads share. If few bodies are left for the last
+// lanes, the narrow target steps them, and no lanes behind them.
 #include "world/schedule/step_chunks.h"
 
 #include "support/scene.h"

@@ -1,4 +1,4 @@
-// A batch in two parts, against a model that is a plain map; and what goes with a body from place to place.
+// A batch in two parts, against a model in a plain map; and data that moves with a body between them.
 #include "support/lifecycle.h"
 #include "support/random.h"
 #include "world/batch/lifecycle.h"
@@ -41,7 +41,7 @@ struct Fixture {
         const lr_body id = batch->add(s);
         model[id] = {s.noise_seed, false, s.value[lr::field_x], 0.0f, 0.0, 0, 0};
     }
-    // What contact and forces note of a body that moves.
+    // Notes of contact and forces on an awake body.
     void decorate(uint32_t index, Random& random) {
         Modelled& m = model.at(batch->ids()[index]);
         m.rest_time = random.real(0.0, 1.0);
@@ -78,7 +78,7 @@ struct Fixture {
         }
         CHECK(good);
         CHECK(batch->awake() == awake);
-        // Free lanes stay finite and push nobody.
+        // Free lanes stay finite and exert no forces.
         for (uint32_t i = batch->count(); i < batch->capacity(); ++i)
             good = good && batch->columns().row<float>(lr::column_force)[i] == 0.0f &&
                    batch->arrays().field[lr::field_qw][i] == 1.0f && batch->contact_cache().rest_time[i] == 0.0f &&
@@ -101,7 +101,7 @@ TEST_CASE(
         Fixture f(capacity);
         lr::Batch& batch = *f.batch;
         uint64_t revision = batch.revision();
-        std::vector<std::pair<uint32_t, lr_body>> tail; // bodies at rest by index, at that revision
+        std::vector<std::pair<uint32_t, lr_body>> tail; // sleeping bodies by index, at that revision
         int rests = 0, wakes = 0, removals = 0;
         for (int i = 0; i < operations / 3; ++i) {
             const uint32_t what = random.below(12);
@@ -131,7 +131,7 @@ TEST_CASE(
                     f.decorate(index, random);
                 }
             }
-            // Where the revision is the same, bodies that were at rest are where they were.
+            // If the revision is the same, sleeping bodies have not moved.
             if (batch.revision() == revision)
                 for (const auto& [at, body] : tail)
                     if (batch.ids()[at] != body || !batch.rests(at)) FAIL("the tail has changed");
@@ -160,7 +160,7 @@ TEST_CASE("bodies noted in a step come to rest after it, and only those, also wh
             f.model.at(f.batch->ids()[0]).rests = true;
             f.batch->rest(0);
         }
-        // So few at times that most cuts have none; in the last places, from where bodies move to those that come free.
+        // So few at times that most cuts have none; at the end, from where bodies move to freed places.
         const uint32_t one_of = round % 2 ? 3 : 40, first = round % 4 ? 0 : f.batch->awake() * 3 / 4;
         std::vector<lr_body> noted, ended;
         for (uint32_t i = 0; i < f.batch->awake(); ++i) {
@@ -168,18 +168,18 @@ TEST_CASE("bodies noted in a step come to rest after it, and only those, also wh
             if (i >= first && random.below(one_of) == 0) f.batch->note_rest(i), noted.push_back(id);
             if (random.below(5) == 0) ended.push_back(id);
         }
-        // As rules end bodies: from the last to the first.
+        // Rules end bodies from the last to the first.
         for (size_t i = ended.size(); i-- > 0;) {
             f.batch->remove(ended[i]);
             f.model.erase(ended[i]);
         }
         for (lr_body id : noted)
             if (const auto at = f.model.find(id); at != f.model.end()) at->second.rests = true;
-        // A body that takes the place of one that was noted and ended is not noted.
+        // A body that takes the place of a noted and ended body is not noted.
         while (f.batch->count() < count) f.add();
         f.batch->settle_noted();
         f.check();
-        f.batch->settle_noted(); // nor is anybody any more
+        f.batch->settle_noted(); // then no body is noted
         f.check();
     }
 }
@@ -200,7 +200,7 @@ TEST_CASE("noted bodies rest from the end of the step on that they were noted in
     }
 }
 
-TEST_CASE("what contact notes is part of the hash where it is not 0, and of snapshots") {
+TEST_CASE("notes of contact are part of the hash if they are not 0, and of snapshots") {
     Fixture f(40);
     for (int i = 0; i < 40; ++i) f.add();
     const uint64_t plain = hash_of(f.world);

@@ -1,4 +1,4 @@
-// As test_hostile_snapshot.cpp, for colliders: changed and sealed snapshots.
+// Like test_hostile_snapshot.cpp, for colliders: changed and resealed snapshots.
 #include "support/colliders.h"
 #include "support/reseal_snapshot.h"
 #include "world/snapshot/snapshot_format.h"
@@ -100,7 +100,7 @@ TEST_CASE("changed colliders in a snapshot are refused, or restore a world that 
 TEST_CASE("a queue of free colliders that is not one of all of them is refused") {
     const Scene scene;
     const std::vector<unsigned char> good = snapshot_of(scene.world);
-    // Free are 6 and 0, in this order.
+    // 6 and 0 are free, in this order.
     const size_t list = offsetof(lr::SnapshotHeader, colliders), slots = good.size() - 6 * 136 - 8 * 8;
     const auto word_at = [&](size_t at) {
         uint32_t word = 0;
@@ -113,15 +113,15 @@ TEST_CASE("a queue of free colliders that is not one of all of them is refused")
         size_t at;
         uint32_t word;
     } forgeries[] = {
-        {slots + 8 * 6 + 4, 6},           // stays
-        {slots + 4, 6},                   // comes back
+        {slots + 8 * 6 + 4, 6},           // points to itself
+        {slots + 4, 6},                   // points back
         {slots + 8 * 6 + 4, 0xffffffffu}, // ends too early
-        {slots + 8 * 6 + 4, 3},           // goes on to one that is taken
-        {slots + 8 * 6 + 4, 8},           // goes outside
+        {slots + 8 * 6 + 4, 3},           // points to a used slot
+        {slots + 8 * 6 + 4, 8},           // points outside
         {list + 8, 0},                    // leaves one out
         {list + 12, 6},                   // ends elsewhere
-        {slots + 8 * 2 + 4, 0},           // one more is free
-        {list + 4, 5},                    // one fewer is taken
+        {slots + 8 * 2 + 4, 0},           // one more free slot
+        {list + 4, 5},                    // one used slot less
         {list, 9},
     };
     for (const auto& forged : forgeries) {

@@ -1,5 +1,5 @@
-// As test_hostile_snapshot.cpp, for what only some batches have: forces, rules, emitters, lives, bodies at rest. And bodies that have
-// left the finite numbers.
+// Like test_hostile_snapshot.cpp, for optional parts of batches: forces, rules, emitters, lives, sleeping bodies. And non-finite
+// bodies.
 #include "support/lifecycle.h"
 #include "support/random.h"
 #include "support/reseal_snapshot.h"
@@ -136,7 +136,7 @@ TEST_CASE("a body that has left physics ends under any rules, or begins anew, wh
                                 4 * (8 * field + 3),
                             &lost, 4);
                 seal(bytes);
-                const bool sane = std::isfinite(lost) && field == 8; // a velocity is for the step to judge
+                const bool sane = std::isfinite(lost) && field == 8; // the step judges velocities
                 REQUIRE(lr_world_snapshot_restore(scene.world.get(), bytes.data(), bytes.size()) ==
                         (sane ? LR_OK : LR_ERROR_SNAPSHOT_FORMAT));
                 if (!sane) continue;

@@ -1,5 +1,5 @@
-// Snapshots that somebody has changed and sealed again: the checksum is no secret. Each is refused, or leaves a world
-// that can be used to the end; AddressSanitizer watches.
+// Changed and resealed snapshots: the checksum is no secret. Each is refused, or leaves a usable world; AddressSanitizer
+// watches.
 #include "support/random.h"
 #include "support/reseal_snapshot.h"
 #include "support/scene.h"
@@ -25,7 +25,7 @@ struct Scene {
     }
 };
 
-// Everything that follows ids, slots and free slots around.
+// Uses all operations that follow ids, slots and free slots.
 void exercise(const World& world, lr_batch batch, const std::vector<lr_body>& ids) {
     lr_world* const w = world.get();
     lr_world_step(w, 0.01f, 2);
@@ -100,12 +100,12 @@ TEST_CASE("a snapshot that was changed and sealed is refused, or restores a worl
     CHECK(refused > 100);
 }
 
-// Two bodies must never share a slot: an id would name both; and none may be lost.
+// Two bodies must never share a slot, because an id would name both; and none must be lost.
 TEST_CASE("a queue of free slots that is not one of all of them is refused") {
     const Scene scene;
     const std::vector<unsigned char> good = snapshot_of(scene.world);
-    // One table sample, padded to 8 bytes, twice; before it 12 generations, and before those what each slot holds: free
-    // are 7, 8, 9, 10, 11, 2, in this order.
+    // One table sample, padded to 8 bytes, twice; before it 12 generations, and before those each slot's contents: free slots are
+    // 7, 8, 9, 10, 11, 2, in this order.
     const size_t slots = good.size() - 16 - 4 * 12 - 4 * 12;
     const auto next_of = [&](const std::vector<unsigned char>& bytes, size_t slot) {
         uint32_t word = 0;
@@ -119,12 +119,12 @@ TEST_CASE("a queue of free slots that is not one of all of them is refused") {
         size_t slot;
         uint32_t next;
     } forgeries[] = {
-        {8, 7},                      // comes back
-        {8, 8},                      // stays
+        {8, 7},                      // points back
+        {8, 8},                      // points to itself
         {7, 9},                      // leaves one out
-        {9, 2},                      // comes to the last too early
-        {11, 3},                     // goes on to a slot with a body
-        {10, 12}, {10, 0x7fffffffu}, // goes outside
+        {9, 2},                      // reaches the last too early
+        {11, 3},                     // points to a slot with a body
+        {10, 12}, {10, 0x7fffffffu}, // points outside
     };
     for (const auto& forged : forgeries) {
         CAPTURE(forged.slot);
@@ -140,12 +140,12 @@ TEST_CASE("a queue of free slots that is not one of all of them is refused") {
     CHECK(lr_world_snapshot_restore(scene.world.get(), same.data(), same.size()) == LR_OK);
 }
 
-// The next batch in its place would begin with generation 0, and with a body whose id is 0.
+// The next batch in its slot would begin with generation 0, and with a body whose id is 0.
 TEST_CASE("a generation beyond the last is refused") {
     const Scene scene;
     std::vector<unsigned char> bytes = snapshot_of(scene.world);
-    // The header of the first batch follows the 112 bytes of the world, 296 of the wind, 320 of the surface and 16 of no
-    // colliders; in it the generations are at 24 and 28.
+    // The header of the first batch follows the 112 bytes of the world, 296 of the wind, 320 of the water and 16 for no colliders;
+    // its generations are at 24 and 28.
     for (size_t at : {size_t{744 + 24}, size_t{744 + 28}}) {
         uint32_t generation = 0;
         std::memcpy(&generation, bytes.data() + at, 4);

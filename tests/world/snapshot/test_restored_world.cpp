@@ -1,5 +1,5 @@
-// A restore keeps what is the same in the world at hand: boxes of bodies at rest, wind sources, colliders, pairs, loads. It must not
-// matter what was there.
+// A restore keeps equal parts of the present world: boxes of sleeping bodies, wind sources, colliders, pairs, loads. The previous
+// state must not matter.
 #include "support/colliders.h"
 #include "support/random.h"
 #include "support/scene.h"
@@ -37,7 +37,7 @@ struct Place {
         REQUIRE(lr_collider_create(world.get(), solids, 2, colliders) == LR_OK);
         ground = colliders[0], ball = colliders[1];
         vortex_desc.core = LR_VORTEX_RANKINE, vortex_desc.velocity[0] = 0.5f;
-        vortex_desc.position[0] = 1000.0f; // or it wakes them
+        vortex_desc.position[0] = 1000.0f; // otherwise it wakes them
         REQUIRE(lr_world_add_vortex(world.get(), &vortex_desc, &vortex) == LR_OK);
         meet(1);
         steps(world, 4, 0.016f, 2);
@@ -53,7 +53,7 @@ struct Place {
         s.position[0] = x;
         REQUIRE(lr_body_set_state(world.get(), ids[body], &s) == LR_OK);
     }
-    // By slot; of those that move 0.
+    // By slot; 0 for awake bodies.
     std::vector<lr::Box> boxes() const {
         const lr::Batch& b = *world->batches[0].batch;
         std::vector<lr::Box> out(b.capacity(), lr::Box{});
@@ -74,7 +74,7 @@ bool same_bits(const std::vector<lr::Box>& a, const std::vector<lr::Box>& b) {
 
 } // namespace
 
-TEST_CASE("what was in a world before a restore does not matter, to the byte") {
+TEST_CASE("a world's state before a restore does not matter, to the byte") {
     const std::pair<const char*, std::function<void(Place&)>> ways[] = {
         {"nothing", [](Place&) {}},
         {"steps", [](Place& p) { steps(p.world, 7, 0.016f, 2); }},

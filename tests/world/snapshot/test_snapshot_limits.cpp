@@ -1,5 +1,5 @@
-// Snapshots with one value beyond what its setter takes, sealed again: each is refused, and changes nothing. And what a step makes of values
-// at their limits is taken back.
+// Snapshots with one value beyond its setter's limits, resealed: each is refused, and changes nothing. And the state after a step
+// from values at their limits can be restored again.
 #include "support/colliders.h"
 #include "support/lifecycle.h"
 #include "support/reseal_snapshot.h"
@@ -64,7 +64,7 @@ struct Scene {
             ids.push_back(add_body(world, batch, d));
         }
         REQUIRE(lr_body_set_sleep(w, ids.data() + 3, 1, LR_SLEEP_ASLEEP) == LR_OK);
-        steps(world, 3, 0.001f); // so that the batch waits in the end
+        steps(world, 3, 0.001f); // so that the batch is waiting at the end
     }
 };
 
@@ -154,7 +154,7 @@ TEST_CASE("a snapshot with a value beyond the limit of its setter is refused, an
     CHECK(lr_world_snapshot_restore(scene.world.get(), same.data(), same.size()) == LR_OK);
 }
 
-// Whatever is restored must give a snapshot that is taken, however long it goes on.
+// Every restored world must give a valid snapshot, however long it continues.
 TEST_CASE("ages, clocks and places at their limits stay there, and the world's own snapshot is taken back") {
     Scene scene;
     lr_world* const w = scene.world.get();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Written by bindings/generator/csharp.py from include/langevin_rigid.h: change those.
+// Written by bindings/generator/csharp.py from include/langevin_rigid.h: do not edit.
 using System;
 using System.Runtime.InteropServices;
 
@@ -43,7 +43,7 @@ namespace LangevinRigid
         /// moments of inertia stay those of the uniform solid</summary>
         public Double3 CenterOfMass;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static EllipsoidDesc Create()
         {
             var value = default(EllipsoidDesc);
@@ -107,7 +107,7 @@ namespace LangevinRigid
         /// <summary>of everything that affects motion; equal for equal assets</summary>
         public ulong ContentHash;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static AssetInfo Create()
         {
             var value = default(AssetInfo);

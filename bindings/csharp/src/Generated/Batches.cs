@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Written by bindings/generator/csharp.py from include/langevin_rigid.h: change those.
+// Written by bindings/generator/csharp.py from include/langevin_rigid.h: do not edit.
 using System;
 using System.Runtime.InteropServices;
 
@@ -27,7 +27,7 @@ namespace LangevinRigid
         Age = 1,
     }
 
-    /// <summary>What happens after the last sample of a turbulence table.</summary>
+    /// <summary>Continuation of a turbulence table after its last sample.</summary>
     public enum TableEnd : int
     {
         /// <summary><see cref="TurbulenceClock.Age"/>: hold the last sample after the end of the table.</summary>
@@ -87,7 +87,7 @@ namespace LangevinRigid
         /// <summary>multiplies the turbulent noise, 0 to 100; default 1; 0 makes single falls repeatable</summary>
         public float NoiseGain;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static BatchDesc Create()
         {
             var value = default(BatchDesc);
@@ -115,7 +115,7 @@ namespace LangevinRigid
         /// <summary>intensity of the body's own wake, 0 to 100; default 1</summary>
         public float Turbulence;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static LoadGains Create()
         {
             var value = default(LoadGains);
@@ -144,7 +144,7 @@ namespace LangevinRigid
         /// <summary>in total</summary>
         public ulong BodySubsteps;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static BatchPace Create()
         {
             var value = default(BatchPace);
@@ -216,7 +216,7 @@ namespace LangevinRigid
         /// <summary>0.</summary>
         public uint Reserved1;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static BatchView Create()
         {
             var value = default(BatchView);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Written by bindings/generator/csharp.py from include/langevin_rigid.h: change those.
+// Written by bindings/generator/csharp.py from include/langevin_rigid.h: do not edit.
 using System;
 using System.Runtime.InteropServices;
 
 namespace LangevinRigid
 {
-    /// <summary>Whether a body is awake or asleep.</summary>
+    /// <summary>A body's sleep state.</summary>
     public enum SleepState : int
     {
         /// <summary>The header's <c>LR_SLEEP_AWAKE</c>.</summary>
@@ -44,7 +44,7 @@ namespace LangevinRigid
         /// not affect motion: part of snapshots, not of the world's hash</summary>
         public ulong User;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static BodyDesc Create()
         {
             var value = default(BodyDesc);
@@ -79,7 +79,7 @@ namespace LangevinRigid
         /// <summary>as in <see cref="BodyDesc"/></summary>
         public ulong User;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static BodyState Create()
         {
             var value = default(BodyState);

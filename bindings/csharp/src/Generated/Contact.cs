@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Written by bindings/generator/csharp.py from include/langevin_rigid.h: change those.
+// Written by bindings/generator/csharp.py from include/langevin_rigid.h: do not edit.
 using System;
 using System.Runtime.InteropServices;
 
@@ -38,7 +38,7 @@ namespace LangevinRigid
         Mesh = 7,
     }
 
-    /// <summary>How a collider is moved.</summary>
+    /// <summary>Ways to move a collider.</summary>
     public enum MoveMode : int
     {
         /// <summary>Sweeps to this pose during the next step, then stands still.</summary>
@@ -102,7 +102,7 @@ namespace LangevinRigid
         /// <summary>m, up to 1e6 in magnitude; x varies fastest</summary>
         public float* Heights;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static ColliderDesc Create()
         {
             var value = default(ColliderDesc);
@@ -138,7 +138,7 @@ namespace LangevinRigid
         /// <summary>0.</summary>
         public uint Reserved;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static ColliderMotion Create()
         {
             var value = default(ColliderMotion);
@@ -174,7 +174,7 @@ namespace LangevinRigid
         /// <summary>0</summary>
         public uint Flags;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static ColliderState Create()
         {
             var value = default(ColliderState);
@@ -197,7 +197,7 @@ namespace LangevinRigid
         /// <summary>as in <see cref="ColliderDesc"/>; default 0.2</summary>
         public float Restitution;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static ColliderMaterial Create()
         {
             var value = default(ColliderMaterial);
@@ -232,7 +232,7 @@ namespace LangevinRigid
         /// <summary>0.</summary>
         public uint Reserved;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static BatchContact Create()
         {
             var value = default(BatchContact);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Written by bindings/generator/csharp.py from include/langevin_rigid.h: change those.
+// Written by bindings/generator/csharp.py from include/langevin_rigid.h: do not edit.
 using System;
 using System.Runtime.InteropServices;
 
 namespace LangevinRigid
 {
-    /// <summary>What happens to a body that its batch's rules end.</summary>
+    /// <summary>The fate of a body that its batch's rules end.</summary>
     public enum EndAction : int
     {
         /// <summary>The body is destroyed and its id becomes stale.</summary>
@@ -27,7 +27,7 @@ namespace LangevinRigid
         Sphere = 2,
     }
 
-    /// <summary>On which side of a kill volume bodies end.</summary>
+    /// <summary>The side of a kill volume on which bodies end.</summary>
     public enum KillSide : int
     {
         /// <summary>The header's <c>LR_KILL_INSIDE</c>.</summary>
@@ -36,7 +36,7 @@ namespace LangevinRigid
         Outside = 1,
     }
 
-    /// <summary>What happens to a diverged body.</summary>
+    /// <summary>The fate of a diverged body.</summary>
     public enum DivergencePolicy : int
     {
         /// <summary><see cref="DivergencePolicy.Remove"/> in a batch with rules, else
@@ -125,7 +125,7 @@ namespace LangevinRigid
             fixed (KillVolume* first = &Volumes0) return ref first[index];
         }
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static BatchRules Create()
         {
             var value = default(BatchRules);
@@ -179,7 +179,7 @@ namespace LangevinRigid
         /// <summary>0.</summary>
         public uint Reserved;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static EmitterDesc Create()
         {
             var value = default(EmitterDesc);
@@ -223,7 +223,7 @@ namespace LangevinRigid
         /// <summary>Total diverged.</summary>
         public ulong TotalDiverged;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static BatchCounts Create()
         {
             var value = default(BatchCounts);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Written by bindings/generator/csharp.py from include/langevin_rigid.h: change those.
+// Written by bindings/generator/csharp.py from include/langevin_rigid.h: do not edit.
 using System;
 using System.Runtime.InteropServices;
 
 namespace LangevinRigid
 {
-    /// <summary>What happened to a body.</summary>
+    /// <summary>Kinds of events.</summary>
     public enum EventKind : int
     {
         /// <summary>An emitter or <see cref="Native.lr_batch_spawn"/> added it since the previous step; not
@@ -99,7 +99,7 @@ namespace LangevinRigid
         /// <summary><see cref="EventKinds"/>, likewise</summary>
         public EventKinds Kinds;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static EventList Create()
         {
             var value = default(EventList);

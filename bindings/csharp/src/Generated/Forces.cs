@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Written by bindings/generator/csharp.py from include/langevin_rigid.h: change those.
+// Written by bindings/generator/csharp.py from include/langevin_rigid.h: do not edit.
 using System;
 using System.Runtime.InteropServices;
 
@@ -21,7 +21,7 @@ namespace LangevinRigid
         Velocity = 3,
     }
 
-    /// <summary>The frame that a force is given in.</summary>
+    /// <summary>The frame of a force.</summary>
     public enum ForceFrame : int
     {
         /// <summary>The header's <c>LR_FRAME_WORLD</c>.</summary>
@@ -66,7 +66,7 @@ namespace LangevinRigid
         /// <summary>0.</summary>
         public uint Reserved;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static BodyForce Create()
         {
             var value = default(BodyForce);
@@ -105,7 +105,7 @@ namespace LangevinRigid
         /// <summary>x, y, z: <c>Count</c> values each, not kept; all three or none. Element 2 of 3.</summary>
         public float* TorqueZ;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static ForceArrays Create()
         {
             var value = default(ForceArrays);
@@ -141,7 +141,7 @@ namespace LangevinRigid
         /// <summary>rad/s^2, body frame</summary>
         public Float3 BodyAngularAcceleration;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static BatchForce Create()
         {
             var value = default(BatchForce);

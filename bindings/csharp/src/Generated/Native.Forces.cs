@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Written by bindings/generator/csharp.py from include/langevin_rigid.h: change those.
+// Written by bindings/generator/csharp.py from include/langevin_rigid.h: do not edit.
 using System;
 using System.Runtime.InteropServices;
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Written by bindings/generator/csharp.py from include/langevin_rigid.h: change those.
+// Written by bindings/generator/csharp.py from include/langevin_rigid.h: do not edit.
 using System;
 using System.Runtime.InteropServices;
 
 namespace LangevinRigid
 {
-    /// <summary>What a ray can hit.</summary>
+    /// <summary>Targets of a ray.</summary>
     [Flags]
     public enum RayFlags : uint
     {
@@ -48,7 +48,7 @@ namespace LangevinRigid
         /// <summary>0.</summary>
         public uint Reserved;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static Ray Create()
         {
             var value = default(Ray);
@@ -98,7 +98,7 @@ namespace LangevinRigid
         /// <summary>0.</summary>
         public uint Reserved;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static OverlapDesc Create()
         {
             var value = default(OverlapDesc);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Written by bindings/generator/csharp.py from include/langevin_rigid.h: change those.
+// Written by bindings/generator/csharp.py from include/langevin_rigid.h: do not edit.
 using System;
 using System.Runtime.InteropServices;
 
@@ -57,7 +57,7 @@ namespace LangevinRigid
         /// <summary>m, where the loads act, from the centre of buoyancy, body frame; within 2 d; default 0</summary>
         public Double3 Center;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static Aerodynamics Create()
         {
             var value = default(Aerodynamics);
@@ -99,7 +99,7 @@ namespace LangevinRigid
         /// <summary>copied; default null: an ellipsoid's with these extents</summary>
         public Aerodynamics* Aerodynamics;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static RigidDesc Create()
         {
             var value = default(RigidDesc);
@@ -135,7 +135,7 @@ namespace LangevinRigid
         /// <summary>0.</summary>
         public uint Reserved;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static TurbulenceTable Create()
         {
             var value = default(TurbulenceTable);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Written by bindings/generator/csharp.py from include/langevin_rigid.h: change those.
+// Written by bindings/generator/csharp.py from include/langevin_rigid.h: do not edit.
 using System;
 using System.Runtime.InteropServices;
 
@@ -40,11 +40,11 @@ namespace LangevinRigid
     [StructLayout(LayoutKind.Sequential)]
     public readonly struct BatchId : IEquatable<BatchId>
     {
-        /// <summary>As the library sees it; 0 is none.</summary>
+        /// <summary>The number in the C API; 0 means none.</summary>
         public readonly uint Value;
-        /// <summary>From a number that was a handle before.</summary>
+        /// <summary>A handle from its number.</summary>
         public BatchId(uint value) { Value = value; }
-        /// <summary>Whether it is no handle at all. One of something destroyed is not null: calls refuse it as stale.</summary>
+        /// <summary>Whether this is no handle. The handle of a destroyed object is not null: calls refuse it as stale.</summary>
         public bool IsNull { get { return Value == 0; } }
         /// <inheritdoc/>
         public bool Equals(BatchId other) { return Value == other.Value; }
@@ -54,9 +54,9 @@ namespace LangevinRigid
         public override int GetHashCode() { return Value.GetHashCode(); }
         /// <inheritdoc/>
         public override string ToString() { return "BatchId(0x" + Value.ToString("x") + ")"; }
-        /// <summary>Whether both are the same.</summary>
+        /// <summary>Whether the handles are equal.</summary>
         public static bool operator ==(BatchId left, BatchId right) { return left.Value == right.Value; }
-        /// <summary>Whether they differ.</summary>
+        /// <summary>Whether the handles differ.</summary>
         public static bool operator !=(BatchId left, BatchId right) { return left.Value != right.Value; }
     }
 
@@ -64,11 +64,11 @@ namespace LangevinRigid
     [StructLayout(LayoutKind.Sequential)]
     public readonly struct BodyId : IEquatable<BodyId>
     {
-        /// <summary>As the library sees it; 0 is none.</summary>
+        /// <summary>The number in the C API; 0 means none.</summary>
         public readonly ulong Value;
-        /// <summary>From a number that was a handle before.</summary>
+        /// <summary>A handle from its number.</summary>
         public BodyId(ulong value) { Value = value; }
-        /// <summary>Whether it is no handle at all. One of something destroyed is not null: calls refuse it as stale.</summary>
+        /// <summary>Whether this is no handle. The handle of a destroyed object is not null: calls refuse it as stale.</summary>
         public bool IsNull { get { return Value == 0; } }
         /// <inheritdoc/>
         public bool Equals(BodyId other) { return Value == other.Value; }
@@ -78,9 +78,9 @@ namespace LangevinRigid
         public override int GetHashCode() { return Value.GetHashCode(); }
         /// <inheritdoc/>
         public override string ToString() { return "BodyId(0x" + Value.ToString("x") + ")"; }
-        /// <summary>Whether both are the same.</summary>
+        /// <summary>Whether the handles are equal.</summary>
         public static bool operator ==(BodyId left, BodyId right) { return left.Value == right.Value; }
-        /// <summary>Whether they differ.</summary>
+        /// <summary>Whether the handles differ.</summary>
         public static bool operator !=(BodyId left, BodyId right) { return left.Value != right.Value; }
     }
 
@@ -88,11 +88,11 @@ namespace LangevinRigid
     [StructLayout(LayoutKind.Sequential)]
     public readonly struct ColliderId : IEquatable<ColliderId>
     {
-        /// <summary>As the library sees it; 0 is none.</summary>
+        /// <summary>The number in the C API; 0 means none.</summary>
         public readonly ulong Value;
-        /// <summary>From a number that was a handle before.</summary>
+        /// <summary>A handle from its number.</summary>
         public ColliderId(ulong value) { Value = value; }
-        /// <summary>Whether it is no handle at all. One of something destroyed is not null: calls refuse it as stale.</summary>
+        /// <summary>Whether this is no handle. The handle of a destroyed object is not null: calls refuse it as stale.</summary>
         public bool IsNull { get { return Value == 0; } }
         /// <inheritdoc/>
         public bool Equals(ColliderId other) { return Value == other.Value; }
@@ -102,9 +102,9 @@ namespace LangevinRigid
         public override int GetHashCode() { return Value.GetHashCode(); }
         /// <inheritdoc/>
         public override string ToString() { return "ColliderId(0x" + Value.ToString("x") + ")"; }
-        /// <summary>Whether both are the same.</summary>
+        /// <summary>Whether the handles are equal.</summary>
         public static bool operator ==(ColliderId left, ColliderId right) { return left.Value == right.Value; }
-        /// <summary>Whether they differ.</summary>
+        /// <summary>Whether the handles differ.</summary>
         public static bool operator !=(ColliderId left, ColliderId right) { return left.Value != right.Value; }
     }
 
@@ -112,11 +112,11 @@ namespace LangevinRigid
     [StructLayout(LayoutKind.Sequential)]
     public readonly struct WindSourceId : IEquatable<WindSourceId>
     {
-        /// <summary>As the library sees it; 0 is none.</summary>
+        /// <summary>The number in the C API; 0 means none.</summary>
         public readonly uint Value;
-        /// <summary>From a number that was a handle before.</summary>
+        /// <summary>A handle from its number.</summary>
         public WindSourceId(uint value) { Value = value; }
-        /// <summary>Whether it is no handle at all. One of something destroyed is not null: calls refuse it as stale.</summary>
+        /// <summary>Whether this is no handle. The handle of a destroyed object is not null: calls refuse it as stale.</summary>
         public bool IsNull { get { return Value == 0; } }
         /// <inheritdoc/>
         public bool Equals(WindSourceId other) { return Value == other.Value; }
@@ -126,9 +126,9 @@ namespace LangevinRigid
         public override int GetHashCode() { return Value.GetHashCode(); }
         /// <inheritdoc/>
         public override string ToString() { return "WindSourceId(0x" + Value.ToString("x") + ")"; }
-        /// <summary>Whether both are the same.</summary>
+        /// <summary>Whether the handles are equal.</summary>
         public static bool operator ==(WindSourceId left, WindSourceId right) { return left.Value == right.Value; }
-        /// <summary>Whether they differ.</summary>
+        /// <summary>Whether the handles differ.</summary>
         public static bool operator !=(WindSourceId left, WindSourceId right) { return left.Value != right.Value; }
     }
 
@@ -156,11 +156,11 @@ namespace LangevinRigid
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate void LogFn(IntPtr user, LogLevel level, byte* message);
 
-    /// <summary>What <c>Allocate</c> of a <see cref="Allocator"/> points to.</summary>
+    /// <summary>The function type of <c>Allocate</c> in a <see cref="Allocator"/>.</summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate IntPtr AllocatorAllocateFn(IntPtr user, ulong size, ulong alignment);
 
-    /// <summary>What <c>Release</c> of a <see cref="Allocator"/> points to.</summary>
+    /// <summary>The function type of <c>Release</c> in a <see cref="Allocator"/>.</summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate void AllocatorReleaseFn(IntPtr user, IntPtr memory, ulong size, ulong alignment);
 
@@ -181,11 +181,11 @@ namespace LangevinRigid
         public IntPtr Release;
     }
 
-    /// <summary>What <c>Enqueue</c> of a <see cref="JobSystem"/> points to.</summary>
+    /// <summary>The function type of <c>Enqueue</c> in a <see cref="JobSystem"/>.</summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate IntPtr JobSystemEnqueueFn(IntPtr user, IntPtr run, IntPtr task, uint count);
 
-    /// <summary>What <c>Finish</c> of a <see cref="JobSystem"/> points to.</summary>
+    /// <summary>The function type of <c>Finish</c> in a <see cref="JobSystem"/>.</summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate void JobSystemFinishFn(IntPtr user, IntPtr token);
 

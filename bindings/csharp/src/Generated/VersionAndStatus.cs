@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Written by bindings/generator/csharp.py from include/langevin_rigid.h: change those.
+// Written by bindings/generator/csharp.py from include/langevin_rigid.h: do not edit.
 using System;
 using System.Runtime.InteropServices;
 
@@ -70,7 +70,7 @@ namespace LangevinRigid
         Reentrant = -29,
     }
 
-    /// <summary>The header that these sources were made from, and limits that the library states.</summary>
+    /// <summary>Version of the header behind these sources, and limits of the library.</summary>
     public static class Limits
     {
         /// <summary>Version of the header: major.</summary>

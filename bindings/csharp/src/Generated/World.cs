@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Written by bindings/generator/csharp.py from include/langevin_rigid.h: change those.
+// Written by bindings/generator/csharp.py from include/langevin_rigid.h: do not edit.
 using System;
 using System.Runtime.InteropServices;
 
@@ -88,7 +88,7 @@ namespace LangevinRigid
         /// <summary>0.</summary>
         public uint Reserved;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static WorldDesc Create()
         {
             var value = default(WorldDesc);
@@ -129,7 +129,7 @@ namespace LangevinRigid
         /// <summary>0.</summary>
         public uint Reserved;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static WorldInfo Create()
         {
             var value = default(WorldInfo);
@@ -157,7 +157,7 @@ namespace LangevinRigid
         /// <summary>s, up to 1e6; default 0: 4 s. IEC 61400-1: 5.67 times height over wind speed</summary>
         public float IntegralTime;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static GustsDesc Create()
         {
             var value = default(GustsDesc);
@@ -190,7 +190,7 @@ namespace LangevinRigid
         /// <summary>m: likewise along the axis; default 0: no limit</summary>
         public float HalfLength;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static VortexDesc Create()
         {
             var value = default(VortexDesc);
@@ -225,7 +225,7 @@ namespace LangevinRigid
         /// <summary>widening of the jet per length, 0 to 1; default 0.1, measured as 0.11</summary>
         public float Spread;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static BlowerDesc Create()
         {
             var value = default(BlowerDesc);
@@ -254,7 +254,7 @@ namespace LangevinRigid
         /// <summary>s, of the largest eddies, up to 1e6; default 0: integral_length/rms</summary>
         public float EddyLife;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static TurbulenceDesc Create()
         {
             var value = default(TurbulenceDesc);
@@ -289,7 +289,7 @@ namespace LangevinRigid
         /// <see cref="Native.lr_world_get_wind_grid"/> gives null</summary>
         public float* Samples;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static WindGridDesc Create()
         {
             var value = default(WindGridDesc);
@@ -316,7 +316,7 @@ namespace LangevinRigid
         /// <summary>m, &gt;= roughness_length: the height at which the factor is 1; default 10</summary>
         public float ReferenceHeight;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static GroundWindDesc Create()
         {
             var value = default(GroundWindDesc);
@@ -456,7 +456,7 @@ namespace LangevinRigid
             fixed (Wave* first = &Waves0) return ref first[index];
         }
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static WaterDesc Create()
         {
             var value = default(WaterDesc);
@@ -531,7 +531,7 @@ namespace LangevinRigid
         /// long, bodies move in slow motion</summary>
         public double Lost;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static StepReport Create()
         {
             var value = default(StepReport);
@@ -568,7 +568,7 @@ namespace LangevinRigid
         /// <summary>listing and sorting them</summary>
         public double Events;
 
-        /// <summary>One with its initial values and its size.</summary>
+        /// <summary>A struct with its initial values and its size.</summary>
         public static Timings Create()
         {
             var value = default(Timings);

@@ -1,6 +1,6 @@
 /*
- * The part of Godot's extension interface that this extension uses: types with the engine's layout, and its functions,
- * which are asked for by name. Needs Godot 4.4 or later. tests/abi compares all of it with the header that an engine dumps
+ * The part of Godot's extension interface that this extension uses: types with the engine's layout, and functions that
+ * are looked up by name. Needs Godot 4.4 or later. tests/abi compares it with the header that an engine dumps
  * (godot --dump-gdextension-interface).
  *
  * SPDX-License-Identifier: MIT
@@ -11,7 +11,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* What is opaque to an extension is a pointer; ownership is said where a function is used. */
+/* Opaque types are pointers; each function says who owns them. */
 typedef void* gdx_object;
 typedef void* gdx_library;
 
@@ -136,13 +136,13 @@ typedef struct gdx_initialization {
 typedef void (*gdx_function)(void);
 typedef gdx_function (*gdx_get_proc_address)(const char* name);
 
-/* What the engine's own functions give out, by type of Variant. */
+/* Functions of the engine for a type of Variant. */
 typedef void (*gdx_from_type)(void* variant, void* value);
 typedef void (*gdx_to_type)(void* value, void* variant);
 typedef void* (*gdx_inner_pointer)(void* variant);
 typedef void (*gdx_destructor)(void* value);
 
-/* X(name to ask for, the engine's name of its type, result, parameters) */
+/* X(name to look up, the engine's name of its type, result, parameters) */
 #define GDX_FUNCTIONS(X)                                                                                               \
     X(print_error_with_message, PrintErrorWithMessage, void,                                                           \
       (const char* description, const char* message, const char* function, const char* file, int32_t line,             \

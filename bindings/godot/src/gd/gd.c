@@ -20,7 +20,7 @@ int gd_load(gdx_get_proc_address get, gdx_library library) {
     GDX_FUNCTIONS(GD_LOAD)
 #undef GD_LOAD
     if (missing) {
-        fprintf(stderr, "langevin_rigid: this engine has no %s: Godot 4.4 or later is needed\n", missing);
+        fprintf(stderr, "langevin_rigid: this engine has no %s: Godot 4.4 or later is required\n", missing);
         return 0;
     }
     static const gdx_type used[] = {GDX_BOOL,

@@ -1,9 +1,9 @@
 /*
- * The engine as seen from C: its functions, Variants by value, and calls of its methods by name.
+ * The engine for C code: its functions, Variants by value, and calls of methods by name.
  *
- * Methods are called by name through Variants, not through method binds: binds are found by a hash of the signature, which
- * changes between engine versions. There are some ten calls a frame and a few for each collider; what comes in bulk goes
- * through pointers into packed arrays.
+ * Methods are called by name through Variants, not through method binds: binds need a hash of the signature, which
+ * changes between engine versions. A frame has about ten calls, and a few for each collider; bulk data goes through
+ * pointers into packed arrays.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -15,7 +15,7 @@
 
 #include <langevin_rigid.h>
 
-/* A Variant of an engine built with single precision: 24 bytes. It owns what it holds: gd_free(). */
+/* A Variant of an engine with single precision: 24 bytes. It owns its value: gd_free(). */
 typedef struct gd_var {
     uint64_t words[3];
 } gd_var;
@@ -30,13 +30,13 @@ typedef struct gd_api {
     gdx_destructor destroy[GDX_TYPE_COUNT]; /* null for types that own nothing */
     gdx_library library;
     uint64_t names[GD_NAME_COUNT]; /* StringNames */
-    gdx_object rendering_server;   /* from the first batch on: it does not exist when extensions are loaded */
+    gdx_object rendering_server;   /* from the first batch on: extensions are loaded before the server exists */
     uint8_t in_editor;
 } gd_api;
 
 extern gd_api gd;
 
-/* 0 if the engine lacks a function, after an error that names it. */
+/* Returns 0 if the engine lacks a function, after an error that names it. */
 int gd_load(gdx_get_proc_address get, gdx_library library);
 void gd_load_names(void);
 gdx_object gd_singleton(const char* class_name);
@@ -56,44 +56,44 @@ gd_var gd_vector3(const float* xyz);
 gd_var gd_aabb(const float* position_size);
 gd_var gd_transform(const float* rows_origin); /* the engine's layout: three rows of the basis, then the origin */
 gd_var gd_rid(uint64_t rid);
-gd_var gd_object(gdx_object object); /* adds a reference to what is counted; nil for null */
+gd_var gd_object(gdx_object object); /* adds a reference to a counted object; nil for null */
 gd_var gd_copy(const gd_var* from);
-gd_var gd_empty(gdx_type type); /* a Variant of that type with its initial value: packed arrays */
+gd_var gd_empty(gdx_type type); /* a Variant of that type with its initial value, for packed arrays */
 gd_var gd_callable(gdx_object object, int method);
 void gd_free(gd_var* variant); /* and makes it nil */
 
 gdx_type gd_type(const gd_var* variant);
 
-/* What a Variant holds, converted where the engine converts. */
+/* The value of a Variant, with the engine's conversions. */
 int64_t gd_to_int(const gd_var* variant);
 int gd_to_bool(const gd_var* variant);
 double gd_to_float(const gd_var* variant);
 void gd_to_floats(const gd_var* variant, gdx_type type, float* out); /* Vector3, Plane, AABB, Transform3D */
 uint64_t gd_to_rid(const gd_var* variant);
-gdx_object gd_to_object(const gd_var* variant); /* null if it is none, or was freed */
+gdx_object gd_to_object(const gd_var* variant); /* null if it has no object, or the object was freed */
 char* gd_to_utf8(const gd_var* string);         /* malloc */
-char* gd_string_to_utf8(const void* string);    /* of a String itself; malloc */
+char* gd_string_to_utf8(const void* string);    /* from a String itself; malloc */
 
-/* Packed arrays in Variants. gd_array() makes one of `count` elements; gd_data() is where they can be written: unshared
- * by the engine if need be; null when empty. */
+/* Packed arrays in Variants. gd_array() makes an array of `count` elements. gd_data() returns writable elements, which the
+ * engine copies first if they are shared; null if empty. */
 gd_var gd_array(gdx_type type, int64_t count);
 int64_t gd_array_count(const gd_var* array);
 void gd_array_resize(gd_var* array, int64_t count);
 void* gd_data(gd_var* array);
 const void* gd_read(const gd_var* array);
 
-/* Calls a method by name. Arguments are gd_var by value, which are freed. ret may be null. 0 after an error, which has
- * been printed; ret is then nil. */
+/* Calls a method by name. Arguments are gd_var by value, and are freed. ret may be null. Returns 0 after printing an
+ * error; ret is then nil. */
 int gd_call(gdx_object object, int method, gd_var* ret, int count, ...);
 int gd_call_in_place(gd_var* self, int method, gd_var* ret, int count, ...);
 int64_t gd_call_int(gdx_object object, int method);
 double gd_call_float(gdx_object object, int method);
-gdx_object gd_call_object(gdx_object object, int method); /* not for what is counted: no reference is kept */
+gdx_object gd_call_object(gdx_object object, int method); /* not for counted objects: keeps no reference */
 int gd_call_floats(gdx_object object, int method, gdx_type type, float* out);
 gd_var gd_nodes_below_viewport(gdx_object node, const char* class_name); /* Array of nodes in the same World3D */
 int gd_is_class(gdx_object object, const char* class_name);
 
-/* Errors and warnings go to the engine's log, and to the editor's debugger. */
+/* Prints to the engine's log and the editor's debugger. */
 void gd_message(int warning, const char* function, int line, const char* format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 4, 5)))

@@ -8,12 +8,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Object::notification(int, bool). Called by pointer, since a Variant of an object that is being constructed would count
- * as its first reference. The hash has been the same in all of Godot 4. */
+/* Object::notification(int, bool). Called by pointer: a Variant of an object under construction would count as its first
+ * reference. All versions of Godot 4 have had this hash. */
 #define NOTIFICATION_HASH 4023243586
 #define NOTIFICATION_POSTINITIALIZE 0
 
-/* What a registered method does: userdata of the engine's method. Setters and getters of fields have a property. */
+/* A registered method: userdata of the engine's method. Setters and getters of fields have a property. */
 typedef struct bound {
     const gd_method* method;
     const gd_property* property;
@@ -23,7 +23,7 @@ typedef struct bound {
     struct bound* next;
 } bound;
 
-static bound* all_bound; /* of all classes, freed with the last of them */
+static bound* all_bound; /* of all classes; freed with the last class */
 static int registered;
 
 static void name_of(uint64_t* name, const char* text) {
@@ -250,7 +250,7 @@ static void register_method(const uint64_t* class_name, bound* b) {
 
 static bound* new_bound(void) {
     bound* b = calloc(1, sizeof *b);
-    if (!b) abort(); /* a few hundred bytes at start-up: the engine itself gives up there */
+    if (!b) abort(); /* a few hundred bytes at start-up: the engine itself aborts there */
     b->next = all_bound;
     all_bound = b;
     return b;

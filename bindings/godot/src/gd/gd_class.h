@@ -1,6 +1,6 @@
 /*
- * Classes as tables: properties are fields of the instance's struct, methods are functions on Variants. What the engine
- * asks of a class (call and pointer call, checks of arguments, conversion) is done here, once.
+ * Classes as tables: properties are fields of the instance's struct, methods are functions on Variants. Calls, pointer
+ * calls, argument checks and conversions are the same for all classes.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -9,7 +9,7 @@
 
 #include "gd.h"
 
-/* What each instance begins with. */
+/* The first member of each instance. */
 typedef struct gd_instance {
     const struct gd_class* type;
     gdx_object object; /* the engine's object, not counted */
@@ -24,7 +24,7 @@ typedef struct gd_arg {
     const char* class_name; /* of objects */
 } gd_arg;
 
-/* args: of the declared types. ret: nil, may be set. instance: null in static methods. */
+/* args: of the declared types. ret: nil, can be set. instance: null in static methods. */
 typedef void (*gd_method_fn)(void* instance, const gd_var* args, gd_var* ret);
 
 typedef struct gd_method {
@@ -49,8 +49,8 @@ typedef struct gd_property {
     uint32_t hint; /* GD_HINT_* */
     const char* hint_string;
     double minimum, maximum;         /* of numbers, and of each component of a Vector3; both 0: no limits */
-    void (*changed)(void* instance); /* after the field was set; may be null */
-    gd_method_fn get, set;           /* instead of a field */
+    void (*changed)(void* instance); /* called after a change of the field; may be null */
+    gd_method_fn get, set;           /* replace a field */
     uint32_t usage;                  /* 0: GD_USAGE_DEFAULT */
 } gd_property;
 
@@ -75,21 +75,21 @@ typedef struct gd_class {
     const char* name;
     const char* parent;
     size_t size;
-    void (*construct)(void* instance); /* zeroed but for gd_instance; the engine's object must not be called yet */
+    void (*construct)(void* instance); /* zeroed except gd_instance; the engine's object must not be called yet */
     void (*destruct)(void* instance);
     void (*notification)(void* instance, int32_t what);
-    const gd_property* properties; /* ends with a null name, as the others */
+    const gd_property* properties; /* ends with a null name, like the tables below */
     const gd_method* methods;
     const gd_signal* signals;
     const gd_constant* constants;
     const gd_virtual* virtuals; /* ends with a null call */
-    int internal;               /* not shown in the editor's lists */
+    int internal;               /* hidden in the editor's lists */
 } gd_class;
 
 void gd_register(const gd_class* type);
 void gd_unregister(const gd_class* type);
 
-/* The instance behind an object of the engine, null if it is none of that class. */
+/* The instance of an engine's object; null if the object is of another class. */
 void* gd_instance_of(gdx_object object, const gd_class* type);
 
 #endif

@@ -1,5 +1,5 @@
 /*
- * The names of methods, signals and classes of the engine that are called, made once when the extension is loaded.
+ * Names of the engine's methods, signals and classes, made once when the extension is loaded.
  *
  * SPDX-License-Identifier: MIT
  */

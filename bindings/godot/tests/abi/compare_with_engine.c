@@ -1,7 +1,7 @@
 /*
- * Compiles only if this extension's declarations have the layout and the types of the header that an engine has dumped.
- * Functions are compared as types after the engine's structs have taken the place of ours, so that a parameter that is
- * missing, too many, of another width or in another place does not compile.
+ * Compiles only if this extension's declarations have the layout and types of an engine's dumped header. Function types are
+ * compared after the engine's structs have replaced ours, so that a missing, additional, wider or misplaced parameter does
+ * not compile.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -105,7 +105,7 @@ FIELD(gdx_initialization, GDExtensionInitialization, userdata, userdata);
 FIELD(gdx_initialization, GDExtensionInitialization, initialize, initialize);
 FIELD(gdx_initialization, GDExtensionInitialization, deinitialize, deinitialize);
 
-/* The types of callbacks within the structs. */
+/* Types of callbacks within structs. */
 #define CALLBACK(struct_type, field, their_type)                                                                       \
     SAME(__builtin_types_compatible_p(__typeof__(((struct_type*)0)->field), their_type))
 CALLBACK(gdx_class_info, notification, GDExtensionClassNotification2);

@@ -218,7 +218,7 @@ func test_snapshot() -> void:
 	world.free()
 
 
-# test.sh has lr_replay play the file again.
+# test.sh replays the file with lr_replay.
 func test_recording() -> void:
 	var world := make_world()
 	world.workers = 2
@@ -433,7 +433,7 @@ func test_signals() -> void:
 	for i in 20:
 		world.step(1.0 / 60.0)
 	check(seen.ended == 20 and batch.get_body_count() == 0, "all have ended: %d" % seen.ended)
-	# A handler that frees a batch whose signals are still to come.
+	# A handler that frees a batch whose signals are still pending.
 	batch.lifetime = 0.0
 	var other := [make_batch(world, 5)]
 	other[0].position.y = 0.5
@@ -451,7 +451,7 @@ func test_signals() -> void:
 
 
 func test_center_of_mass() -> void:
-	# The ballast is off the middle, so that the body's origin is not the mesh's.
+	# The ballast is off the middle, so the body's origin differs from the mesh's.
 	var world := make_world()
 	var batch := make_batch(world, 0, 4)
 	batch.asset = load("res://shifted.lrb")

@@ -119,7 +119,7 @@ void host_classdb_register_extension_class_property(void* library, const void* c
     for (host_method* m = c->methods; m; m = m->next)
         found +=
             !strcmp(m->name, (*(host_name* const*)setter)->text) + !strcmp(m->name, (*(host_name* const*)getter)->text);
-    assert(found == 2); /* the engine refuses properties without their methods */
+    assert(found == 2); /* the engine refuses properties without methods */
     ++c->properties;
 }
 void host_classdb_register_extension_class_property_group(void* library, const void* class_name, const void* group,
@@ -235,7 +235,7 @@ gdx_object host_global_get_singleton(const void* name) {
     return scene_singleton((*(host_name* const*)name)->text);
 }
 
-/* The two binds that are asked for. */
+/* The only two method binds in use. */
 static const char bind_notification, bind_file;
 const void* host_classdb_get_method_bind(const void* class_name, const void* method, int64_t hash) {
     const char* name = (*(host_name* const*)method)->text;

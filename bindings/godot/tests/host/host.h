@@ -1,6 +1,6 @@
 /*
- * A host of our own that stands in for the engine: Variants, names and strings with reference counts, objects, registered
- * classes, and a scene of a few nodes. It checks what the engine would crash on, and counts what is not given back.
+ * A stand-in for the engine: Variants, names and strings with reference counts, objects, registered classes, and a scene of a
+ * few nodes. It detects uses that would crash the engine, and counts leaks.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -9,10 +9,10 @@
 
 #include "../../src/abi/gdextension_abi.h"
 
-typedef struct host_array { /* of a packed array; shared until written to */
+typedef struct host_array { /* a packed array; shared until a write */
     int refs;
     int64_t count;
-    int64_t width; /* bytes an element */
+    int64_t width; /* bytes per element */
     unsigned char* data;
 } host_array;
 
@@ -84,7 +84,7 @@ typedef struct host_counts {
     int errors, warnings;
     int signals_touched, signals_landed, bodies_landed;
     int flushes;
-    int64_t stored, room; /* bytes of the files; and that they have left */
+    int64_t stored, room; /* bytes in the files, and their remaining room */
     char last_error[512];
 } host_counts;
 
@@ -96,11 +96,11 @@ void host_start(void);
 void host_stop(void);
 host_class* host_find_class(const char* name);
 host_object* host_new(const char* class_name, int counted);
-host_object* host_construct(const char* class_name); /* as ClassDB does */
+host_object* host_construct(const char* class_name); /* like ClassDB */
 void host_free(host_object* object);
 void host_notify(host_object* object, int what);
 
-/* Calls a method as scripts do, and as compiled code does. Arguments are freed. */
+/* Calls a method like a script, and like compiled code. Frees the arguments. */
 host_variant host_call(host_object* object, const char* method, gdx_call_error* error, int count, ...);
 host_method* host_find_method(const host_object* object, const char* method);
 void host_virtual(host_object* object, const char* method, const void* const* args, void* ret);
@@ -118,12 +118,12 @@ host_variant host_vector(float x, float y, float z);
 host_variant host_text(const char* text);
 host_variant host_obj(host_object* object);
 int host_is_packed(uint32_t type);
-int64_t host_width_of(uint32_t type); /* bytes an element */
+int64_t host_width_of(uint32_t type); /* bytes per element */
 host_variant host_value_of(uint32_t type);
 host_name* host_name_new(const char* text);
 void host_name_free(void* name);
 void host_array_free(void* array);
-host_array* host_array_own(host_array** slot, int64_t width, int64_t count); /* alone, and of that length */
+host_array* host_array_own(host_array** slot, int64_t width, int64_t count); /* unshared, with that length */
 host_string* host_string_new(const char* text);
 void host_string_free(void* string);
 

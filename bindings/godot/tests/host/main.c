@@ -1,5 +1,5 @@
 /*
- * Loads the extension as an engine does, drives it for a thousand frames and unloads it: host EXTENSION LEAF.lrb
+ * Loads the extension like an engine, runs it for a thousand frames and unloads it: host EXTENSION LEAF.lrb
  *
  * SPDX-License-Identifier: MIT
  */
@@ -62,7 +62,7 @@ static void release(host_object* counted) {
     host_variant_destroy(&v);
 }
 
-/* Arguments of the wrong number and type are answered as an engine expects, and change nothing. */
+/* Wrong numbers and types of arguments return the expected errors, and change nothing. */
 static void test_arguments(host_object* world) {
     gdx_call_error error = {0, 0, 0};
     host_variant ret = host_call(world, "set_seed", &error, 0);
@@ -79,7 +79,7 @@ static void test_arguments(host_object* world) {
     const int before = host.errors;
     set(world, "set_substeps", host_int(0));
     CHECK(host.errors == before + 1 && call_int(world, "get_substeps") == 2);
-    /* The way of compiled code: pointers to values. */
+    /* The calls of compiled code: pointers to values. */
     host_method* setter = host_find_method(world, "set_wind");
     host_method* getter = host_find_method(world, "get_wind");
     const float wind[3] = {1.0f, 0.0f, 0.5f};
@@ -109,7 +109,7 @@ static void leave(host_object* batch) {
     host_notify(batch, EXIT_TREE);
 }
 
-/* What the editor shows on a node that is not set up. */
+/* Warnings in the editor on an incomplete node. */
 static void test_warnings(host_object* asset) {
     host_object* batch = host_construct("LangevinBatch");
     host_variant list = host_nil();
@@ -122,7 +122,7 @@ static void test_warnings(host_object* asset) {
     host_free(batch);
 }
 
-/* A file of its own each time; the last one has room for the beginning only. */
+/* A new file each time; the last has room for the beginning only. */
 static void test_recordings(host_object* world) {
     for (int turn = 0; turn < 2; ++turn) {
         host_object* file = host_new("FileAccess", 1);
@@ -135,7 +135,7 @@ static void test_recordings(host_object* world) {
         answer = host_call(world, "start_recording", NULL, 1, host_obj(world));
         CHECK(answer.u.integer == 31); /* no file */
         answer = host_call(world, "start_recording", NULL, 1, host_obj(file));
-        CHECK(answer.u.integer == 31 && file->refs == 2); /* one is under way */
+        CHECK(answer.u.integer == 31 && file->refs == 2); /* a recording is already running */
         if (turn == 1) host.room = 0;
         for (int frame = 0; frame < 3; ++frame) host_notify(world, PHYSICS);
         CHECK((host.stored > begun) == (turn == 0));
@@ -163,12 +163,12 @@ static uint64_t run(host_object* asset, host_object* mesh, int frames) {
         host_notify(world, PHYSICS);
     }
     host_body->transform[10] = 0.0f;
-    CHECK(call_int(batch, "get_body_count") == 600); /* 100 a second came, up to the capacity */
+    CHECK(call_int(batch, "get_body_count") == 600); /* 100 per second, up to the capacity */
     CHECK(call_int(world, "get_collider_count") == 1);
     CHECK(host.signals_touched > 0 && host.signals_landed > 0 && host.bodies_landed > 50);
     CHECK(host.buffers > frames && host.visible > 0);
 
-    /* Results that own memory, both ways. */
+    /* Results that own memory, by both kinds of calls. */
     host_variant rows = host_call(batch, "get_transforms", NULL, 0);
     host_variant drawn = host_call(batch, "get_instance_buffer", NULL, 0);
     CHECK(rows.u.array->count == 7200 && drawn.u.array->count >= 7200);
@@ -196,12 +196,12 @@ static uint64_t run(host_object* asset, host_object* mesh, int frames) {
     host_variant_destroy(&answer);
     const uint64_t hash = (uint64_t)call_int(world, "get_state_hash");
     test_recordings(world);
-    host_object* file = host_new("FileAccess", 1); /* which the world gives back when it leaves the tree */
+    host_object* file = host_new("FileAccess", 1); /* the world releases it on leaving the tree */
     host.room = 1 << 30;
     answer = host_call(world, "start_recording", NULL, 1, host_obj(file));
     CHECK(answer.u.integer == 0);
 
-    /* The batch first, the world first, and a batch that is still in the tree when it goes. */
+    /* Freed in three orders: the batch first, the world first, and a batch while it is in the tree. */
     leave(other);
     CHECK(call_int(other, "get_body_count") == 0);
     host_notify(world, PHYSICS);
@@ -238,7 +238,7 @@ int main(int argc, char** argv) {
     CHECK(host_find_class("LangevinAsset") && !strcmp(host_find_class("LangevinAsset")->parent, "Resource"));
 
     CHECK(load("/nothing/there.lrb") == NULL && host.errors == 1);
-    CHECK(load(argv[0]) == NULL && host.errors > 1); /* this program is no asset */
+    CHECK(load(argv[0]) == NULL && host.errors > 1); /* this program is not an asset */
     host_object* asset = load(argv[2]);
     host_object* mesh = host_new("MeshResource", 1);
     host_variant hold = host_obj(mesh);
@@ -249,8 +249,8 @@ int main(int argc, char** argv) {
         const int errors = host.errors, names = host.names, live = host.objects;
         CHECK(run(asset, mesh, 1000) == first && first != 0);
         CHECK(host.names == names && host.objects == live);
-        CHECK(host.errors == errors + 6); /* one that test_arguments asks for, and five of test_recordings */
-        CHECK(host.warnings == 2);        /* a recording that had no room, in each run */
+        CHECK(host.errors == errors + 6); /* one from test_arguments, and five from test_recordings */
+        CHECK(host.warnings == 2);        /* a recording without room, in each run */
         release(asset);
     }
     host_variant_destroy(&hold);

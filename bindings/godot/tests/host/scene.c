@@ -1,5 +1,5 @@
 /*
- * The scene and the servers of the host: what the extension calls of the engine, by name.
+ * The scene and the servers of the host: the engine's methods that the extension calls by name.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -12,7 +12,7 @@
 
 host_object *host_tree, *host_root, *host_body;
 static host_object *engine, *rendering, *loaders, *space, *shape;
-static host_object* loader; /* the resource loader that was added */
+static host_object* loader; /* the registered resource loader */
 
 void scene_call(host_variant* self, const char* method, const void* const* args, int64_t count, host_variant* ret,
                 gdx_call_error* error);

@@ -1,5 +1,5 @@
 /*
- * Variants and what they hold, as the engine does: shared until written to, and counted.
+ * Variants and their values, as in the engine: shared until a write, and counted.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -128,7 +128,7 @@ void host_variant_destroy(void* variant) {
         assert(v->u.object->refs > 0);
         if (--v->u.object->refs == 0) host_free(v->u.object);
     }
-    /* What is used after it was destroyed shall be noticed. */
+    /* Overwrites destroyed values, so that later uses fail. */
     memset(v, 0xee, sizeof *v);
 }
 
@@ -178,7 +178,7 @@ host_variant host_obj(host_object* object) {
     return c;
 }
 
-/* Conversions between Variants and values: one pair of functions for each type, as the engine gives out. */
+/* Conversions between Variants and values: a pair of functions for each type, like the engine's. */
 #define PAIR(suffix, type_id, value_type, field)                                                                       \
     static void from_##suffix(void* variant, void* value) {                                                            \
         host_variant v = host_value_of(type_id);                                                                       \
@@ -237,7 +237,7 @@ static void to_object(void* value, void* variant) {
 static void to_pointer(void* value, void* variant) {
     host_variant c;
     host_variant_new_copy(&c, variant);
-    *(void**)value = c.u.string; /* the reference goes along */
+    *(void**)value = c.u.string; /* moves the reference */
 }
 static void to_rid(void* value, void* variant) {
     const host_variant* v = variant;
@@ -359,7 +359,7 @@ int64_t host_string_to_utf8_chars(const void* string, char* text, int64_t capaci
     return length;
 }
 void host_string_name_new_with_latin1_chars(void* name, const char* text, uint8_t is_static) {
-    assert(!is_static); /* the engine expects those to live for ever */
+    assert(!is_static); /* the engine expects static names to live forever */
     *(host_name**)name = host_name_new(text);
 }
 

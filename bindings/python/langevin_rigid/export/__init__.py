@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Writers of recordings for other programs: USD point instancers, and point caches of a carrier mesh (PC2)."""
+"""Exports recordings to other programs: USD point instancers, and point caches (PC2) of a carrier mesh."""
 from .pc2 import CarrierCache, read_pc2, write_carrier_pc2
 from .usd import write_usda
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Point caches (PC2) of a carrier: a mesh of three loose vertices for each body, which any program with a PC2 modifier moves.
+"""Point caches (PC2) of a carrier: a mesh with three loose vertices for each body, moved by any program with a PC2 modifier.
 
-Vertex 3 i is the centre of mass of the body in slot i, 3 i + 1 and 3 i + 2 lie from it along the body's x and y axes, as far as
-its scale (in metres). They give position, orientation and scale, and may be interpolated between frames. In a slot without a body
-all three are in one place.
+Vertex 3 i is the centre of mass of the body in slot i. Vertices 3 i + 1 and 3 i + 2 lie along the body's x and y axes, at the
+distance of its scale in metres. Together they give position, orientation and scale, and interpolate between frames. In an
+empty slot all three are at one point.
 """
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ import numpy as np
 from ..recording import Recording
 from ..view import turned
 
-HEADER = struct.Struct("<12siiffi")  # mark, version, points, first frame, frames a sample, samples
+HEADER = struct.Struct("<12siiffi")  # mark, version, points, first frame, frames per sample, samples
 MARK = b"POINTCACHE2\0"
 
 
 class CarrierCache(NamedTuple):
-    """vertices: of the carrier. first: their positions in the first frame, (vertices, 3)."""
+    """vertices: their number in the carrier. first: their positions in the first frame, (vertices, 3)."""
 
     vertices: int
     first: np.ndarray
@@ -39,7 +39,7 @@ def carrier_frames(recording: Recording) -> np.ndarray:
         out[at, slot, 1] = frame.position + reach * turned(frame.orientation, np.broadcast_to(unit_x, frame.position.shape))
         out[at, slot, 2] = frame.position + reach * turned(frame.orientation, np.broadcast_to(unit_y, frame.position.shape))
         alive[at, slot] = True
-    # An empty slot is one frame where its last body ended, then where the next one begins; after the last, where that ended.
+    # # An empty slot stays where its last body ended for a frame, then where its next body begins; after the last body, at its end.
     ended = alive.copy()
     for at in range(1, len(out)):
         fill = ~alive[at] & alive[at - 1]
@@ -54,7 +54,7 @@ def carrier_frames(recording: Recording) -> np.ndarray:
 
 
 def write_carrier_pc2(path: Union[str, "os.PathLike[str]"], recording: Recording) -> CarrierCache:
-    """Writes the cache of a recording; sample f is frame first_frame + f."""
+    """Writes the cache of a recording. Sample f is frame first_frame + f."""
     frames = carrier_frames(recording)
     vertices = 3 * frames.shape[1]
     if not frames.size:
@@ -66,7 +66,7 @@ def write_carrier_pc2(path: Union[str, "os.PathLike[str]"], recording: Recording
 
 
 def read_pc2(path: Union[str, "os.PathLike[str]"]) -> Tuple[float, float, np.ndarray]:
-    """First frame, frames a sample, and (samples, points, 3)."""
+    """First frame, frames per sample, and an array (samples, points, 3)."""
     with open(path, "rb") as file:
         mark, version, points, start, rate, samples = HEADER.unpack(file.read(HEADER.size))
         if mark != MARK or version != 1:

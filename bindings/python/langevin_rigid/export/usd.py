@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""USD as text: one PointInstancer for each recording, with the mesh that it instances."""
+"""USD as text: a PointInstancer for each recording, with the mesh that it draws."""
 from __future__ import annotations
 
 import os
@@ -15,7 +15,7 @@ Pair = Tuple[Recording, Mesh]
 
 
 def _array(values: np.ndarray, digits: int) -> str:
-    """Numbers, or tuples of them, in brackets."""
+    """Numbers, or tuples of numbers, in brackets."""
     if not len(values):
         return "[]"
     if values.ndim == 1:
@@ -34,7 +34,7 @@ def _samples(file: IO[str], indent: str, declaration: str, recording: Recording,
 
 
 def _name(text: str, taken: Dict[str, int]) -> str:
-    """An identifier of USD that is not taken yet."""
+    """A USD identifier that is not taken yet."""
     name = re.sub(r"[^A-Za-z0-9_]", "_", text) or "Bodies"
     name = name if not name[0].isdigit() else "_" + name
     taken[name] = taken.get(name, 0) + 1
@@ -70,26 +70,26 @@ def _extent(mesh: Mesh, frame: Any) -> np.ndarray:
 def write_usda(path: Union[str, "os.PathLike[str]"], recordings: Union[Recording, Sequence[Pair]], mesh: Optional[Mesh] = None,
                *, up_axis: str = "Y", names: Optional[Sequence[str]] = None,
                color: Sequence[float] = (0.55, 0.35, 0.12)) -> None:
-    """Writes recordings, each with the mesh that is drawn for its bodies, as point instancers with time samples.
+    """Writes recordings as point instancers with time samples, each with the mesh to draw.
 
-    recordings: one, with its mesh as `mesh`, or pairs of them. The mesh has its origin at the centre of mass:
-        Mesh.moved(-asset.info.center_of_mass). up_axis: of the world that was stepped, "Y" or "Z"; nothing is turned.
+    recordings: a recording, with `mesh`, or pairs of a recording and its mesh. Meshes have their origin at the centre of mass:
+        Mesh.moved(-asset.info.center_of_mass). up_axis: that of the stepped world, "Y" or "Z"; nothing is rotated.
 
-    Bodies have their ids, velocities (m/s) and angularVelocities (degrees/s), which renderers blur motion with. They may come
-    and go. Orientations are halves, as USD has them: within about 0.05 degrees.
+    Bodies have ids, and velocities (m/s) and angularVelocities (degrees/s) for motion blur. Bodies can come and go. Orientations
+    are half precision, as USD requires: within about 0.05 degrees.
     """
     if isinstance(recordings, Recording):
         if mesh is None:
-            raise TypeError("a mesh is needed to draw the bodies with")
+            raise TypeError("a recording needs a mesh to draw its bodies")
         recordings = [(recordings, mesh)]
     pairs = list(recordings)
     if up_axis not in ("Y", "Z"):
         raise ValueError(f'up_axis is "Y" or "Z", not {up_axis!r}')
     rates = {recording.fps for recording, _ in pairs}
     if len(rates) != 1:
-        raise ValueError(f"recordings of one file have the same rate, not {sorted(rates)}")
+        raise ValueError(f"all recordings of a file need the same rate, not {sorted(rates)}")
     if any(not len(recording) for recording, _ in pairs):
-        raise ValueError("a recording without frames")
+        raise ValueError("a recording has no frames")
     first = min(recording.first_frame for recording, _ in pairs)
     last = max(recording.frame_numbers[-1] for recording, _ in pairs)
     fps = rates.pop()

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""The part of Blender's bpy that the add-on uses without a window, with the behaviour that it relies on. What the add-on must not
-invent is refused: properties, nodes and sockets are those of Blender 3.4. It draws nothing: tests/blender_check.py does, in a Blender."""
+"""The part of Blender's bpy that the add-on uses without a window. Properties, nodes and sockets are those of Blender 3.4; all others
+are refused, so that the add-on cannot use an invented one. It draws nothing: tests/blender_check.py runs in a real Blender."""
 import types as _types
 
 import numpy as np
 
 
 class Strict:
-    """Takes values for the properties that it has, and no others."""
+    """Refuses values for properties that it does not have."""
 
     def __init__(self, **properties):
         object.__setattr__(self, "__dict__", dict(properties))

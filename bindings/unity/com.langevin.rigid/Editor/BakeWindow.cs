@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace LangevinUnity.Editor
 {
-    /// <summary>Window > Langevin Rigid > Bake: makes a .lrb of a mesh by lr_bake, which runs beside the editor.</summary>
+    /// <summary>Window > Langevin Rigid > Bake: bakes a mesh to a .lrb file by lr_bake, in a process of its own.</summary>
     public sealed class BakeWindow : EditorWindow
     {
         [SerializeField] private Mesh mesh;
@@ -29,7 +29,7 @@ namespace LangevinUnity.Editor
 
         private void OnEnable() { EditorApplication.update += Poll; }
 
-        // Also before scripts are reloaded: a baker without its window would go on for nobody.
+        // Also before scripts are reloaded: otherwise the baker would go on without a window.
         private void OnDisable()
         {
             EditorApplication.update -= Poll;
@@ -45,7 +45,7 @@ namespace LangevinUnity.Editor
             using (new EditorGUI.DisabledScope(bake != null))
             {
                 fromFile = EditorGUILayout.Toggle(
-                    new GUIContent("From a file", "An OBJ, FBX, glTF, PLY or STL file, instead of a Unity mesh."), fromFile);
+                    new GUIContent("From a file", "Bake an OBJ, FBX, glTF, PLY or STL file instead of a Unity mesh."), fromFile);
                 if (fromFile) FileField();
                 else mesh = (Mesh)EditorGUILayout.ObjectField("Mesh", mesh, typeof(Mesh), false);
                 settings.sheet = EditorGUILayout.Toggle(
@@ -53,18 +53,18 @@ namespace LangevinUnity.Editor
                 if (settings.sheet)
                 {
                     settings.thickness = EditorGUILayout.DoubleField(
-                        new GUIContent("Thickness", "In the mesh's unit."), settings.thickness);
+                        new GUIContent("Thickness", "Thickness of the sheet, in the mesh's unit."), settings.thickness);
                     settings.arealDensity = EditorGUILayout.DoubleField(
-                        new GUIContent("Mass per area (kg/m²)", "0: density counts. Paper: 0.08."), settings.arealDensity);
+                        new GUIContent("Mass per area (kg/m²)", "Of a sheet; 0: use density. Paper: 0.08."), settings.arealDensity);
                 }
                 if (!(settings.sheet && settings.arealDensity > 0.0))
                     settings.density = EditorGUILayout.DoubleField(
-                        new GUIContent("Density (kg/m³)", "Dry leaves 350, paper 800."), settings.density);
+                        new GUIContent("Density (kg/m³)", "Dry leaves: 350. Paper: 800."), settings.density);
                 settings.fluid = EditorGUILayout.TextField(
-                    new GUIContent("Fluid", "air, water, or density and viscosity: 1.2,1.5e-5"), settings.fluid);
+                    new GUIContent("Fluid", "air, water, or density (kg/m³) and kinematic viscosity (m²/s): 1.2,1.5e-5"), settings.fluid);
                 settings.unit = EditorGUILayout.TextField(
-                    new GUIContent("Unit", "m, cm or mm; file: what an FBX or Collada file says."), settings.unit);
-                settings.wake = EditorGUILayout.Toggle(new GUIContent("Turbulence of the wake", "Takes seconds more."), settings.wake);
+                    new GUIContent("Unit", "Unit of the mesh: m, cm or mm; file: the unit stored in an FBX or Collada file."), settings.unit);
+                settings.wake = EditorGUILayout.Toggle(new GUIContent("Turbulence of the wake", "Also computes wake turbulence. Takes seconds longer."), settings.wake);
                 output = EditorGUILayout.TextField("Output", output);
                 string problem = Problem();
                 if (problem != null) EditorGUILayout.HelpBox(problem, MessageType.Info);
@@ -105,7 +105,7 @@ namespace LangevinUnity.Editor
             if (fromFile && !File.Exists(file)) return "Choose a mesh file.";
             if (!fromFile && mesh == null) return "Choose a mesh.";
             if (!output.StartsWith("Assets/", StringComparison.Ordinal) || !output.EndsWith(".lrb", StringComparison.Ordinal))
-                return "The output must be in Assets/ and end with .lrb.";
+                return "The output path must begin with Assets/ and end with .lrb.";
             if (LangevinBakerTool.Find() == null) return "lr_bake was not found: in the package's Tools~ folder, or on PATH.";
             return settings.Problem();
         }
@@ -142,7 +142,7 @@ namespace LangevinUnity.Editor
         {
             if (bake == null) return;
             double seconds = EditorApplication.timeSinceStartup - begun;
-            // A bake has no known end: the bar nears its end, and the phase is in its text.
+            // The duration of a bake is unknown: the bar approaches its end, and its text names the phase.
             float progress = (float)(1.0 - Math.Exp(-seconds / 3.0));
             string text = bake.Phase + ", " + seconds.ToString("F0") + " s";
             if (EditorUtility.DisplayCancelableProgressBar("Langevin Rigid: baking", text, progress)) bake.Cancel();
@@ -154,7 +154,7 @@ namespace LangevinUnity.Editor
             EditorUtility.ClearProgressBar();
             bake.Wait();
             failed = bake.Cancelled || bake.ExitCode != 0;
-            message = bake.Cancelled ? "Cancelled. What was at the output before is still there." : bake.Errors + (failed ? "" : bake.Report);
+            message = bake.Cancelled ? "Cancelled. A file from before is unchanged." : bake.Errors + (failed ? "" : bake.Report);
             bake.Dispose();
             bake = null;
             DeleteTemporary();

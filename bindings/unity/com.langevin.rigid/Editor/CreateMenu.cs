@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace LangevinUnity.Editor
 {
-    /// <summary>GameObject > Langevin Rigid: the parts of a scene.</summary>
+    /// <summary>GameObject > Langevin Rigid: creates the parts of a scene.</summary>
     internal static class CreateMenu
     {
         [MenuItem("GameObject/Langevin Rigid/World", false, 10)]

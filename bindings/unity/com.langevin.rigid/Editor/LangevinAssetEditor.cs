@@ -3,7 +3,7 @@ using UnityEditor;
 
 namespace LangevinUnity.Editor
 {
-    /// <summary>Shows the numbers of an asset.</summary>
+    /// <summary>Shows the properties of an asset.</summary>
     [CustomEditor(typeof(LangevinAsset))]
     public sealed class LangevinAssetEditor : UnityEditor.Editor
     {
@@ -17,17 +17,17 @@ namespace LangevinUnity.Editor
             EditorGUILayout.LabelField("Volume", (n.volume * 1e6).ToString("G4") + " cm³");
             EditorGUILayout.LabelField("Density", n.density.ToString("G4") + " kg/m³");
             EditorGUILayout.LabelField("Length, thickness", LangevinUnits.Length(n.length) + ", " + LangevinUnits.Length(n.thickness));
-            EditorGUILayout.LabelField("Falls at about", n.fallSpeed.ToString("G3") + " m/s, Reynolds number " + n.reynolds.ToString("G3"));
-            EditorGUILayout.LabelField("Baked in a fluid of", n.fluidDensity.ToString("G4") + " kg/m³");
+            EditorGUILayout.LabelField("Fall speed, about", n.fallSpeed.ToString("G3") + " m/s, Reynolds number " + n.reynolds.ToString("G3"));
+            EditorGUILayout.LabelField("Density of the bake's fluid", n.fluidDensity.ToString("G4") + " kg/m³");
             EditorGUILayout.LabelField("Added mass along x, y, z", LangevinUnits.Mass(n.addedMass.x) + ", " + LangevinUnits.Mass(n.addedMass.y) +
                 ", " + LangevinUnits.Mass(n.addedMass.z));
             EditorGUILayout.LabelField("Centre of mass", n.centerOfMass.ToString("G4") + " m, baked mesh");
-            EditorGUILayout.LabelField("Drawn mesh is mirrored in", asset.Mirror.ToString());
+            EditorGUILayout.LabelField("Drawn mesh mirrored along", asset.Mirror.ToString());
             EditorGUILayout.LabelField("File", asset.Bytes.Length + " bytes, format " + n.formatVersion + ", " + n.contentHash);
         }
     }
 
-    /// <summary>Numbers for people.</summary>
+    /// <summary>Formats numbers with units.</summary>
     internal static class LangevinUnits
     {
         public static string Mass(double kg)

@@ -9,26 +9,26 @@ using UnityEditor;
 
 namespace LangevinUnity.Editor
 {
-    /// <summary>What to bake, and of what it is.</summary>
+    /// <summary>Settings of a bake.</summary>
     [Serializable]
     public sealed class LangevinBakeSettings
     {
-        /// <summary>kg/m^3, unless arealDensity is given.</summary>
+        /// <summary>kg/m^3; unused if arealDensity is given.</summary>
         public double density = 800.0;
         /// <summary>The mesh is the middle surface of a sheet.</summary>
         public bool sheet = false;
         /// <summary>m, of a sheet.</summary>
         public double thickness = 0.0002;
-        /// <summary>kg/m^2 of a sheet; 0: density counts.</summary>
+        /// <summary>kg/m^2 of a sheet; 0: use density.</summary>
         public double arealDensity = 0.0;
         /// <summary>air, water, or "density,viscosity".</summary>
         public string fluid = "air";
-        /// <summary>m for a Unity mesh; files may say.</summary>
+        /// <summary>m for a Unity mesh. "file": the unit stored in the file.</summary>
         public string unit = "m";
-        /// <summary>The turbulence of the body's own wake: slower.</summary>
+        /// <summary>Whether to compute the turbulence of the body's own wake, which takes longer.</summary>
         public bool wake = false;
 
-        /// <summary>What is wrong with the settings; null if nothing is.</summary>
+        /// <summary>The first problem of the settings, or null.</summary>
         public string Problem()
         {
             if (sheet && !(thickness > 0.0)) return "A sheet needs a thickness.";
@@ -37,7 +37,7 @@ namespace LangevinUnity.Editor
             return null;
         }
 
-        /// <summary>The baker's command line.</summary>
+        /// <summary>The arguments for lr_bake.</summary>
         public List<string> Arguments(string mesh, string output, string name)
         {
             var list = new List<string> { "mesh", mesh, "-o", output, "--unit", unit, "--fluid", fluid };
@@ -50,11 +50,11 @@ namespace LangevinUnity.Editor
             return list;
         }
 
-        // The baker reads numbers with a point, whatever the system's language has.
+        // The baker reads numbers with a decimal point, whatever the system's language.
         private static string Number(double value) { return value.ToString("R", CultureInfo.InvariantCulture); }
     }
 
-    /// <summary>A run of lr_bake, beside the editor.</summary>
+    /// <summary>A run of lr_bake in a process of its own.</summary>
     public sealed class LangevinBake : IDisposable
     {
         private readonly Process process = new Process();
@@ -63,22 +63,22 @@ namespace LangevinUnity.Editor
         private readonly object guard = new object();
         private string phase = "starting";
 
-        /// <summary>What it is doing.</summary>
+        /// <summary>The present phase.</summary>
         public string Phase { get { lock (guard) return phase; } }
 
-        /// <summary>What it printed about faults: numbers, places and remedies.</summary>
+        /// <summary>The reported faults: numbers, places and remedies.</summary>
         public string Errors { get { lock (guard) return errors.ToString(); } }
 
-        /// <summary>Its summary.</summary>
+        /// <summary>The summary that it printed.</summary>
         public string Report { get { lock (guard) return report.ToString(); } }
 
         /// <summary>Whether it was cancelled.</summary>
         public bool Cancelled { get; private set; }
 
-        /// <summary>Whether it has ended.</summary>
+        /// <summary>Whether it has exited.</summary>
         public bool Ended { get { return process.HasExited; } }
 
-        /// <summary>0: good; 1: a numbered fault; 2: wrong usage.</summary>
+        /// <summary>0: success; 1: a numbered fault; 2: wrong usage.</summary>
         public int ExitCode { get { return process.ExitCode; } }
 
         /// <summary>Starts the baker.</summary>
@@ -101,7 +101,7 @@ namespace LangevinUnity.Editor
             process.BeginOutputReadLine();
         }
 
-        // Progress is "phase: 0.01 s" and faults are "FILE: error NUMBER at WHERE: ..." on standard error.
+        // On standard error, progress is "phase: 0.01 s" and a fault is "FILE: error NUMBER at WHERE: ...".
         private void Take(string line, bool error)
         {
             if (line == null) return;
@@ -114,10 +114,10 @@ namespace LangevinUnity.Editor
             }
         }
 
-        /// <summary>Waits until it has ended and all that it printed is there.</summary>
+        /// <summary>Waits for its end and for all of its output.</summary>
         public void Wait() { process.WaitForExit(); }
 
-        /// <summary>Ends it. The baker leaves an old output as it was.</summary>
+        /// <summary>Kills the baker, which leaves an earlier output unchanged.</summary>
         public void Cancel()
         {
             Cancelled = true;
@@ -125,7 +125,7 @@ namespace LangevinUnity.Editor
             catch (InvalidOperationException) { }
         }
 
-        /// <summary>Ends it, if it still runs.</summary>
+        /// <summary>Kills the baker if it still runs.</summary>
         public void Dispose()
         {
             Cancel();
@@ -133,13 +133,13 @@ namespace LangevinUnity.Editor
         }
     }
 
-    /// <summary>Where lr_bake is.</summary>
+    /// <summary>Finds lr_bake.</summary>
     public static class LangevinBakerTool
     {
-        /// <summary>A path that someone has chosen in the bake window.</summary>
+        /// <summary>The editor preference with the path chosen in the bake window.</summary>
         public const string PreferenceKey = "LangevinRigid.BakerPath";
 
-        /// <summary>The baker: the chosen one, else that of the package for this system, else one on PATH. Null where there is none.</summary>
+        /// <summary>The baker: the chosen path, else the package's for this system, else on PATH; otherwise null.</summary>
         public static string Find()
         {
             string chosen = EditorPrefs.GetString(PreferenceKey, "");
@@ -148,7 +148,7 @@ namespace LangevinUnity.Editor
             return Find(package == null ? null : package.resolvedPath, Environment.GetEnvironmentVariable("PATH"), IsWindows);
         }
 
-        /// <summary>Find without the editor's state.</summary>
+        /// <summary>Finds the baker without the editor's preferences.</summary>
         public static string Find(string packagePath, string searchPath, bool windows)
         {
             string file = windows ? "lr_bake.exe" : "lr_bake";
@@ -167,7 +167,7 @@ namespace LangevinUnity.Editor
             return null;
         }
 
-        /// <summary>Archives of packages may lose the mark of a program. What cannot be marked will say so when it is started.</summary>
+        /// <summary>Sets the executable bit, which archives of packages can lose. If that fails, starting the program reports it.</summary>
         public static void MakeExecutable(string program)
         {
             if (IsWindows) return;
@@ -188,7 +188,7 @@ namespace LangevinUnity.Editor
         }
     }
 
-    /// <summary>Arguments in one string, as processes take them on Windows and in Mono.</summary>
+    /// <summary>Joins arguments into one string, with the quoting of Windows and Mono.</summary>
     internal static class LangevinCommandLine
     {
         public static string Join(IEnumerable<string> arguments)
@@ -202,7 +202,7 @@ namespace LangevinUnity.Editor
             return text.ToString();
         }
 
-        // Backslashes count as such unless they stand before a quotation mark.
+        // Backslashes are literal unless they precede a quotation mark.
         private static void Quote(StringBuilder text, string argument)
         {
             if (argument.Length > 0 && argument.IndexOfAny(new[] { ' ', '\t', '"', '\\', '\'' }) < 0)

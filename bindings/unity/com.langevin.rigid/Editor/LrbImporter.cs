@@ -7,15 +7,15 @@ using UnityEngine;
 
 namespace LangevinUnity.Editor
 {
-    /// <summary>Imports .lrb files, which lr_bake makes, as LangevinAsset. A damaged file says in the console what is wrong with it, by the fault
-    /// numbers of docs/reference/asset_format.md.</summary>
+    /// <summary>Imports .lrb files, made by lr_bake, as LangevinAsset. For a damaged file the console lists its faults, with the numbers of
+    /// docs/reference/asset_format.md.</summary>
     [ScriptedImporter(1, "lrb")]
     public sealed class LrbImporter : ScriptedImporter
     {
-        [Tooltip("How the drawn mesh lies to the baked one. Z: baked from a Unity mesh by the bake window. X: baked from the FBX or OBJ file.")]
+        [Tooltip("Axis along which the drawn mesh mirrors the baked mesh. Z: baked from a Unity mesh. X: baked from the FBX or OBJ file.")]
         [SerializeField] private MeshMirror meshMirror = MeshMirror.Z;
 
-        /// <summary>How the drawn mesh lies to the baked one.</summary>
+        /// <summary>The mirror from the baked to the drawn mesh.</summary>
         public MeshMirror Mirror { get { return meshMirror; } set { meshMirror = value; } }
 
         /// <inheritdoc/>

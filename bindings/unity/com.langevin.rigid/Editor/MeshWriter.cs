@@ -7,11 +7,11 @@ using UnityEngine;
 
 namespace LangevinUnity.Editor
 {
-    /// <summary>Writes a Unity mesh for the baker: as OBJ, in the library's right-handed frame, with equal vertices welded. Unity parts a
-    /// surface along seams of normals and texture coordinates; the baker wants it closed.</summary>
+    /// <summary>Writes a Unity mesh as OBJ for the baker, in the library's right-handed frame. It welds equal vertices: Unity splits a surface
+    /// along seams of normals and texture coordinates, but the baker needs it closed.</summary>
     public static class MeshWriter
     {
-        /// <summary>Writes all submeshes of triangles. An ArgumentException says what is wrong with the mesh.</summary>
+        /// <summary>Writes the triangles of all submeshes. Throws an ArgumentException that names the problem of the mesh.</summary>
         public static void WriteObj(Mesh mesh, string path)
         {
             if (mesh == null) throw new ArgumentNullException("mesh");
@@ -47,7 +47,7 @@ namespace LangevinUnity.Editor
             }
         }
 
-        // R keeps every bit of a float; the point is one in any language. -0 and 0 are one vertex.
+        // R keeps every bit of a float, and the invariant culture writes a point. -0 and 0 must be one vertex.
         private static string Number(float value) { return (value == 0.0f ? 0.0f : value).ToString("R", CultureInfo.InvariantCulture); }
     }
 }

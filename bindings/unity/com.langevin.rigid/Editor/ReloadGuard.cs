@@ -3,8 +3,8 @@ using UnityEditor;
 
 namespace LangevinUnity.Editor
 {
-    /// <summary>Ends simulations before scripts are reloaded and when play mode ends. Unity disables components first; what is left then was
-    /// made by hand, and its native memory and threads would stay in the editor's process for ever.</summary>
+    /// <summary>Disposes of simulations before scripts are reloaded and when play mode ends. Unity disables components first. Simulations left
+    /// after that were made by scripts; their native memory and threads would leak in the editor's process.</summary>
     [InitializeOnLoad]
     internal static class ReloadGuard
     {

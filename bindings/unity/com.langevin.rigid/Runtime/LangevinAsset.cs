@@ -5,23 +5,23 @@ using UnityEngine;
 
 namespace LangevinUnity
 {
-    /// <summary>What lr_bake made of a mesh: an imported .lrb file. One asset may serve any number of batches and worlds.</summary>
+    /// <summary>An imported .lrb file, made by lr_bake from a mesh. Any number of batches and worlds can share it.</summary>
     public sealed unsafe class LangevinAsset : ScriptableObject
     {
         [SerializeField, HideInInspector] private byte[] bytes = new byte[0];
         [SerializeField] private MeshMirror meshMirror = MeshMirror.Z;
         [SerializeField] private LangevinAssetNumbers numbers;
 
-        /// <summary>The file as it is.</summary>
+        /// <summary>The contents of the .lrb file.</summary>
         public byte[] Bytes { get { return bytes; } }
 
-        /// <summary>How the mesh that is drawn lies to the one that was baked.</summary>
+        /// <summary>The mirror from the baked to the drawn mesh.</summary>
         public MeshMirror Mirror { get { return meshMirror; } }
 
-        /// <summary>Mass, sizes and the like, read when the file was imported.</summary>
+        /// <summary>Mass, sizes and other properties, read at import.</summary>
         public LangevinAssetNumbers Numbers { get { return numbers; } }
 
-        /// <summary>An asset from the bytes of a .lrb file, at run time: from a download or a bundle of your own.</summary>
+        /// <summary>Creates an asset at run time from the bytes of a .lrb file, from a download or your own bundle.</summary>
         public static LangevinAsset FromBytes(byte[] fileBytes, MeshMirror mirror)
         {
             if (fileBytes == null) throw new ArgumentNullException("fileBytes");
@@ -34,7 +34,7 @@ namespace LangevinUnity
             return asset;
         }
 
-        /// <summary>The library's asset, with a reference that the caller releases. What is wrong with the bytes is in the exception.</summary>
+        /// <summary>The library's asset; the caller releases its reference. Throws an exception that lists faults of the bytes.</summary>
         internal IntPtr Load()
         {
             LangevinLibrary.EnsureLoaded();
@@ -47,7 +47,7 @@ namespace LangevinUnity
         }
     }
 
-    /// <summary>The numbers of an asset that people look at.</summary>
+    /// <summary>Properties of an asset, for inspectors.</summary>
     [Serializable]
     public unsafe struct LangevinAssetNumbers
     {
@@ -63,11 +63,11 @@ namespace LangevinUnity
         public double length;
         /// <summary>m.</summary>
         public double thickness;
-        /// <summary>m/s, about how fast it falls.</summary>
+        /// <summary>m/s, about the speed of its fall.</summary>
         public double fallSpeed;
         /// <summary>Reynolds number at that speed.</summary>
         public double reynolds;
-        /// <summary>kg/m^3 of the fluid that it was baked in.</summary>
+        /// <summary>kg/m^3, of the fluid of the bake.</summary>
         public double fluidDensity;
         /// <summary>m, in the frame of the baked mesh (right-handed).</summary>
         public Vector3 centerOfMass;
@@ -77,7 +77,7 @@ namespace LangevinUnity
         public Vector3 addedMass;
         /// <summary>Version of the file format.</summary>
         public int formatVersion;
-        /// <summary>Equal for assets that move equally.</summary>
+        /// <summary>Equal for assets that move alike.</summary>
         public string contentHash;
 
         internal static LangevinAssetNumbers Of(IntPtr asset)

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace LangevinUnity
 {
-    /// <summary>Where a body is and how it moves, in Unity's world.</summary>
+    /// <summary>The state of a body, in Unity's world.</summary>
     public struct LangevinBodyState
     {
         /// <summary>m, of the centre of mass.</summary>
@@ -16,11 +16,11 @@ namespace LangevinUnity
         public Vector3 velocity;
         /// <summary>rad/s.</summary>
         public Vector3 angularVelocity;
-        /// <summary>Uniform.</summary>
+        /// <summary>The uniform scale.</summary>
         public float scale;
         /// <summary>s.</summary>
         public float age;
-        /// <summary>Whether it is at rest.</summary>
+        /// <summary>Whether it is asleep.</summary>
         public bool resting;
     }
 
@@ -30,12 +30,12 @@ namespace LangevinUnity
         {
             if (Simulation == null || id.IsNull)
                 throw new InvalidOperationException("LangevinBatch \"" + name +
-                    "\" is in no world: there is none that is enabled, or it could not join (see the console).");
+                    "\" is in no world: no world is enabled, or the batch could not join (see the console).");
             World.CompleteStep();
             return Simulation.Handle;
         }
 
-        /// <summary>Bodies at present.</summary>
+        /// <summary>The number of bodies.</summary>
         public int Count
         {
             get
@@ -46,8 +46,8 @@ namespace LangevinUnity
             }
         }
 
-        /// <summary>Arrays of the state of all bodies where they lie, in the LIBRARY's frame (z mirrored); valid until the world's next
-        /// change.</summary>
+        /// <summary>The state of all bodies as arrays in the library's memory and in the LIBRARY's frame (z mirrored). Valid until the world's
+        /// next change.</summary>
         public BatchView View()
         {
             BatchView view = BatchView.Create();
@@ -55,7 +55,7 @@ namespace LangevinUnity
             return view;
         }
 
-        /// <summary>One body with its centre of mass there.</summary>
+        /// <summary>Creates a body with its centre of mass at `position`.</summary>
         public BodyId Spawn(Vector3 position, Quaternion rotation, Vector3 velocity, Vector3 angularVelocity, float scale)
         {
             IntPtr world = Ready();
@@ -70,25 +70,25 @@ namespace LangevinUnity
             return body;
         }
 
-        /// <summary>One body at rest in the air.</summary>
+        /// <summary>Creates a body without velocity, at scale 1.</summary>
         public BodyId Spawn(Vector3 position, Quaternion rotation)
         {
             return Spawn(position, rotation, Vector3.zero, Vector3.zero, 1.0f);
         }
 
-        /// <summary>Bears `count` bodies by the emitter now, all or none.</summary>
+        /// <summary>Spawns `count` bodies from the emitter now, all or none.</summary>
         public void Emit(int count)
         {
             LangevinSimulation.Check(Native.lr_batch_spawn(Ready(), id, (uint)Mathf.Max(0, count), null), "lr_batch_spawn");
         }
 
-        /// <summary>Ends a body of this world.</summary>
+        /// <summary>Destroys a body of this world.</summary>
         public void Despawn(BodyId body)
         {
             LangevinSimulation.Check(Native.lr_body_destroy(Ready(), &body, 1), "lr_body_destroy");
         }
 
-        /// <summary>The state of a body; false if it is there no more.</summary>
+        /// <summary>Reads the state of a body; false if it no longer exists.</summary>
         public bool TryGetState(BodyId body, out LangevinBodyState state)
         {
             BodyState native = BodyState.Create();
@@ -107,7 +107,7 @@ namespace LangevinUnity
             return true;
         }
 
-        /// <summary>A force and a torque on a body over the next step, or an impulse now, at its centre of mass.</summary>
+        /// <summary>Adds a force and a torque at a body's centre of mass, over the next step or, as an impulse, now.</summary>
         public void AddForce(BodyId body, Vector3 force, Vector3 torque, LangevinRigid.ForceMode mode)
         {
             IntPtr world = Ready();
@@ -119,7 +119,7 @@ namespace LangevinUnity
             LangevinSimulation.Check(Native.lr_body_add_force(world, &native, 1), "lr_body_add_force");
         }
 
-        /// <summary>An acceleration of all bodies, m/s^2, until changed.</summary>
+        /// <summary>Accelerates all bodies, m/s^2, until changed.</summary>
         public void SetAcceleration(Vector3 acceleration)
         {
             IntPtr world = Ready();
@@ -128,14 +128,14 @@ namespace LangevinUnity
             LangevinSimulation.Check(Native.lr_batch_set_force(world, id, &native), "lr_batch_set_force");
         }
 
-        /// <summary>Puts a body to rest where it is, or wakes it.</summary>
+        /// <summary>Puts a body to sleep in its place, or wakes it.</summary>
         public void SetSleep(BodyId body, bool resting)
         {
             Status status = Native.lr_body_set_sleep(Ready(), &body, 1, resting ? SleepState.Asleep : SleepState.Awake);
             LangevinSimulation.Check(status, "lr_body_set_sleep");
         }
 
-        /// <summary>Whether bodies of this batch and of another meet.</summary>
+        /// <summary>Switches contact between bodies of this batch and of another.</summary>
         public void SetMeets(LangevinBatch other, bool meet)
         {
             if (other == null) throw new ArgumentNullException("other");
@@ -144,7 +144,7 @@ namespace LangevinUnity
             LangevinSimulation.Check(status, "lr_batch_set_body_contact");
         }
 
-        /// <summary>How many bodies rules and emitter ended and spawned in the last step, and in total.</summary>
+        /// <summary>Bodies spawned and ended by emitter and rules, in the last step and in total.</summary>
         public BatchCounts Counts()
         {
             BatchCounts counts = BatchCounts.Create();
@@ -152,7 +152,7 @@ namespace LangevinUnity
             return counts;
         }
 
-        /// <summary>A box around all bodies, in Unity's world; its size is 0 where there are none.</summary>
+        /// <summary>A box around all bodies, in Unity's world; of size 0 without bodies.</summary>
         public Bounds GetBounds()
         {
             Float3 low = default(Float3), high = default(Float3);

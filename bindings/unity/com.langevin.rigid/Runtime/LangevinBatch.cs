@@ -5,15 +5,15 @@ using UnityEngine;
 
 namespace LangevinUnity
 {
-    /// <summary>All bodies of one asset: where they are spawned, when they end, what they touch, and how they are drawn.</summary>
+    /// <summary>Simulates all bodies of an asset: emitter, rules, contact and drawing.</summary>
     [AddComponentMenu("Langevin Rigid/Langevin Batch")]
     public sealed unsafe partial class LangevinBatch : LangevinMember
     {
         [Header("Bodies")]
         [SerializeField] private LangevinAsset asset = null;
-        [Tooltip("The most bodies at a time; memory for all is taken at once.")]
+        [Tooltip("Largest number of bodies. Their memory is allocated at once.")]
         [SerializeField, Min(1)] private int capacity = 1000;
-        [Tooltip("Spawned by the emitter when the batch joins its world.")]
+        [Tooltip("Bodies that the emitter spawns when the batch joins its world.")]
         [SerializeField, Min(0)] private int startCount = 0;
         [SerializeField] private LoadModel loadModel = LoadModel.Default;
         [SerializeField] private LangevinEmitter emitter = new LangevinEmitter();
@@ -23,14 +23,14 @@ namespace LangevinUnity
         [SerializeField] private LangevinDrawSettings drawing = new LangevinDrawSettings();
 
         [Header("Contact")]
-        [Tooltip("Layers of the colliders that bodies meet.")]
+        [Tooltip("Layers of colliders that bodies touch.")]
         [SerializeField] private LayerMask collidesWith = ~0;
         [SerializeField, Range(0.0f, 10.0f)] private float friction = 0.5f;
         [SerializeField, Range(0.0f, 1.0f)] private float restitution = 0.1f;
         [SerializeField, Range(0.0f, 10.0f)] private float rollingResistance = 0.05f;
-        [Tooltip("0 to 1 of the air cushion that a sheet has over the ground.")]
+        [Tooltip("Strength of the air cushion between a sheet and the ground. 1: physical.")]
         [SerializeField, Range(0.0f, 1.0f)] private float groundEffect = 0.0f;
-        [Tooltip("Bodies of this batch meet each other: heaps.")]
+        [Tooltip("Contact between bodies of this batch, so that they pile up.")]
         [SerializeField] private bool meetEachOther = false;
 
         [Header("Art")]
@@ -40,7 +40,7 @@ namespace LangevinUnity
         [SerializeField, Range(0.0f, 5.0f)] private float turbulence = 1.0f;
 
         [Header("Level of detail")]
-        [Tooltip("Stepped once where others take so many substeps.")]
+        [Tooltip("Level of detail: one substep for this number of substeps of the world.")]
         [SerializeField, Range(1, 64)] private int divisor = 1;
 
         [Header("Events")]
@@ -54,25 +54,25 @@ namespace LangevinUnity
         private string warned;
         private bool outdated;
 
-        /// <summary>The library's handle; null while the batch is in no world.</summary>
+        /// <summary>The library's handle; null outside a world.</summary>
         public BatchId Id { get { return id; } }
 
-        /// <summary>What bodies are; set it while the component is disabled.</summary>
+        /// <summary>The asset of all bodies. Set it while the component is disabled.</summary>
         public LangevinAsset Asset { get { return asset; } set { asset = value; } }
 
-        /// <summary>The most bodies at a time; set it while the component is disabled.</summary>
+        /// <summary>Largest number of bodies. Set it while the component is disabled.</summary>
         public int Capacity { get { return capacity; } set { capacity = Mathf.Max(1, value); } }
 
-        /// <summary>Bodies that are spawned on joining the world.</summary>
+        /// <summary>Number of bodies spawned on joining the world.</summary>
         public int StartCount { get { return startCount; } set { startCount = value; } }
 
-        /// <summary>Call Apply after a change.</summary>
+        /// <summary>The emitter. Call Apply after a change.</summary>
         public LangevinEmitter Emitter { get { return emitter; } }
 
-        /// <summary>Call Apply after a change.</summary>
+        /// <summary>Rules for the end of bodies. Call Apply after a change.</summary>
         public LangevinRules Rules { get { return rules; } }
 
-        /// <summary>Mesh, materials and mode; a change of mode or mesh takes effect when the component is enabled again.</summary>
+        /// <summary>Mesh, materials and mode. A change of mode or mesh takes effect when the component is enabled again.</summary>
         public LangevinDrawSettings Drawing { get { return drawing; } }
 
         /// <summary>Matrices of all bodies, as of the last frame; null while the batch is in no world.</summary>
@@ -84,10 +84,10 @@ namespace LangevinUnity
         /// <summary>Level of detail. Call Apply after a change.</summary>
         public int Divisor { get { return divisor; } set { divisor = Mathf.Clamp(value, 1, 1024); } }
 
-        /// <summary>Raised for this batch's events; the world's Happened is raised first.</summary>
+        /// <summary>Raised for this batch's events, after the world's Happened.</summary>
         public event Action<LangevinEvent> Happened;
 
-        /// <summary>The same, for handlers that are set in the inspector.</summary>
+        /// <summary>The same event, for handlers set in the inspector.</summary>
         public LangevinUnityEvent OnEvent { get { return onEvent; } }
 
         internal void Raise(LangevinEvent e)
@@ -136,7 +136,7 @@ namespace LangevinUnity
             }
         }
 
-        // Also when the world went first, and OnLeave had nothing to leave.
+        // Also if the world left first, and OnLeave did not run.
         protected override void OnDisable()
         {
             base.OnDisable();
@@ -151,7 +151,7 @@ namespace LangevinUnity
             instances = null;
         }
 
-        /// <summary>Hands the fields' values to the library: from the next step on they hold.</summary>
+        /// <summary>Passes the values of all fields to the library; they take effect in the next step.</summary>
         public void Apply()
         {
             LangevinSimulation simulation = Simulation;
@@ -181,7 +181,7 @@ namespace LangevinUnity
             ApplyLife(world);
         }
 
-        // Rules that respawn need an emitter, so they end before it and begin after it.
+        // Rules that respawn need an emitter: remove them before it, set them after it.
         private void ApplyLife(IntPtr world)
         {
             if (!rules.enabled) LangevinSimulation.Check(Native.lr_batch_set_rules(world, id, null), "lr_batch_set_rules");
@@ -234,7 +234,7 @@ namespace LangevinUnity
             }
             else if (problem != warned)
             {
-                // Once, not each frame.
+                // Warn once, not each frame.
                 warned = problem;
                 Debug.LogWarning("LangevinBatch \"" + name + "\" is not drawn. " + problem, this);
             }

@@ -5,20 +5,20 @@ using UnityEngine;
 
 namespace LangevinUnity
 {
-    /// <summary>Puts a Unity collider of the same GameObject into the world: Box, Sphere, Capsule, Mesh or Terrain. It follows the transform, so
-    /// that bodies are carried, pushed and thrown by it. Bodies do not push it. Its layer is that of the GameObject.</summary>
+    /// <summary>Adds a Unity collider of the same GameObject to the world: Box, Sphere, Capsule, Mesh or Terrain. It follows the transform and
+    /// carries, pushes and throws bodies. Bodies do not push it. It has the layer of the GameObject.</summary>
     [AddComponentMenu("Langevin Rigid/Langevin Collider")]
     public sealed unsafe class LangevinCollider : LangevinMember
     {
-        [Tooltip("Empty: the first collider of this GameObject.")]
+        [Tooltip("The Unity collider to use. Empty: the first of this GameObject.")]
         [SerializeField] private Collider source = null;
-        [Tooltip("Take dynamic friction and bounciness from the collider's physics material, where it has one.")]
+        [Tooltip("Takes dynamic friction and bounciness from the collider's physics material, if it has one.")]
         [SerializeField] private bool usePhysicsMaterial = true;
         [SerializeField, Range(0.0f, 10.0f)] private float friction = 0.5f;
         [SerializeField, Range(0.0f, 1.0f)] private float restitution = 0.2f;
-        [Tooltip("m. What moves farther in a step is put there, instead of sweeping bodies along on its way.")]
+        [Tooltip("Metres. If the collider moves farther in a step, it teleports instead of sweeping bodies along.")]
         [SerializeField, Min(0.0f)] private float teleportDistance = 5.0f;
-        [Tooltip("It and its shape never change: saves the look at it before each step. For scenery by the thousand.")]
+        [Tooltip("The collider and its shape never change, so no step checks them. For thousands of scenery objects.")]
         [SerializeField] private bool neverMoves = false;
         [SerializeField] private LangevinUnityEvent onEvent = new LangevinUnityEvent();
 
@@ -32,16 +32,16 @@ namespace LangevinUnity
         private bool refused;
         private int refusedKey;
 
-        /// <summary>The library's handle; null while the collider is in no world.</summary>
+        /// <summary>The library's handle; null outside a world.</summary>
         public ColliderId Id { get { return id; } }
 
-        /// <summary>Whose shape it has; set it while the component is disabled.</summary>
+        /// <summary>The Unity collider that gives the shape. Set it while the component is disabled.</summary>
         public Collider Source { get { return source; } set { source = value; } }
 
-        /// <summary>Whether it is taken as it is when it joins the world, and not looked at again.</summary>
+        /// <summary>Whether it is read once, when it joins the world, and never checked again.</summary>
         public bool NeverMoves { get { return neverMoves; } set { neverMoves = value; } }
 
-        /// <summary>Raised when a body touches or leaves it.</summary>
+        /// <summary>Raised when a body starts or stops touching it.</summary>
         public event Action<LangevinEvent> Happened;
 
         internal void Raise(LangevinEvent e)
@@ -72,8 +72,8 @@ namespace LangevinUnity
             shape = null;
         }
 
-        /// <summary>Reads the Unity collider again: after a change of a terrain's heights or a mesh's vertices, which it does not notice
-        /// by itself.</summary>
+        /// <summary>Reads the Unity collider again. Needed after a change of a terrain's heights or a mesh's vertices, which are not detected
+        /// automatically.</summary>
         public void Rebuild()
         {
             if (Simulation == null || source == null) return;
@@ -117,7 +117,7 @@ namespace LangevinUnity
             shape.Heights = null;
             if (status != Status.Ok)
                 throw new LangevinException(status, "lr_collider_create", source.GetType().Name + " of \"" + name + "\"" +
-                    (shape.Kind == ColliderKind.Hull ? ": is its mesh flat? Turn off Convex." : ": has it a size?"));
+                    (shape.Kind == ColliderKind.Hull ? ": if its mesh is flat, turn off Convex." : ": check its size."));
             id = created;
         }
 
@@ -143,7 +143,7 @@ namespace LangevinUnity
             int key = LangevinColliderShapes.KeyOf(source);
             if (id.IsNull || key != shape.Key)
             {
-                // What was refused is tried again when it has changed, not in every step.
+                // Retry a refused shape only after a change, not in every step.
                 if (refused && key == refusedKey) return;
                 OnLeave(simulation);
                 refused = true;
@@ -170,7 +170,7 @@ namespace LangevinUnity
             LangevinSimulation.Check(Native.lr_collider_set_material(simulation.Handle, &self, 1, &surface), "lr_collider_set_material");
         }
 
-        // Where the transform went since the last step is where the collider goes in the next one: so it has a velocity there.
+        // The collider follows the transform's last motion during the next step: this gives it a velocity.
         private void SynchronizeMotion(LangevinSimulation simulation)
         {
             Vector3 to = shape.PositionOf(transform);

@@ -5,36 +5,36 @@ using UnityEngine;
 
 namespace LangevinUnity
 {
-    /// <summary>What the library needs of a Unity collider: kind, size, data, and where its frame lies to the transform's.</summary>
+    /// <summary>A Unity collider in the library's terms: kind, size, data, and its frame relative to the transform.</summary>
     internal sealed class LangevinShape
     {
         public ColliderKind Kind;
         public Float3 Size;
         /// <summary>Origin of the frame, in the transform's axes without its scale.</summary>
         public Vector3 Offset;
-        /// <summary>The frame's turn in the transform's axes.</summary>
+        /// <summary>Rotation of the frame in the transform's axes.</summary>
         public Quaternion Turn = Quaternion.identity;
-        /// <summary>A terrain neither turns nor scales, whatever its transform says.</summary>
+        /// <summary>A terrain ignores rotation and scale of its transform.</summary>
         public bool AxisAligned;
         public Float3[] Vertices;
         public uint[] Indices;
         public float[] Heights;
         public UInt2 Counts;
         public Float2 Spacing;
-        /// <summary>What it was made of: another collider size or mesh makes another shape.</summary>
+        /// <summary>Identifies the source: another collider size or mesh gives another shape.</summary>
         public int Key;
 
-        /// <summary>The position of the frame in Unity's world.</summary>
+        /// <summary>The frame's position in Unity's world.</summary>
         public Vector3 PositionOf(Transform at) { return AxisAligned ? at.position + Offset : at.position + at.rotation * Offset; }
 
-        /// <summary>Its orientation there.</summary>
+        /// <summary>The frame's orientation in Unity's world.</summary>
         public Quaternion RotationOf(Transform at) { return AxisAligned ? Quaternion.identity : at.rotation * Turn; }
     }
 
     /// <summary>Reads Unity's colliders.</summary>
     internal static class LangevinColliderShapes
     {
-        /// <summary>A number that changes when the shape does.</summary>
+        /// <summary>A number that changes with the shape.</summary>
         public static int KeyOf(Collider collider)
         {
             int key = collider.transform.lossyScale.GetHashCode();
@@ -54,7 +54,7 @@ namespace LangevinUnity
 
         private static int Mix(int a, int b, int c) { return unchecked((a * 397 ^ b) * 397 ^ c); }
 
-        /// <summary>The shape; an ArgumentException says why there is none.</summary>
+        /// <summary>The shape; throws an ArgumentException with the reason if the collider has none.</summary>
         public static LangevinShape Of(Collider collider)
         {
             LangevinShape shape = Read(collider);
@@ -82,7 +82,7 @@ namespace LangevinUnity
             if (mesh != null) return MeshOf(mesh, scale);
             var terrain = collider as TerrainCollider;
             if (terrain != null) return Terrain(terrain);
-            throw new ArgumentException(collider.GetType().Name + " has no counterpart. Box, Sphere, Capsule, Mesh and Terrain have.");
+            throw new ArgumentException(collider.GetType().Name + " is not supported. Use Box, Sphere, Capsule, Mesh or Terrain.");
         }
 
         private static LangevinShape Sphere(Vector3 offset, float radius)
@@ -90,7 +90,7 @@ namespace LangevinUnity
             return new LangevinShape { Kind = ColliderKind.Sphere, Offset = offset, Size = new Float3(radius, 0.0f, 0.0f) };
         }
 
-        // As PhysX has it in Unity: the height scales along its axis, the radius with the larger of the other two.
+        // As in Unity's PhysX: height scales along the axis, the radius by the larger of the other two scales.
         private static LangevinShape Capsule(CapsuleCollider capsule, Vector3 scale, Vector3 size)
         {
             int axis = capsule.direction;
@@ -100,7 +100,7 @@ namespace LangevinUnity
             float half = capsule.height * along * 0.5f - radius;
             Vector3 offset = Vector3.Scale(capsule.center, scale);
             if (half < 1e-5f) return Sphere(offset, radius);
-            // The library's axis is y.
+            // A capsule of the library lies along y.
             Quaternion turn = Quaternion.identity;
             if (axis == 0) turn = Quaternion.AngleAxis(90.0f, Vector3.forward);
             if (axis == 2) turn = Quaternion.AngleAxis(90.0f, Vector3.right);
@@ -126,7 +126,7 @@ namespace LangevinUnity
             return shape;
         }
 
-        // Unity's terrain goes from its position along +x and +z. Mirrored, it begins at its far edge, and its rows are the other way round.
+        // Unity's terrain extends from its position along +x and +z. Mirrored, it begins at its far edge with its rows reversed.
         private static LangevinShape Terrain(TerrainCollider collider)
         {
             TerrainData data = collider.terrainData;
@@ -149,10 +149,10 @@ namespace LangevinUnity
         }
     }
 
-    /// <summary>Few points that have nearly the hull of many.</summary>
+    /// <summary>Reduces points to a few with nearly the same hull.</summary>
     internal static class LangevinHullPoints
     {
-        /// <summary>All different points if they are at most `most`, else the farthest along so many even directions.</summary>
+        /// <summary>All distinct points if they are at most `most`; otherwise the farthest points along evenly spread directions.</summary>
         public static Float3[] Reduce(Float3[] points, int most)
         {
             var different = new System.Collections.Generic.List<Float3>(new System.Collections.Generic.HashSet<Float3>(points));

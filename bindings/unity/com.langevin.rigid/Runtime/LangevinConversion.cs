@@ -4,55 +4,55 @@ using UnityEngine;
 
 namespace LangevinUnity
 {
-    /// <summary>How the coordinates of a drawn mesh come from those of the mesh that the asset was baked from.</summary>
+    /// <summary>The mirror from coordinates of the baked mesh to those of the drawn mesh.</summary>
     public enum MeshMirror
     {
-        /// <summary>Baked from a Unity mesh by the bake window, which writes it with z negated.</summary>
+        /// <summary>Baked from a Unity mesh by the bake window, which negates z.</summary>
         Z = 0,
-        /// <summary>Baked from the file that Unity's model importer read: it negates x of FBX, OBJ and the like.</summary>
+        /// <summary>Baked from the source file: Unity's importer negates x of FBX, OBJ and similar files.</summary>
         X = 1,
     }
 
-    /// <summary>Between Unity's left-handed world and the library's right-handed one. Both are in metres; the z axis is mirrored. A vector
-    /// negates its z; what turns (spins, torques, quaternions) negates what lies in the x-y plane. The mirror is its own inverse.</summary>
+    /// <summary>Converts between Unity's left-handed and the library's right-handed world, both in metres, by a mirror in z. A vector negates
+    /// its z. A spin, torque or quaternion negates its x and y. The mirror is its own inverse.</summary>
     public static unsafe class LangevinConversion
     {
-        /// <summary>A position, velocity, force or direction, to the library.</summary>
+        /// <summary>Converts a position, velocity, force or direction to the library.</summary>
         public static Float3 ToLibrary(Vector3 v) { return new Float3(v.x, v.y, -v.z); }
 
-        /// <summary>A position, velocity, force or direction, to Unity.</summary>
+        /// <summary>Converts a position, velocity, force or direction to Unity.</summary>
         public static Vector3 ToUnity(Float3 v) { return new Vector3(v.X, v.Y, -v.Z); }
 
-        /// <summary>An angular velocity or torque (Unity's by the left-hand rule), to the library (right-hand rule).</summary>
+        /// <summary>Converts an angular velocity or torque to the library: from the left-hand to the right-hand rule.</summary>
         public static Float3 SpinToLibrary(Vector3 w) { return new Float3(-w.x, -w.y, w.z); }
 
-        /// <summary>An angular velocity or torque, to Unity.</summary>
+        /// <summary>Converts an angular velocity or torque to Unity.</summary>
         public static Vector3 SpinToUnity(Float3 w) { return new Vector3(-w.X, -w.Y, w.Z); }
 
-        /// <summary>An orientation, to the library.</summary>
+        /// <summary>Converts an orientation to the library.</summary>
         public static Float4 ToLibrary(Quaternion q) { return new Float4(-q.x, -q.y, q.z, q.w); }
 
-        /// <summary>An orientation, to Unity.</summary>
+        /// <summary>Converts an orientation to Unity.</summary>
         public static Quaternion ToUnity(Float4 q) { return new Quaternion(-q.X, -q.Y, q.Z, q.W); }
 
-        /// <summary>The orientation of a body whose drawn mesh has this one, to the library. Mirrors in x and in z differ by half a turn
-        /// about y.</summary>
+        /// <summary>Converts the orientation of a drawn mesh to that of its body in the library. Mirrors in x and in z differ by half a turn about
+        /// y.</summary>
         public static Float4 ToLibrary(Quaternion q, MeshMirror mirror)
         {
             return ToLibrary(mirror == MeshMirror.X ? new Quaternion(q.z, -q.w, -q.x, q.y) : q);
         }
 
-        /// <summary>The orientation of the drawn mesh of a body that has this one in the library.</summary>
+        /// <summary>Converts a body's orientation in the library to that of its drawn mesh.</summary>
         public static Quaternion ToUnity(Float4 orientation, MeshMirror mirror)
         {
             Quaternion q = ToUnity(orientation);
             return mirror == MeshMirror.X ? new Quaternion(-q.z, q.w, q.x, -q.y) : q;
         }
 
-        /// <summary>Lengths along axes (half extents, semi-axes): a mirror leaves them.</summary>
+        /// <summary>Converts lengths along axes (half extents, semi-axes), which a mirror does not change.</summary>
         public static Float3 SizeToLibrary(Vector3 s) { return new Float3(s.x, s.y, s.z); }
 
-        /// <summary>Vertices of a mesh with the order of each triangle reversed, so that it keeps its outside.</summary>
+        /// <summary>Mirrors a mesh and reverses the order of each triangle, so that its outside stays outside.</summary>
         public static void MeshToLibrary(Vector3[] vertices, int[] triangles, Float3[] outVertices, uint[] outIndices)
         {
             for (int i = 0; i < vertices.Length; ++i) outVertices[i] = ToLibrary(vertices[i]);
@@ -64,10 +64,10 @@ namespace LangevinUnity
             }
         }
 
-        /// <summary>Turns column-major matrices that the library wrote into Unity's, where they lie. The library's put points about the
-        /// centre of mass into its world; what comes out puts points of the drawn mesh into Unity's: S A B p + S (t - A c).</summary>
+        /// <summary>Converts column-major matrices of the library to Unity's, in place. The library's matrices map points about the centre of mass
+        /// to its world; Unity's map points of the drawn mesh to its own: S A B p + S (t - A c).</summary>
         /// <param name="matrices">The first of `count` matrices.</param>
-        /// <param name="count">Matrices.</param>
+        /// <param name="count">The number of matrices.</param>
         /// <param name="rows">Rows of a column: 4 for Matrix4x4, 3 for packed matrices.</param>
         /// <param name="center">Centre of mass in the frame of the baked mesh.</param>
         /// <param name="mirror">The mirror from the baked to the drawn mesh.</param>
@@ -94,7 +94,7 @@ namespace LangevinUnity
             }
         }
 
-        /// <summary>Inverses of packed matrices of rotation (or mirror), uniform scale and translation.</summary>
+        /// <summary>Inverts packed matrices of rotation (or mirror), uniform scale and translation.</summary>
         public static void InvertPacked(float* matrices, float* inverses, int count)
         {
             for (int i = 0; i < count; ++i)

@@ -5,42 +5,42 @@ using UnityEngine.Rendering;
 
 namespace LangevinUnity
 {
-    /// <summary>How bodies are drawn.</summary>
+    /// <summary>Ways to draw bodies.</summary>
     public enum LangevinDrawMode
     {
-        /// <summary>Not at all: you read Instances yourself.</summary>
+        /// <summary>Draws nothing: your code reads Instances.</summary>
         None = 0,
-        /// <summary>Graphics.RenderMeshInstanced, for any render pipeline: one call for 1023 bodies, culled by their bounds.</summary>
+        /// <summary>Graphics.RenderMeshInstanced, for any render pipeline: a call for each 1023 bodies, with culling by their bounds.</summary>
         Instanced = 1,
-        /// <summary>BatchRendererGroup, for URP and HDRP with the SRP Batcher: matrices stay on the GPU, and only those of moving bodies
-        /// are sent. Where the graphics API has no raw buffers it falls back to Instanced.</summary>
+        /// <summary>BatchRendererGroup, for URP and HDRP with the SRP Batcher: matrices stay on the GPU, and only those of moving bodies are
+        /// sent. Without raw buffers in the graphics API, Instanced replaces it.</summary>
         BatchRendererGroup = 2,
     }
 
-    /// <summary>What is drawn, and how.</summary>
+    /// <summary>Settings for drawing a batch.</summary>
     [Serializable]
     public sealed class LangevinDrawSettings
     {
-        /// <summary>How.</summary>
+        /// <summary>The way to draw.</summary>
         public LangevinDrawMode mode = LangevinDrawMode.Instanced;
         /// <summary>The mesh that was baked.</summary>
         public Mesh mesh;
-        /// <summary>One for each submesh; the last serves what is left. "Enable GPU Instancing" must be on for mode Instanced.</summary>
+        /// <summary>A material for each submesh; the last is used for the rest. Mode Instanced needs "Enable GPU Instancing" on each.</summary>
         public Material[] materials = new Material[0];
-        /// <summary>Shadows that they cast.</summary>
+        /// <summary>Whether bodies cast shadows.</summary>
         public ShadowCastingMode shadows = ShadowCastingMode.On;
-        /// <summary>Shadows that fall on them.</summary>
+        /// <summary>Whether bodies receive shadows.</summary>
         public bool receiveShadows = true;
-        /// <summary>For light probes: Blend Probes or Off.</summary>
+        /// <summary>Light probes: Blend Probes or Off.</summary>
         public LightProbeUsage lightProbes = LightProbeUsage.Off;
 
-        /// <summary>The material of a submesh; null where there is none.</summary>
+        /// <summary>The material of a submesh, or null.</summary>
         public Material MaterialOf(int submesh)
         {
             return materials == null || materials.Length == 0 ? null : materials[Math.Min(submesh, materials.Length - 1)];
         }
 
-        /// <summary>m, from the mesh's origin to its farthest corner.</summary>
+        /// <summary>Distance from the mesh's origin to its farthest corner, m.</summary>
         public float Reach
         {
             get
@@ -53,7 +53,7 @@ namespace LangevinUnity
             }
         }
 
-        /// <summary>What keeps it from being drawn; null if nothing does.</summary>
+        /// <summary>The reason why bodies are not drawn, or null.</summary>
         public string Problem()
         {
             if (mode == LangevinDrawMode.None) return null;

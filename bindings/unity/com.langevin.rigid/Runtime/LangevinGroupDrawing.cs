@@ -9,8 +9,8 @@ using Allocator = Unity.Collections.Allocator;
 
 namespace LangevinUnity
 {
-    /// <summary>Draws by a BatchRendererGroup: 64 zero bytes, then all matrices, then all inverses in one raw buffer, of which each frame sends
-    /// what changed.</summary>
+    /// <summary>Draws by a BatchRendererGroup. One raw buffer holds 64 zero bytes, all matrices, then all inverses; each frame sends only the
+    /// changes.</summary>
     internal sealed unsafe class LangevinGroupDrawing : IDisposable
     {
         private const uint PerInstance = 0x80000000u;
@@ -27,7 +27,7 @@ namespace LangevinUnity
         private BatchMeshID mesh;
         private BatchMaterialID[] materials;
 
-        /// <summary>Whether the graphics API has what this needs.</summary>
+        /// <summary>Whether the graphics API supports this.</summary>
         public static bool Supported { get { return BatchRendererGroup.BufferTarget == BatchBufferTarget.RawBuffer; } }
 
         public LangevinGroupDrawing(LangevinDrawSettings settings, LangevinInstances instances, int capacity, int layer)
@@ -57,7 +57,7 @@ namespace LangevinUnity
             return new MetadataValue { NameID = Shader.PropertyToID(name), Value = (uint)(atFloat * sizeof(float)) | PerInstance };
         }
 
-        /// <summary>Sends the matrices that the last refresh wrote.</summary>
+        /// <summary>Sends the matrices written by the last refresh.</summary>
         public void Upload()
         {
             int count = 12 * instances.Written;
@@ -69,12 +69,12 @@ namespace LangevinUnity
             group.SetGlobalBounds(instances.BoundsOfAll(reach));
         }
 
-        // Unity frees what is allocated here.
+        // Unity frees these allocations.
         private JobHandle OnPerformCulling(BatchRendererGroup renderer, BatchCullingContext context, BatchCullingOutput output, IntPtr user)
         {
             var commands = new BatchCullingOutputDrawCommands();
             int chunkCount = instances.ChunkCount;
-            // What is drawn here has no GameObjects of its own to pick or outline.
+            // Bodies have no GameObjects to pick or outline.
             if (chunkCount == 0 || context.viewType == BatchCullingViewType.Picking || context.viewType == BatchCullingViewType.SelectionOutline)
             {
                 output.drawCommands[0] = commands;
@@ -132,10 +132,10 @@ namespace LangevinUnity
         }
     }
 
-    /// <summary>Boxes against the planes of a view.</summary>
+    /// <summary>Tests boxes against the planes of a view.</summary>
     internal static class LangevinCulling
     {
-        /// <summary>Whether a part of the box may lie inside all planes, whose normals point inward.</summary>
+        /// <summary>Whether a part of the box can be inside all planes. Their normals point inward.</summary>
         public static bool Sees(NativeArray<Plane> planes, Bounds box)
         {
             Vector3 center = box.center, half = box.extents;

@@ -9,8 +9,8 @@ using Allocator = Unity.Collections.Allocator;
 
 namespace LangevinUnity
 {
-    /// <summary>The matrices of a batch's bodies as a renderer takes them. The library writes into this memory, and they are turned into
-    /// Unity's where they lie. Of bodies at rest nothing is written again until one of them wakes or ends.</summary>
+    /// <summary>The matrices of a batch's bodies, for renderers. The library writes them, and they are converted to Unity in place. Matrices of
+    /// sleeping bodies are not written again until a sleeping body wakes or ends.</summary>
     public sealed unsafe class LangevinInstances : IDisposable
     {
         private readonly int rows;
@@ -21,14 +21,14 @@ namespace LangevinUnity
         private ulong revision;
         private uint awake;
 
-        /// <summary>Bodies, each with a matrix.</summary>
+        /// <summary>The number of bodies, each with a matrix.</summary>
         public int Count { get; private set; }
 
-        /// <summary>Matrices that the last Refresh wrote: the first ones.</summary>
+        /// <summary>The number of matrices written by the last Refresh: the first ones.</summary>
         public int Written { get; private set; }
 
-        /// <summary>Memory for `capacity` bodies. packed: 12 floats a matrix (four columns of three) and their inverses, for
-        /// BatchRendererGroup; else 16, as Matrix4x4.</summary>
+        /// <summary>Allocates memory for `capacity` bodies. packed: 12 floats per matrix (four columns of three) and inverses, for
+        /// BatchRendererGroup; otherwise 16 floats, as Matrix4x4.</summary>
         public LangevinInstances(int capacity, bool packed)
         {
             rows = packed ? 3 : 4;
@@ -38,7 +38,7 @@ namespace LangevinUnity
             chunks = new NativeArray<LangevinChunk>(count, Allocator.Persistent);
         }
 
-        /// <summary>The matrices as Matrix4x4, without a copy; valid until Dispose. Not for packed ones.</summary>
+        /// <summary>The matrices without a copy; valid until Dispose. Not for packed matrices.</summary>
         public NativeArray<Matrix4x4> Matrices { get { return matrices.Reinterpret<Matrix4x4>(sizeof(float)); } }
 
         /// <summary>All floats of the matrices.</summary>
@@ -47,16 +47,16 @@ namespace LangevinUnity
         /// <summary>All floats of the inverses of packed matrices.</summary>
         public NativeArray<float> InverseFloats { get { return inverses; } }
 
-        /// <summary>Draws of at most LangevinConvertJob.Chunk bodies.</summary>
+        /// <summary>The number of draw calls, each of at most LangevinConvertJob.Chunk bodies.</summary>
         public int ChunkCount { get { return (Count + LangevinConvertJob.Chunk - 1) / LangevinConvertJob.Chunk; } }
 
-        /// <summary>Bodies of a chunk begin here.</summary>
+        /// <summary>The first body of a chunk.</summary>
         public int FirstOf(int chunk) { return chunk * LangevinConvertJob.Chunk; }
 
-        /// <summary>So many bodies it has.</summary>
+        /// <summary>The number of bodies of a chunk.</summary>
         public int CountOf(int chunk) { return Math.Min(LangevinConvertJob.Chunk, Count - FirstOf(chunk)); }
 
-        /// <summary>What holds all bodies of a chunk, each of at most `reach` metres from its origin at scale 1.</summary>
+        /// <summary>A box around all bodies of a chunk, if each reaches at most `reach` metres from its origin at scale 1.</summary>
         public Bounds BoundsOf(int chunk, float reach)
         {
             LangevinChunk box = chunks[chunk];
@@ -66,7 +66,7 @@ namespace LangevinUnity
             return bounds;
         }
 
-        /// <summary>What holds all bodies; empty at the origin where there are none.</summary>
+        /// <summary>A box around all bodies; empty and at the origin without bodies.</summary>
         public Bounds BoundsOfAll(float reach)
         {
             var all = new Bounds();
@@ -78,10 +78,10 @@ namespace LangevinUnity
             return all;
         }
 
-        /// <summary>Has the next Refresh write everything.</summary>
+        /// <summary>Makes the next Refresh write everything.</summary>
         public void Invalidate() { valid = false; }
 
-        /// <summary>Takes over where bodies are now. No step may run.</summary>
+        /// <summary>Updates the matrices from the bodies' present poses. No step may run.</summary>
         public void Refresh(IntPtr world, BatchId batch, Float3 center, MeshMirror mirror)
         {
             BatchView view = BatchView.Create();
@@ -118,7 +118,7 @@ namespace LangevinUnity
             job.Schedule(dirty, 4).Complete();
         }
 
-        /// <summary>Frees the memory. More than once is fine.</summary>
+        /// <summary>Frees the memory. Further calls do nothing.</summary>
         public void Dispose()
         {
             if (matrices.IsCreated) matrices.Dispose();

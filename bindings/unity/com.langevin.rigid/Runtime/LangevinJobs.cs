@@ -11,15 +11,15 @@ using Unity.Burst;
 
 namespace LangevinUnity
 {
-    /// <summary>The library's functions that jobs call. A class of its own, without static constructors or delegates: Burst compiles direct
-    /// calls with pointers, and nothing managed.</summary>
+    /// <summary>The library's functions that jobs call. They are in a class without static constructors and delegates because Burst compiles
+    /// only direct calls with pointers.</summary>
     internal static unsafe class LangevinJobCalls
     {
         [DllImport(Native.Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int lr_world_step(IntPtr world, float dt, uint substeps);
     }
 
-    /// <summary>A step of a world. Nothing else may touch that world while it runs.</summary>
+    /// <summary>Steps a world. Until it ends, no other code may use that world.</summary>
 #if LANGEVIN_BURST
     [BurstCompile]
 #endif
@@ -36,7 +36,7 @@ namespace LangevinUnity
         }
     }
 
-    /// <summary>Turns chunks of matrices into Unity's, with their bounds and, for packed ones, their inverses.</summary>
+    /// <summary>Converts chunks of matrices to Unity's, and computes their bounds and, if packed, their inverses.</summary>
 #if LANGEVIN_BURST
     [BurstCompile]
 #endif
@@ -68,7 +68,7 @@ namespace LangevinUnity
         }
     }
 
-    /// <summary>The box of the positions of a chunk, and its largest scale.</summary>
+    /// <summary>A box around the positions of a chunk, and its largest scale.</summary>
     internal unsafe struct LangevinChunk
     {
         public Float3 Min;

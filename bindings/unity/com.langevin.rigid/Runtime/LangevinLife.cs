@@ -5,33 +5,33 @@ using UnityEngine;
 
 namespace LangevinUnity
 {
-    /// <summary>How bodies of a batch are spawned. Places and directions are those of the batch's transform.</summary>
+    /// <summary>Spawns bodies of a batch, in places and directions of the batch's transform.</summary>
     [Serializable]
     public sealed class LangevinEmitter
     {
-        /// <summary>Whether there is one.</summary>
+        /// <summary>Whether the batch has an emitter.</summary>
         public bool enabled = true;
-        /// <summary>Where they are spawned.</summary>
+        /// <summary>The shape in which bodies spawn.</summary>
         public EmitterShape shape = EmitterShape.Box;
-        /// <summary>m, half extents or semi-axes along the transform's axes, times its scale.</summary>
+        /// <summary>Half extents or semi-axes along the transform's axes, m, times its scale.</summary>
         public Vector3 size = new Vector3(5.0f, 1.0f, 5.0f);
-        /// <summary>Orientation at birth: random, or that of the transform.</summary>
+        /// <summary>Initial orientation: random, or that of the transform.</summary>
         public EmitterPose pose = EmitterPose.Random;
-        /// <summary>Of the velocity, in the transform's axes.</summary>
+        /// <summary>Direction of the initial velocity, in the transform's axes.</summary>
         public Vector3 direction = Vector3.down;
-        /// <summary>Degrees, half angle of a cone about it.</summary>
+        /// <summary>Half angle of a cone about the direction, degrees.</summary>
         [Range(0.0f, 180.0f)] public float spread = 0.0f;
-        /// <summary>m/s, from and to.</summary>
+        /// <summary>Minimum and maximum initial speed, m/s.</summary>
         public Vector2 speed = Vector2.zero;
-        /// <summary>rad/s, from and to.</summary>
+        /// <summary>Minimum and maximum initial spin, rad/s.</summary>
         public Vector2 spin = new Vector2(0.0f, 5.0f);
-        /// <summary>From and to.</summary>
+        /// <summary>Minimum and maximum scale.</summary>
         public Vector2 scale = Vector2.one;
-        /// <summary>Births a second.</summary>
+        /// <summary>Bodies spawned per second.</summary>
         [Min(0.0f)] public float rate = 100.0f;
-        /// <summary>Births at once in a burst.</summary>
+        /// <summary>Bodies spawned at once in a burst.</summary>
         [Min(0)] public int burstCount = 0;
-        /// <summary>s between bursts.</summary>
+        /// <summary>Time between bursts, s.</summary>
         [Min(0.0001f)] public float burstInterval = 1.0f;
 
         internal EmitterDesc ToLibrary(Transform at, MeshMirror mirror)
@@ -59,31 +59,31 @@ namespace LangevinUnity
         }
     }
 
-    /// <summary>A volume in which, or outside of which, bodies end. In Unity's world.</summary>
+    /// <summary>A volume in Unity's world. Bodies end inside it, or outside.</summary>
     [Serializable]
     public struct LangevinKillVolume
     {
-        /// <summary>Plane: behind it is inside. Box: along the world's axes.</summary>
+        /// <summary>Plane: its inside is behind it. Box: along the world's axes.</summary>
         public VolumeShape shape;
-        /// <summary>Where bodies end.</summary>
+        /// <summary>The side on which bodies end.</summary>
         public KillSide side;
-        /// <summary>m.</summary>
+        /// <summary>The center of the volume, m.</summary>
         public Vector3 center;
-        /// <summary>m: half extents of a box, x the radius of a sphere, the normal of a plane.</summary>
+        /// <summary>Half extents of a box, m; x: radius of a sphere; or the normal of a plane.</summary>
         public Vector3 size;
     }
 
-    /// <summary>When bodies of a batch end.</summary>
+    /// <summary>Rules that end bodies of a batch.</summary>
     [Serializable]
     public sealed unsafe class LangevinRules
     {
-        /// <summary>Whether there are any.</summary>
+        /// <summary>Whether the batch has rules.</summary>
         public bool enabled = false;
-        /// <summary>Destroyed, or spawned anew by the emitter.</summary>
+        /// <summary>The fate of ended bodies: destroyed, or respawned by the emitter.</summary>
         public EndAction action = EndAction.Respawn;
-        /// <summary>s; 0: no limit.</summary>
+        /// <summary>Largest age, s; 0: no limit.</summary>
         [Min(0.0f)] public float maximumAge = 0.0f;
-        /// <summary>Eight at most.</summary>
+        /// <summary>Kill volumes, eight at most.</summary>
         public LangevinKillVolume[] volumes = new LangevinKillVolume[0];
 
         internal BatchRules ToLibrary()

@@ -4,21 +4,21 @@ using UnityEngine;
 
 namespace LangevinUnity
 {
-    /// <summary>What belongs to a world: batches, wind, colliders. A member joins its world when both are enabled, in whichever order Unity
-    /// enables them, and leaves when either goes.</summary>
+    /// <summary>A part of a world: a batch, wind or collider. A member joins its world when both are enabled, in any order, and leaves when
+    /// either is disabled.</summary>
     public abstract class LangevinMember : MonoBehaviour
     {
         private static readonly List<LangevinMember> Enabled = new List<LangevinMember>();
 
-        [Tooltip("The world that this belongs to. Empty: the one in a parent, else the first that was enabled.")]
+        [Tooltip("The world to join. Empty: the world in a parent, else the first enabled world.")]
         [SerializeField] private LangevinWorld world = null;
 
         private LangevinWorld joined;
 
-        /// <summary>The world that this has joined; null while there is none.</summary>
+        /// <summary>The joined world, or null.</summary>
         public LangevinWorld World { get { return joined; } }
 
-        /// <summary>The world to join. Set it while the component is disabled, or before its world is enabled.</summary>
+        /// <summary>The world to join. Set it while the component or its world is disabled.</summary>
         public LangevinWorld PreferredWorld { get { return world; } set { world = value; } }
 
         internal LangevinSimulation Simulation { get { return joined == null ? null : joined.Simulation; } }
@@ -43,7 +43,7 @@ namespace LangevinUnity
             return parent != null ? parent : LangevinWorld.First;
         }
 
-        /// <summary>Has all members that wait for a world join it.</summary>
+        /// <summary>Makes all waiting members join a world.</summary>
         internal static void JoinAll(LangevinWorld to)
         {
             foreach (LangevinMember member in Enabled.ToArray())
@@ -84,16 +84,16 @@ namespace LangevinUnity
             }
         }
 
-        /// <summary>Called when there is a world to put things into.</summary>
+        /// <summary>Creates the member's objects in the world.</summary>
         internal abstract void OnJoin(LangevinSimulation simulation);
 
-        /// <summary>Called before the world goes, or the member leaves it.</summary>
+        /// <summary>Called before the world is disabled, or the member leaves it.</summary>
         internal abstract void OnLeave(LangevinSimulation simulation);
 
         /// <summary>Called before each step of `dt` seconds.</summary>
         internal virtual void BeforeStep(LangevinSimulation simulation, float dt) { }
 
-        /// <summary>Called once a frame in which the world was stepped, and no step runs.</summary>
+        /// <summary>Called once in each frame with a step, after the step.</summary>
         internal virtual void AfterStep(LangevinSimulation simulation) { }
 
         /// <summary>Called each frame, after AfterStep.</summary>

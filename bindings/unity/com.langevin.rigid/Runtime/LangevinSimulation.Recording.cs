@@ -19,7 +19,7 @@ namespace LangevinUnity
 
             public Recording(string path)
             {
-                // Without a buffer: after a crash the last call is what matters.
+                // Unbuffered: after a crash the last call matters most.
                 file = new FileStream(path, FileMode.Create, FileAccess.Write, FileShare.Read, 1);
                 self = GCHandle.Alloc(this);
             }
@@ -46,7 +46,7 @@ namespace LangevinUnity
                 }
             }
 
-            // What went wrong with the file; null when all of it is there.
+            // The first exception of writing the file; null if the file is complete.
             public Exception Close()
             {
                 if (self.IsAllocated) self.Free();
@@ -58,17 +58,17 @@ namespace LangevinUnity
 
         private Recording recording;
 
-        /// <summary>Whether a recording was started and not yet stopped.</summary>
+        /// <summary>Whether a recording is running.</summary>
         public bool IsRecording { get { return recording != null; } }
 
-        /// <summary>Has every call that can change the world written to a file from now on, for lr_replay: the form of a bug report.
-        /// Not while a step runs as a job. Throws what opening and writing the file throws.</summary>
+        /// <summary>Writes every call that can change the world to a file, for lr_replay and for bug reports. Not while a step runs as a job.
+        /// Throws the exceptions of opening and writing the file.</summary>
         public void StartRecording(string path)
         {
-            if (recording != null) throw new InvalidOperationException("A recording is under way: StopRecording ends it.");
+            if (recording != null) throw new InvalidOperationException("A recording is already running: StopRecording ends it.");
             var made = new Recording(path);
             RecordingDesc desc = RecordingDesc.Create();
-            desc.HashInterval = 10; // one in each step is most of what recording costs
+            desc.HashInterval = 10; // hashing every step would be most of the cost of a recording
             desc.Write = Marshal.GetFunctionPointerForDelegate(RecordThunk);
             desc.User = made.User;
             Status status = Native.lr_world_record_start(world, &desc);
@@ -82,12 +82,12 @@ namespace LangevinUnity
             Check(status, "lr_world_record_start");
         }
 
-        /// <summary>Ends the recording and closes its file. Throws an IOException if not all of it could be written: the file then holds
-        /// what came before.</summary>
+        /// <summary>Ends the recording and closes its file. Throws an IOException if the file is incomplete: then its contents end before the
+        /// error.</summary>
         public void StopRecording()
         {
             if (recording == null) return;
-            Native.lr_world_record_stop(world); // fails where writing has: the world has ended it then
+            Native.lr_world_record_stop(world); // fails after a write error, because the world has already ended the recording
             lastError = null;
             CloseRecording();
         }
@@ -100,7 +100,7 @@ namespace LangevinUnity
             if (failure != null) throw new IOException("The recording ends early", failure);
         }
 
-        // On the thread that called the library: a step's job, or with callbacks of your own one of its workers.
+        // Runs on the thread that called the library: a step's job, or a worker if you have callbacks.
         [AOT.MonoPInvokeCallback(typeof(RecordFn))]
         private static int OnRecord(IntPtr user, IntPtr bytes, ulong size)
         {

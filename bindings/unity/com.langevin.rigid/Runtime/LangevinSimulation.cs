@@ -8,15 +8,15 @@ using UnityEngine;
 
 namespace LangevinUnity
 {
-    /// <summary>A world of the library with the assets that it uses. All of them are known to this class, so that none outlives a
-    /// reload of scripts: native memory and worker threads stay in the editor's process when managed code goes.</summary>
+    /// <summary>A world of the library with the assets that it uses. This class lists all simulations, because a reload of scripts frees
+    /// managed objects, but not native memory and worker threads.</summary>
     public sealed unsafe partial class LangevinSimulation : IDisposable
     {
         private static readonly List<LangevinSimulation> Living = new List<LangevinSimulation>();
-        // Held by a static field: native code keeps the pointer as long as there is a world.
+        // A static field, because native code keeps the pointer as long as a world exists.
         private static readonly LogFn LogThunk = OnLog;
 
-        // What the library said of the call that failed last: it logs before it returns.
+        // The library's message about the last refused call: it logs before it returns.
         private static volatile string lastError;
 
         private readonly Dictionary<LangevinAsset, IntPtr> assets = new Dictionary<LangevinAsset, IntPtr>();
@@ -28,7 +28,7 @@ namespace LangevinUnity
         /// <summary>Whether Dispose was called.</summary>
         public bool IsDisposed { get { return world == IntPtr.Zero; } }
 
-        /// <summary>Simulations that were not disposed of.</summary>
+        /// <summary>The number of simulations that are not disposed.</summary>
         public static int LivingCount { get { return Living.Count; } }
 
         /// <summary>Creates the world.</summary>
@@ -47,7 +47,7 @@ namespace LangevinUnity
             Living.Add(this);
         }
 
-        /// <summary>The library's asset, loaded once for each world and kept until that goes.</summary>
+        /// <summary>The library's asset, loaded once and kept until the world is disposed.</summary>
         public IntPtr AssetOf(LangevinAsset asset)
         {
             if (asset == null) throw new ArgumentNullException("asset");
@@ -58,7 +58,7 @@ namespace LangevinUnity
             return handle;
         }
 
-        /// <summary>Numbers of the world as it is.</summary>
+        /// <summary>Information on the world.</summary>
         public WorldInfo Info()
         {
             WorldInfo info = WorldInfo.Create();
@@ -66,7 +66,7 @@ namespace LangevinUnity
             return info;
         }
 
-        /// <summary>Ends the world, its batches and threads, and lets go of its assets. More than once is fine.</summary>
+        /// <summary>Destroys the world with its batches and threads, and releases its assets. Further calls do nothing.</summary>
         public void Dispose()
         {
             if (world == IntPtr.Zero) return;
@@ -79,7 +79,7 @@ namespace LangevinUnity
             Living.Remove(this);
         }
 
-        /// <summary>Throws a LangevinException for a status that is an error, with what the library said of it.</summary>
+        /// <summary>Throws a LangevinException for a failed status, with the library's message.</summary>
         public static void Check(Status status, string function)
         {
             string detail = lastError;
@@ -87,7 +87,7 @@ namespace LangevinUnity
             if (status < Status.Ok) throw new LangevinException(status, function, detail);
         }
 
-        /// <summary>Ends what is left: before scripts are reloaded, and before a play session that keeps the last one's statics.</summary>
+        /// <summary>Disposes of all simulations: before scripts are reloaded, and before a play session that keeps old statics.</summary>
         public static void DisposeAll()
         {
             foreach (LangevinSimulation simulation in Living.ToArray()) simulation.Dispose();
@@ -100,7 +100,7 @@ namespace LangevinUnity
             return System.Text.Encoding.UTF8.GetString(text, length);
         }
 
-        // IL2CPP needs a static method with this attribute to make a native function of it.
+        // IL2CPP makes native functions only of static methods with this attribute.
         [AOT.MonoPInvokeCallback(typeof(LogFn))]
         private static void OnLog(IntPtr user, LogLevel level, byte* message)
         {
@@ -113,7 +113,7 @@ namespace LangevinUnity
             }
             catch (Exception)
             {
-                // An exception must not cross into native code, and there is nowhere left to report this one.
+                // An exception must not reach native code, and there is nowhere to report this one.
             }
         }
     }

@@ -6,19 +6,19 @@ using UnityEngine;
 
 namespace LangevinUnity
 {
-    /// <summary>Wind from a WindZone on the same GameObject. Directional zones add to the uniform wind along their forward axis;
-    /// spherical ones blow outward, less with the distance, to nothing at their radius.</summary>
+    /// <summary>Wind from a WindZone of the same GameObject. Directional zones add to the uniform wind along their forward axis. Spherical
+    /// zones blow outward; their wind falls to 0 at the radius.</summary>
     [AddComponentMenu("Langevin Rigid/Langevin Wind")]
     [RequireComponent(typeof(WindZone))]
     public sealed unsafe class LangevinWind : LangevinMember
     {
         private const int Frames = 8;
 
-        [Tooltip("m/s for a Main of 1.")]
+        [Tooltip("Wind speed for a Main of 1, m/s.")]
         [SerializeField, Min(0.0f)] private float speedScale = 1.0f;
-        [Tooltip("m, of the largest eddies of Turbulence.")]
+        [Tooltip("Size of the largest eddies of Turbulence, m.")]
         [SerializeField, Min(0.01f)] private float eddySize = 2.0f;
-        [Tooltip("Samples along each axis of a spherical zone.")]
+        [Tooltip("Wind samples along each axis of a spherical zone.")]
         [SerializeField, Range(5, 33)] private int resolution = 17;
         [SerializeField] private int seed = 1;
 
@@ -29,7 +29,7 @@ namespace LangevinUnity
         private Shape shapeSet;
         private Vector3 positionSet;
 
-        // What the samples of a spherical zone depend on; its place is apart from them.
+        // Parameters of a spherical zone's samples; its position is separate.
         private struct Shape : IEquatable<Shape>
         {
             public float Radius, Speed, Pulse, Frequency;
@@ -42,10 +42,10 @@ namespace LangevinUnity
             }
         }
 
-        /// <summary>m/s for a Main of 1.</summary>
+        /// <summary>Wind speed for a Main of 1, m/s.</summary>
         public float SpeedScale { get { return speedScale; } set { speedScale = value; } }
 
-        /// <summary>m, of the largest eddies.</summary>
+        /// <summary>Size of the largest eddies, m.</summary>
         public float EddySize { get { return eddySize; } set { eddySize = value; } }
 
         internal override void OnJoin(LangevinSimulation simulation)
@@ -64,14 +64,14 @@ namespace LangevinUnity
         protected override void OnDisable()
         {
             base.OnDisable();
-            // The world may have gone first, and taken its sources along.
+            // If the world was destroyed first, its sources are gone.
             eddies = default(WindSourceId);
             sphere = default(WindSourceId);
         }
 
         internal override void BeforeStep(LangevinSimulation simulation, float dt) { Synchronize(simulation); }
 
-        /// <summary>m/s, of a directional zone at the world's time: Main, and Pulse Magnitude of it going up and down with Pulse
+        /// <summary>The velocity of a directional zone at the world's time, m/s: Main, varied by Pulse Magnitude at Pulse
         /// Frequency.</summary>
         public Vector3 VelocityAt(double time)
         {
@@ -80,7 +80,7 @@ namespace LangevinUnity
             return transform.forward * (float)(zone.windMain * speedScale * Math.Max(0.0, pulse));
         }
 
-        /// <summary>Sets the world's uniform wind to the sum of its directional zones, all but one that leaves.</summary>
+        /// <summary>Sets the world's uniform wind to the sum of its directional zones, without the leaving one.</summary>
         internal static void Apply(LangevinWorld world, LangevinWind leaving = null)
         {
             LangevinSimulation simulation = world.Simulation;
@@ -94,7 +94,7 @@ namespace LangevinUnity
                 if (wind == leaving) continue;
                 sum += wind.VelocityAt(simulation.Info().Time);
             }
-            // A world without winds keeps what was set by hand.
+            // A world without directional zones keeps the wind set by scripts.
             if (!any) return;
             Float3 uniform = LangevinConversion.ToLibrary(sum);
             LangevinSimulation.Check(Native.lr_world_set_uniform_wind(simulation.Handle, uniform.X, uniform.Y, uniform.Z), "lr_world_set_uniform_wind");
@@ -139,7 +139,7 @@ namespace LangevinUnity
             float[] samples = same ? null : Samples(shape);
             WindGridDesc desc = WindGridDesc.Create();
             float spacing = 2.0f * shape.Radius / (shape.Resolution - 1);
-            // The first sample is the corner of least coordinates in the library's world: the samples are symmetric, so no order changes.
+            // The first sample is the corner with the least coordinates in the library's frame. The samples are symmetric, so mirroring keeps their order.
             Float3 middle = LangevinConversion.ToLibrary(transform.position);
             desc.Position = new Float3(middle.X - shape.Radius, middle.Y - shape.Radius, middle.Z - shape.Radius);
             desc.Spacing = new Float3(spacing, spacing, spacing);
@@ -163,7 +163,7 @@ namespace LangevinUnity
 
         private static uint FramesOf(Shape shape) { return Pulses(shape) ? (uint)Frames : 1u; }
 
-        // Outward, evenly less from the middle to the radius; frames hold one period of the pulse.
+        // The velocity points outward and falls linearly from the middle to the radius. The frames hold one period of the pulse.
         private static float[] Samples(Shape shape)
         {
             int n = shape.Resolution, frames = (int)FramesOf(shape), at = 0;

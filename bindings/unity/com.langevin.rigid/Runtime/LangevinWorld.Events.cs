@@ -7,37 +7,37 @@ using UnityEngine.Events;
 
 namespace LangevinUnity
 {
-    /// <summary>Something that happened in a step, in Unity's world.</summary>
+    /// <summary>An event of a step, in Unity's world.</summary>
     public struct LangevinEvent
     {
-        /// <summary>What happened.</summary>
+        /// <summary>The kind of event.</summary>
         public EventKind kind;
-        /// <summary>Whose body it is.</summary>
+        /// <summary>The batch of the body.</summary>
         public LangevinBatch batch;
-        /// <summary>The body; stale where it has been destroyed.</summary>
+        /// <summary>The body; stale if it was destroyed.</summary>
         public BodyId body;
-        /// <summary>The number that the program gave to the body.</summary>
+        /// <summary>The body's user number.</summary>
         public ulong user;
-        /// <summary>What was touched or left; null for other events, and for colliders without a component.</summary>
+        /// <summary>The touched or left collider; null for other events and for colliders without a component.</summary>
         public LangevinCollider collider;
-        /// <summary>m, where they touch; else of the centre of mass.</summary>
+        /// <summary>The contact point, or else the centre of mass, m.</summary>
         public Vector3 position;
-        /// <summary>Unit, from the collider to the body; 0 unless it is a hit.</summary>
+        /// <summary>Unit normal from the collider to the body; 0 except for hits.</summary>
         public Vector3 normal;
-        /// <summary>m/s, of approach.</summary>
+        /// <summary>Approach speed, m/s.</summary>
         public float speed;
-        /// <summary>N s.</summary>
+        /// <summary>Impulse, N s.</summary>
         public float impulse;
     }
 
-    /// <summary>A LangevinEvent for handlers that are set in the inspector.</summary>
+    /// <summary>An event of LangevinEvent for handlers set in the inspector.</summary>
     [Serializable]
     public sealed class LangevinUnityEvent : UnityEvent<LangevinEvent> { }
 
     public sealed unsafe partial class LangevinWorld
     {
         [Header("Events")]
-        [Tooltip("Kept of a step at most; 64 bytes each. 0: none.")]
+        [Tooltip("Largest number of events kept per step, 64 bytes each. 0: no events.")]
         [SerializeField, Min(0)] private int eventCapacity = 0;
         [SerializeField] private EventKinds eventKinds = EventKinds.Hit | EventKinds.Landed | EventKinds.Killed | EventKinds.Respawned;
         [SerializeField] private LangevinUnityEvent onEvent = new LangevinUnityEvent();
@@ -46,17 +46,17 @@ namespace LangevinUnity
         private readonly Dictionary<ColliderId, LangevinCollider> collidersById = new Dictionary<ColliderId, LangevinCollider>();
         private LangevinEvent[] buffer = new LangevinEvent[0];
 
-        /// <summary>Raised on the main thread after a step for each of its events, in an order that is the same in every run. Handlers may
-        /// change the world.</summary>
+        /// <summary>Raised on the main thread after a step, for each of its events, in the same order in every run. Handlers can change the
+        /// world.</summary>
         public event Action<LangevinEvent> Happened;
 
-        /// <summary>The same, for handlers that are set in the inspector.</summary>
+        /// <summary>The same event, for handlers set in the inspector.</summary>
         public LangevinUnityEvent OnEvent { get { return onEvent; } }
 
-        /// <summary>Events for which there was no room since the last SetEvents.</summary>
+        /// <summary>Number of events beyond the capacity since the last SetEvents.</summary>
         public long LostEvents { get; private set; }
 
-        /// <summary>Has events kept from now on, at most `capacity` of a step; 0 ends it.</summary>
+        /// <summary>Keeps at most `capacity` events of each step; 0 disables events.</summary>
         public void SetEvents(int capacity, EventKinds kinds)
         {
             eventCapacity = capacity;
@@ -99,7 +99,7 @@ namespace LangevinUnity
                 var collider = member as LangevinCollider;
                 if (collider != null && !collider.Id.IsNull) collidersById[collider.Id] = collider;
             }
-            // All are copied before the first handler runs: one that changes the world ends the library's list.
+            // Copied before the first handler runs: a handler that changes the world invalidates the library's list.
             if (buffer.Length < count) buffer = new LangevinEvent[Mathf.NextPowerOfTwo(count)];
             for (int i = 0; i < count; ++i) buffer[i] = Convert(list.Events + i);
             for (int i = 0; i < count; ++i)

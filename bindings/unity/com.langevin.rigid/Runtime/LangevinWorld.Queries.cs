@@ -7,18 +7,18 @@ using UnityEngine;
 
 namespace LangevinUnity
 {
-    /// <summary>What a ray hit first, in Unity's world.</summary>
+    /// <summary>The first hit of a ray, in Unity's world.</summary>
     public struct LangevinRayHit
     {
-        /// <summary>The body; null where it is a collider.</summary>
+        /// <summary>The hit body; null if the ray hit a collider.</summary>
         public BodyId body;
-        /// <summary>The collider; null where it is a body, or not one of a LangevinCollider.</summary>
+        /// <summary>The hit collider; null if the ray hit a body, or a collider without a LangevinCollider.</summary>
         public LangevinCollider collider;
-        /// <summary>m, from the ray's origin.</summary>
+        /// <summary>Distance from the ray's origin, m.</summary>
         public float distance;
-        /// <summary>m.</summary>
+        /// <summary>The hit point, m.</summary>
         public Vector3 position;
-        /// <summary>Unit, out of what is hit.</summary>
+        /// <summary>Unit normal of the hit surface, outward.</summary>
         public Vector3 normal;
     }
 
@@ -31,13 +31,13 @@ namespace LangevinUnity
             return simulation;
         }
 
-        /// <summary>s since the world was enabled.</summary>
+        /// <summary>Time since the world was enabled, s.</summary>
         public double SimulationTime { get { return Idle().Info().Time; } }
 
-        /// <summary>Bodies in all batches.</summary>
+        /// <summary>The number of bodies in all batches.</summary>
         public long BodyCount { get { return (long)Idle().Info().BodyCount; } }
 
-        /// <summary>Those that are not at rest.</summary>
+        /// <summary>The number of awake bodies.</summary>
         public long AwakeCount { get { return (long)Idle().Info().AwakeCount; } }
 
         /// <summary>A hash of the state of all bodies: equal on every machine after the same calls.</summary>
@@ -48,7 +48,7 @@ namespace LangevinUnity
             return hash;
         }
 
-        /// <summary>What the last step did and what its budget left out.</summary>
+        /// <summary>The work of the last step, and the work beyond its budget.</summary>
         public StepReport LastStep()
         {
             StepReport report = StepReport.Create();
@@ -56,18 +56,18 @@ namespace LangevinUnity
             return report;
         }
 
-        /// <summary>Wakes bodies at rest that reach into a box: for footsteps and explosions. How many there were.</summary>
+        /// <summary>Wakes sleeping bodies that overlap a box, for footsteps and explosions. Returns their number.</summary>
         public int WakeBox(Bounds box)
         {
             Float3 a = LangevinConversion.ToLibrary(box.min), b = LangevinConversion.ToLibrary(box.max);
-            // The mirror swaps which of both z is the lower one.
+            // The mirror in z exchanges lower and upper z.
             Float3 low = new Float3(a.X, a.Y, b.Z), high = new Float3(b.X, b.Y, a.Z);
             uint woken;
             LangevinSimulation.Check(Native.lr_world_wake_box(Idle().Handle, &low.X, &high.X, &woken), "lr_world_wake_box");
             return (int)woken;
         }
 
-        /// <summary>Velocities of the fluid, m/s, at positions: for particles and cloth. Both arrays have equal length.</summary>
+        /// <summary>The fluid's velocities at positions, m/s, for particles and cloth. Both arrays need equal length.</summary>
         public void SampleWind(NativeArray<Vector3> positions, NativeArray<Vector3> velocities)
         {
             if (positions.Length != velocities.Length) throw new ArgumentException("The arrays differ in length.", "velocities");
@@ -81,7 +81,7 @@ namespace LangevinUnity
             for (int i = 0; i < velocities.Length; ++i) to[i].z = -to[i].z;
         }
 
-        /// <summary>The velocity of the fluid at a position, m/s.</summary>
+        /// <summary>The fluid's velocity at a position, m/s.</summary>
         public Vector3 SampleWind(Vector3 position)
         {
             Float3 p = LangevinConversion.ToLibrary(position), v = default(Float3);
@@ -89,7 +89,7 @@ namespace LangevinUnity
             return LangevinConversion.ToUnity(v);
         }
 
-        /// <summary>What a ray hits first of bodies and colliders. False where that is nothing.</summary>
+        /// <summary>Finds the first body or collider hit by a ray; false without a hit.</summary>
         public bool Raycast(Vector3 origin, Vector3 direction, float maxDistance, out LangevinRayHit hit)
         {
             LangevinRigid.Ray ray = LangevinRigid.Ray.Create();
@@ -108,7 +108,7 @@ namespace LangevinUnity
             return true;
         }
 
-        /// <summary>The world's state, to be put back by RestoreSnapshot: into this world, or one with the same batches.</summary>
+        /// <summary>Saves the world's state for RestoreSnapshot, in this world or in one with the same batches.</summary>
         public byte[] SaveSnapshot()
         {
             IntPtr handle = Idle().Handle;
@@ -120,7 +120,7 @@ namespace LangevinUnity
             return bytes;
         }
 
-        /// <summary>Puts a saved state back. Changes nothing if it does not fit.</summary>
+        /// <summary>Restores a saved state. A snapshot of another world changes nothing.</summary>
         public void RestoreSnapshot(byte[] bytes)
         {
             if (bytes == null) throw new ArgumentNullException("bytes");

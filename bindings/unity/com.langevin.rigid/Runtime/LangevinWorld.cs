@@ -8,27 +8,27 @@ using UnityEngine;
 
 namespace LangevinUnity
 {
-    /// <summary>When a world is stepped.</summary>
+    /// <summary>Triggers of a world's steps.</summary>
     public enum LangevinStepMode
     {
-        /// <summary>Once a frame, by its time, at most `maximumStep`. Smooth at any frame rate.</summary>
+        /// <summary>Once per frame, by its duration, at most `maximumStep`. Smooth at any frame rate.</summary>
         Frame = 0,
         /// <summary>In FixedUpdate, by the fixed time step: the same motion in every run.</summary>
         Fixed = 1,
-        /// <summary>By your calls of Step.</summary>
+        /// <summary>By calls of Step from your scripts.</summary>
         Manual = 2,
     }
 
-    /// <summary>Where a step runs.</summary>
+    /// <summary>Threads for a step.</summary>
     public enum LangevinStepThread
     {
-        /// <summary>In Update, and the main thread waits.</summary>
+        /// <summary>In Update; the main thread waits.</summary>
         Main = 0,
-        /// <summary>In a job from Update to LateUpdate, beside other scripts and the physics engine.</summary>
+        /// <summary>In a job from Update to LateUpdate, in parallel with other scripts and the physics engine.</summary>
         Job = 1,
     }
 
-    /// <summary>A world of falling things: steps it, and drives the batches, winds and colliders that have joined.</summary>
+    /// <summary>A world of falling bodies. It steps, and updates the batches, winds and colliders that have joined it.</summary>
     [AddComponentMenu("Langevin Rigid/Langevin World")]
     [DefaultExecutionOrder(-50)]
     [DisallowMultipleComponent]
@@ -39,26 +39,26 @@ namespace LangevinUnity
         [Header("Time")]
         [SerializeField] private LangevinStepMode stepMode = LangevinStepMode.Frame;
         [SerializeField] private LangevinStepThread stepThread = LangevinStepThread.Main;
-        [Tooltip("2 suit leaves and paper of some centimetres at 60 Hz, 4 petals and confetti.")]
+        [Tooltip("At 60 Hz, 2 for leaves and paper of a few centimetres, 4 for petals and confetti.")]
         [SerializeField, Range(1, 32)] private int substeps = 2;
-        [Tooltip("s. A longer frame is cut to this, so that a hitch does not cost another.")]
+        [Tooltip("Seconds. Limits the step of a long frame, so that a hitch does not cause the next one.")]
         [SerializeField, Range(0.001f, 1.0f)] private float maximumStep = 1.0f / 20.0f;
 
         [Header("World")]
-        [Tooltip("Seed of all noise.")]
+        [Tooltip("Seed of all random numbers.")]
         [SerializeField] private long seed = 1;
-        [Tooltip("Use Physics.gravity.")]
+        [Tooltip("Uses Physics.gravity.")]
         [SerializeField] private bool useSceneGravity = true;
         [SerializeField] private Vector3 gravity = new Vector3(0.0f, -9.81f, 0.0f);
-        [Tooltip("kg/m^3. 0: each batch in the fluid that its asset was baked in.")]
+        [Tooltip("Fluid density, kg/m^3. 0: each batch uses its asset's fluid.")]
         [SerializeField, Min(0.0f)] private float fluidDensity = 0.0f;
-        [Tooltip("m^2/s, kinematic. 0: as baked.")]
+        [Tooltip("Kinematic viscosity, m^2/s. 0: each batch uses its asset's fluid.")]
         [SerializeField, Min(0.0f)] private float fluidViscosity = 0.0f;
 
         [Header("Work")]
-        [Tooltip("Threads of the library besides the caller's. -1: half of the processor's. Without effect on results; 0 on WebGL.")]
+        [Tooltip("Threads of the library besides the caller's. -1: half of the processor's. Results do not depend on it. 0 on WebGL.")]
         [SerializeField, Range(-1, 64)] private int workers = -1;
-        [Tooltip("Substeps of single bodies in a step, at most. 0: as many as it takes.")]
+        [Tooltip("Largest number of body substeps in a step. 0: no limit.")]
         [SerializeField, Min(0)] private long budget = 0;
 
         private LangevinSimulation simulation;
@@ -70,22 +70,22 @@ namespace LangevinUnity
 
         internal readonly List<LangevinMember> Members = new List<LangevinMember>();
 
-        /// <summary>The first world that was enabled, which members without a preferred one join.</summary>
+        /// <summary>The first enabled world; members without a preferred world join it.</summary>
         public static LangevinWorld First { get { return Enabled.Count > 0 ? Enabled[0] : null; } }
 
-        /// <summary>What the world is to the library; null while the component is disabled, and after LangevinSimulation.DisposeAll.</summary>
+        /// <summary>The simulation; null while the component is disabled, and after LangevinSimulation.DisposeAll.</summary>
         public LangevinSimulation Simulation { get { return simulation == null || simulation.IsDisposed ? null : simulation; } }
 
-        /// <summary>When it is stepped.</summary>
+        /// <summary>The trigger of steps.</summary>
         public LangevinStepMode StepMode { get { return stepMode; } set { stepMode = value; } }
 
-        /// <summary>Where it is stepped.</summary>
+        /// <summary>The thread of steps.</summary>
         public LangevinStepThread StepThread { get { return stepThread; } set { CompleteStep(); stepThread = value; } }
 
-        /// <summary>Substeps of a step, 1 to 65536.</summary>
+        /// <summary>Substeps per step, 1 to 65536.</summary>
         public int Substeps { get { return substeps; } set { substeps = Mathf.Clamp(value, 1, (int)Limits.MaxSubsteps); } }
 
-        /// <summary>Seed of all noise; takes effect when the component is enabled again.</summary>
+        /// <summary>Seed of all random numbers; takes effect when the component is enabled again.</summary>
         public long Seed { get { return seed; } set { seed = value; } }
 
         /// <summary>Threads besides the caller's; takes effect when the component is enabled again.</summary>
@@ -119,8 +119,8 @@ namespace LangevinUnity
             LangevinMember.JoinAll(this);
         }
 
-        // Members leave while the library's world is still there, whatever order Unity disables components in: a batch that is disabled
-        // later finds that it has no world any more, and frees only what is its own.
+        // Members leave while the library's world still exists, whatever the order in which Unity disables components. A batch disabled later
+        // has no world, and frees only its own memory.
         private void OnDisable()
         {
             Enabled.Remove(this);
@@ -161,15 +161,15 @@ namespace LangevinUnity
             Present();
         }
 
-        /// <summary>Steps the world now and waits, in mode Manual. `dt`: s, of any length above 0 up to `substeps` seconds.</summary>
+        /// <summary>Steps the world now and waits, in mode Manual. `dt`: s, above 0 and at most `substeps` seconds.</summary>
         public void Step(float dt)
         {
             Begin(dt);
             CompleteStep();
         }
 
-        /// <summary>Waits for a step that runs as a job. Everything in this package that touches the world calls it; call it before calls
-        /// of LangevinRigid.Native of your own.</summary>
+        /// <summary>Waits for a step that runs as a job. All methods of this package call it; call it before your own calls of
+        /// LangevinRigid.Native.</summary>
         public void CompleteStep()
         {
             if (!running) return;
@@ -180,7 +180,7 @@ namespace LangevinUnity
 
         private void EndStep(Status status)
         {
-            // Without memory for all that bodies touch it is taken all the same.
+            // With too little memory for all contacts, the step is still taken.
             if (status == Status.Ok || status == Status.OutOfMemory)
             {
                 stepped = true;
@@ -189,8 +189,8 @@ namespace LangevinUnity
             LangevinSimulation.Check(status, "lr_world_step");
         }
 
-        /// <summary>Brings batches up to date and draws them: what LateUpdate does. For mode Manual in the editor, or before a camera
-        /// of your own renders.</summary>
+        /// <summary>Updates batches and draws them, as LateUpdate does. For mode Manual in the editor, or before your own camera
+        /// renders.</summary>
         public void Present()
         {
             CompleteStep();
@@ -215,7 +215,7 @@ namespace LangevinUnity
             LangevinWind.Apply(this);
             for (int i = 0; i < Members.Count; ++i)
             {
-                // One member with a wrong value must not stop the others.
+                // A member with a wrong value must not stop the others.
                 try { Members[i].BeforeStep(simulation, dt); }
                 catch (Exception e) { Debug.LogException(e, Members[i]); }
             }
@@ -231,9 +231,9 @@ namespace LangevinUnity
             JobHandle.ScheduleBatchedJobs();
         }
 
-        /// <summary>Has all that happens in this world written to a file, until StopRecording or until the component is disabled, for
-        /// lr_replay to play again: send it with a bug report. At any time, in a shipped game too: a path below
-        /// Application.persistentDataPath can be written everywhere.</summary>
+        /// <summary>Writes all calls on this world to a file for lr_replay, until StopRecording or until the component is disabled. Send the file
+        /// with a bug report. Works at any time, also in a released game: paths below Application.persistentDataPath are always
+        /// writable.</summary>
         public void StartRecording(string path)
         {
             CompleteStep();
@@ -241,14 +241,14 @@ namespace LangevinUnity
             simulation.StartRecording(path);
         }
 
-        /// <summary>Ends a recording; none is fine. Throws an IOException if the file could not take all of it.</summary>
+        /// <summary>Ends the recording, if any. Throws an IOException if the file is incomplete.</summary>
         public void StopRecording()
         {
             CompleteStep();
             if (Simulation != null) simulation.StopRecording();
         }
 
-        /// <summary>Bounds the work of each step, in substeps of single bodies; 0: no bound.</summary>
+        /// <summary>Limits the work of each step, in body substeps; 0: no limit.</summary>
         public void SetBudget(long bodySubsteps)
         {
             budget = bodySubsteps;
@@ -269,7 +269,7 @@ namespace LangevinUnity
         }
 #endif
 
-        // With "Enter Play Mode Options" statics keep what the last session left in them.
+        // With "Enter Play Mode Options", statics keep values of the last session.
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
         private static void ResetStatics()
         {

@@ -3,8 +3,8 @@ using LangevinRigid;
 using LangevinUnity;
 using UnityEngine;
 
-/// <summary>A storm of leaves over a lawn: add this to an empty GameObject and press Play. The leaf and its mesh are beside this
-/// script; the scene is built here.</summary>
+/// <summary>A storm of leaves over a lawn. Add this to an empty GameObject and press Play. The leaf and its mesh are beside this script,
+/// which builds the scene.</summary>
 public sealed class LeafStorm : MonoBehaviour
 {
     public LangevinAsset asset;
@@ -88,7 +88,7 @@ public sealed class LeafStorm : MonoBehaviour
     }
 
 #if UNITY_EDITOR
-    // When the component is added: takes what lies beside this script.
+    // When the component is added: use the assets beside this script.
     private void Reset()
     {
         string folder = System.IO.Path.GetDirectoryName(UnityEditor.AssetDatabase.GetAssetPath(UnityEditor.MonoScript.FromMonoBehaviour(this)));

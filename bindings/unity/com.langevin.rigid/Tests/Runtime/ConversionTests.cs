@@ -18,7 +18,7 @@ namespace LangevinUnity.Tests
             Assert.AreEqual(expected.z, actual.z, 2e-5, "z");
         }
 
-        // Rotation by the library's convention: right-handed, from the components alone.
+        // Rotation in the library's right-handed convention, from the components alone.
         private static Float3 Turn(Float4 q, Float3 v)
         {
             double tx = 2.0 * (q.Y * v.Z - q.Z * v.Y), ty = 2.0 * (q.Z * v.X - q.X * v.Z), tz = 2.0 * (q.X * v.Y - q.Y * v.X);
@@ -38,7 +38,7 @@ namespace LangevinUnity.Tests
         {
             Assert.AreEqual(new Float3(0.5f, -4.0f, 2.5f), LangevinConversion.SpinToLibrary(W));
             Assert.AreEqual(W, LangevinConversion.SpinToUnity(LangevinConversion.SpinToLibrary(W)));
-            // The velocity of a point of a turning body is the same one in both worlds.
+            // The velocity of a point of a spinning body is the same in both worlds.
             Float3 w = LangevinConversion.SpinToLibrary(W), r = LangevinConversion.ToLibrary(V);
             var v = new Float3(w.Y * r.Z - w.Z * r.Y, w.Z * r.X - w.X * r.Z, w.X * r.Y - w.Y * r.X);
             Near(Vector3.Cross(W, V), LangevinConversion.ToUnity(v));
@@ -51,7 +51,7 @@ namespace LangevinUnity.Tests
             Float4 p = LangevinConversion.ToLibrary(q);
             Near(q * V, LangevinConversion.ToUnity(Turn(p, LangevinConversion.ToLibrary(V))));
             Assert.AreEqual(1.0, Math.Abs(Quaternion.Dot(q, LangevinConversion.ToUnity(p))), 1e-6);
-            // A quarter turn about y, by the left-hand rule, is one backwards by the right-hand rule.
+            // A quarter turn about y by the left-hand rule is a negative quarter turn by the right-hand rule.
             Float4 quarter = LangevinConversion.ToLibrary(Quaternion.AngleAxis(90.0f, Vector3.up));
             Assert.AreEqual(-Math.Sqrt(0.5), quarter.Y, 1e-6);
         }
@@ -61,7 +61,7 @@ namespace LangevinUnity.Tests
         {
             Quaternion q = Quaternion.Euler(20.0f, 40.0f, -65.0f);
             Float4 p = LangevinConversion.ToLibrary(q, MeshMirror.X);
-            // A point of the baked mesh, and the same point of the drawn one: x negated.
+            // A point of the baked mesh, and the same point of the drawn mesh: x negated.
             var baked = new Float3(1.0f, 2.0f, 3.0f);
             var drawn = new Vector3(-1.0f, 2.0f, 3.0f);
             Near(q * drawn, LangevinConversion.ToUnity(Turn(p, baked)));
@@ -81,7 +81,7 @@ namespace LangevinUnity.Tests
             Assert.Greater(a.Z * b.X - a.X * b.Z, 0.0, "right-handed: counter-clockwise seen from above");
         }
 
-        // What a point of the drawn mesh must become, by steps: to the baked mesh, to the centre of mass, by the library, to Unity.
+        // The expected place of a point of the drawn mesh, in steps: to the baked mesh, to the centre of mass, by the library, to Unity.
         private static Vector3 Expected(Vector3 p, MeshMirror mirror, Float3 center, Float4 q, float scale, Float3 at)
         {
             var baked = mirror == MeshMirror.X ? new Float3(-p.x, p.y, p.z) : new Float3(p.x, p.y, -p.z);

@@ -36,7 +36,7 @@ const lr_asset* ULangevinAsset::GetHandle() {
         const lr_status Status =
             lr_asset_load_memory(FileBytes.GetData(), static_cast<uint64>(FileBytes.Num()), &Handle);
         if (Status != LR_OK) {
-            UE_LOG(LogLangevinRigid, Error, TEXT("%s: %s. Import the .lrb file anew."), *GetPathName(),
+            UE_LOG(LogLangevinRigid, Error, TEXT("%s: %s. Import the .lrb file again."), *GetPathName(),
                    UTF8_TO_TCHAR(lr_status_string(Status)));
         }
     }

@@ -1,4 +1,4 @@
-// A batch of the library behind a component: its bodies, what they start with and how they end. How they are drawn:
+// A component's batch in the library: bodies, their emitter and their rules. Drawing is in
 // LangevinBatchInstances.cpp.
 // SPDX-License-Identifier: MIT
 #include "LangevinBatchComponent.h"
@@ -26,7 +26,7 @@ ULangevinBatchComponent::ULangevinBatchComponent(const FObjectInitializer& Objec
     SetGenerateOverlapEvents(false);
     SetCanEverAffectNavigation(false);
     SetMobility(EComponentMobility::Movable);
-    // Instances are stored relative to the component; a scale of its own would shear bodies that turn.
+    // Instances are stored relative to the component; a scale of the component would shear rotating bodies.
     SetUsingAbsoluteScale(true);
 }
 
@@ -49,15 +49,15 @@ bool ULangevinBatchComponent::BeginBatch() {
     const UWorld* Level = GetWorld();
     Subsystem = Level != nullptr ? Level->GetSubsystem<ULangevinWorldSubsystem>() : nullptr;
     lr_world* World = LibraryWorld();
-    if (World == nullptr) return false; // the log has said why when the module started
+    if (World == nullptr) return false; // the module logged the reason when it started
     const lr_asset* Handle = Asset != nullptr ? Asset->GetHandle() : nullptr;
     if (Handle == nullptr) {
-        UE_LOG(LogLangevinRigid, Error, TEXT("%s has no asset: import a .lrb file and give it as Asset"),
+        UE_LOG(LogLangevinRigid, Error, TEXT("%s has no asset: import a .lrb file and set it as Asset"),
                *GetPathName());
         return false;
     }
     if (GetStaticMesh() == nullptr) {
-        UE_LOG(LogLangevinRigid, Warning, TEXT("%s has no static mesh: its bodies fall unseen"), *GetPathName());
+        UE_LOG(LogLangevinRigid, Warning, TEXT("%s has no static mesh: its bodies are invisible"), *GetPathName());
     }
 
     lr_batch_desc Desc;

@@ -1,4 +1,4 @@
-// How a batch's bodies become instances, and snapshots for other threads.
+// Turns a batch's bodies into instances, and into snapshots for other threads.
 // SPDX-License-Identifier: MIT
 #include "Async/ParallelFor.h"
 #include "Engine/StaticMesh.h"
@@ -40,7 +40,7 @@ void ULangevinBatchComponent::WriteInstances(double AheadSeconds) {
     const int32 Count = static_cast<int32>(View.count);
     const int32 Awake = static_cast<int32>(View.awake_count);
     const FTransform& Frame = GetComponentTransform();
-    // Instances are relative to the component: where it has moved, those at rest must be written to stay.
+    // Instances are relative to the component: if it moves, those of sleeping bodies must be written again.
     const bool bAll = bWriteAll || View.revision != WrittenRevision || Count != GetInstanceCount() ||
                       !Frame.Equals(WrittenFrame, 0.0);
     const int32 Written = bAll ? Count : FMath::Max(Awake, WrittenAwake);
@@ -78,7 +78,7 @@ void ULangevinBatchComponent::WriteInstances(double AheadSeconds) {
     UpdateBounds();
 }
 
-// Instances come and go at the end: those in front keep their places, and are written anyway.
+// Instances are added and removed at the end; the others keep their places and are written anyway.
 void ULangevinBatchComponent::SetInstanceCount(int32 Count) {
     const int32 Have = GetInstanceCount();
     if (Have < Count) {
@@ -109,7 +109,7 @@ void ULangevinBatchComponent::GrowBounds(int32 First, int32 Count, bool bAnew) {
     BodyBounds += Box.ExpandBy(Radius * Largest);
 }
 
-// Of what was written last: the engine's own goes through all instances every time.
+// From the instances last written: the engine's own function visits all instances every time.
 FBoxSphereBounds ULangevinBatchComponent::CalcBounds(const FTransform& LocalToWorld) const {
     if (Batch.id == 0 || !BodyBounds.IsValid || GetInstanceCount() == 0) return Super::CalcBounds(LocalToWorld);
     const FBox Local = BodyBounds.TransformBy(WrittenFrame.Inverse());
@@ -140,7 +140,7 @@ TSharedPtr<const FLangevinSnapshot, ESPMode::ThreadSafe> ULangevinBatchComponent
             Taken->Locations[Index] = To(LangevinConversion::PositionToUnreal(
                 {View.position[0][Index], View.position[1][Index], View.position[2][Index]}, Origin));
             Taken->Rotations[Index] = FQuat4f(To(LangevinConversion::MirrorRotation(Rotation)));
-            // Velocities of the view are along the body's axes.
+            // The view's velocities are in the body frame.
             const LangevinConversion::FVec Velocity = LangevinConversion::Rotate(
                 Rotation, {View.velocity[0][Index], View.velocity[1][Index], View.velocity[2][Index]});
             const LangevinConversion::FVec Spin =

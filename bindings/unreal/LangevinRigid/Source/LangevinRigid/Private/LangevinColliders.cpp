@@ -60,7 +60,7 @@ int32 FLangevinColliders::AddComponent(UPrimitiveComponent& Component, bool bFol
     LangevinShapes::Gather(Component, Settings.bUseComplexCollision, Shapes);
     const int32 Added = AddEntry(Component, nullptr, bFollow, Shapes);
     if (Added == 0) {
-        UE_LOG(LogLangevinRigid, Warning, TEXT("%s has no collision that bodies could meet"), *Component.GetPathName());
+        UE_LOG(LogLangevinRigid, Warning, TEXT("%s has no collision for bodies"), *Component.GetPathName());
     }
     return Added;
 }
@@ -136,7 +136,7 @@ int32 FLangevinColliders::AddEntry(UPrimitiveComponent& Component, const ULevel*
         if (Status == LR_OK) {
             Entry.Parts.Add(Part);
         } else {
-            UE_LOG(LogLangevinRigid, Warning, TEXT("A part of the collision of %s is left out: %s"),
+            UE_LOG(LogLangevinRigid, Warning, TEXT("A part of the collision of %s was skipped: %s"),
                    *Component.GetPathName(), UTF8_TO_TCHAR(lr_status_string(Status)));
         }
     }

@@ -1,4 +1,4 @@
-// The level's collision in a world of the library: what is there, and what moves.
+// The level's collision as colliders of the library, static and moving.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -16,20 +16,20 @@ class FLangevinColliders {
 public:
     FLangevinColliders(lr_world* InWorld, const FVector& InOrigin, const ULangevinSettings& InSettings);
 
-    /** Static collision of a level that blocks. How many colliders. */
+    /** Adds the blocking static collision of a level. Returns the number of colliders. */
     int32 AddLevel(const ULevel& Level);
     void RemoveLevel(const ULevel& Level);
 
-    /** A component, whatever its mobility and channels. bFollow: it moves, and its colliders with it. */
+    /** Adds a component, whatever its mobility and channels. bFollow: its colliders follow its motion. */
     int32 AddComponent(UPrimitiveComponent& Component, bool bFollow);
     bool RemoveComponent(const UPrimitiveComponent& Component);
 
     bool AddPlane(const FVector& Point, const FVector& Normal, float Friction, float Restitution);
 
-    /** Before a step: moves what follows a component over the step, and removes what has lost its component. */
+    /** Before a step: moves colliders to their components during the step, and removes those without a component. */
     void Update();
 
-    /** The component that a collider is of; null for planes. */
+    /** The component of a collider; null for planes. */
     UPrimitiveComponent* Find(lr_collider Collider) const;
 
     int32 Num() const;

@@ -6,7 +6,7 @@
 #include "LangevinRigidModule.h"
 
 namespace LangevinHost {
-// uint64_t, as the library: the engine's uint64 is another type on Linux.
+// uint64_t, as in the library: the engine's uint64 is another type on Linux.
 namespace {
 void* Allocate(void*, uint64_t Size, uint64_t Alignment) {
     return FMemory::Malloc(static_cast<SIZE_T>(Size), static_cast<uint32>(Alignment));
@@ -61,7 +61,7 @@ void* FLangevinJobs::Enqueue(void* User, lr_task_fn Run, void* Task, uint32 Coun
     return &Self;
 }
 
-// Runs tasks that no thread has taken yet in this one, and then waits for the others.
+// Runs tasks that no thread has taken yet, then waits for the others.
 void FLangevinJobs::Finish(void*, void* Token) {
     FLangevinJobs& Self = *static_cast<FLangevinJobs*>(Token);
     UE::Tasks::Wait(Self.Tasks);

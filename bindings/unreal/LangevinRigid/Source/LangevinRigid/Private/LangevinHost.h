@@ -1,4 +1,4 @@
-// What the engine lends to a world of the library: memory, log, and tasks.
+// Services of the engine for a world of the library: memory, log and tasks.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -8,22 +8,22 @@
 #include <langevin_rigid.h>
 
 namespace LangevinHost {
-/** FMemory, so that the world's memory shows up in the engine's own statistics. */
+/** FMemory, so that the engine's statistics include the world's memory. */
 lr_allocator Allocator();
 
-/** lr_log_fn: to LogLangevinRigid. */
+/** lr_log_fn: logs to LogLangevinRigid. */
 void Log(void* User, int32 Level, const char* Message);
 
-/** Logs a failed call, with what was being done. Whether the status is LR_OK. */
+/** Logs a failed call; What names the action. Returns whether the status is LR_OK. */
 bool Check(lr_status Status, const TCHAR* What);
 } // namespace LangevinHost
 
-/** lr_job_system on UE::Tasks. One for each world, which it outlives: a world's rounds of tasks never overlap. */
+/** lr_job_system on UE::Tasks. Each world has its own, which outlives it: a world's rounds of tasks never overlap. */
 class FLangevinJobs {
 public:
     lr_job_system Callbacks();
 
-    /** Threads besides the caller's that a step can have. */
+    /** Threads of a step besides the caller's. */
     static uint32 WorkerCount();
 
     /** Tasks launched so far. */

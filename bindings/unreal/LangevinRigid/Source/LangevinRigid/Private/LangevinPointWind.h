@@ -1,4 +1,4 @@
-// Wind that blows out from points, as the engine's wind sources with bPointWind do. Plain C++: called from worker threads.
+// Wind that blows outward from points, for wind sources with bPointWind. Plain C++: called from worker threads.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -9,12 +9,12 @@
 struct FLangevinPointWind {
     float Position[3]; // m, library's axes
     float Radius;      // m
-    float Speed;       // m/s, the most; a tenth of the radius from the middle
+    float Speed;       // m/s, largest speed, reached a tenth of the radius from the middle
 };
 
 namespace LangevinPointWind {
-/** Adds the velocity at a point. It rises from nothing in the middle, where it has no direction, and falls to nothing at the
-    radius, so that no body crosses a jump. */
+/** Adds the velocity at a point. It is 0 in the middle, where it has no direction, and 0 at the radius, so that no body
+ * crosses a jump. */
 inline void Add(const FLangevinPointWind& Wind, const float* Point, float* Velocity) {
     const float D[3] = {Point[0] - Wind.Position[0], Point[1] - Wind.Position[1], Point[2] - Wind.Position[2]};
     const float Distance = std::sqrt(D[0] * D[0] + D[1] * D[1] + D[2] * D[2]);

@@ -7,14 +7,14 @@
 class FArchive;
 struct lr_world;
 
-/** A file that takes every call on a world, for lr_replay. */
+/** Records every call on a world to a file, for lr_replay. */
 class FLangevinRecording {
 public:
-    /** Null, after a message, where the file cannot be written. Outlive the world, or stop first. */
+    /** Null, after a message, if the file cannot be written. The recording must outlive the world, or stop before its end. */
     static TUniquePtr<FLangevinRecording> Start(lr_world* World, const FString& Filename);
     ~FLangevinRecording();
 
-    /** False where the file could not take all of it: it then holds what came before. */
+    /** False if the file is incomplete: its contents end before the error. */
     bool Stop(lr_world* World);
 
 private:

@@ -38,7 +38,7 @@ void FLangevinRigidModule::StartupModule() {
     const FString ThirdParty = FPaths::Combine(Plugin->GetBaseDir(), TEXT("Source/ThirdParty/LangevinRigidLibrary"));
     const FString LibraryPath = FPaths::Combine(ThirdParty, TEXT(LANGEVIN_RIGID_LIBRARY));
 
-    // Its own folder is searched for what it needs, and only while it is loaded.
+    // Adds the library's own folder to the search path, only while the library is loaded.
     const FString LibraryFolder = FPaths::GetPath(LibraryPath);
     FPlatformProcess::PushDllDirectory(*LibraryFolder);
     LibraryHandle = FPlatformProcess::GetDllHandle(*LibraryPath);
@@ -46,9 +46,9 @@ void FLangevinRigidModule::StartupModule() {
     if (LibraryHandle == nullptr) {
         const bool bExists = FPaths::FileExists(LibraryPath);
         UE_LOG(
-            LogLangevinRigid, Error, TEXT("%s %s. Nothing will fall."), *LibraryPath,
+            LogLangevinRigid, Error, TEXT("%s %s. Bodies will not be simulated."), *LibraryPath,
             bExists
-                ? TEXT("is there but could not be loaded: a library that it needs is missing, or it is for another "
+                ? TEXT("is there but could not be loaded: a dependency is missing, or it is for another "
                        "processor (see the lines above, or ldd / dumpbin /dependents)")
                 : TEXT("is missing: package the plugin with bindings/unreal/package.py, and in a packaged game check "
                        "that it was staged beside the executable's Plugins folder"));
@@ -62,7 +62,7 @@ void FLangevinRigidModule::StartupModule() {
             LogLangevinRigid, Error,
             TEXT(
                 "%s is version %u.%u.%u, but the plugin was built for %u.%u.%u: rebuild the plugin, or put the library "
-                "back that it came with. Nothing will fall."),
+                "back that it came with. Bodies will not be simulated."),
             *LibraryPath, Major(Loaded), Minor(Loaded), Patch(Loaded), Major(Built), Minor(Built), Patch(Built));
         return;
     }

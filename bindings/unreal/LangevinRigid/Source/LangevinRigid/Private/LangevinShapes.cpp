@@ -63,7 +63,7 @@ void AddSimple(const FKAggregateGeom& Geometry, const FVector& Scale, TArray<FLa
         FLangevinShape Shape;
         Shape.Local = Scaled.GetTransform();
         Shape.Size[0] = Metres(Scaled.Radius);
-        // Length is that of the line between the centres of both ends.
+        // Length is the distance between the centers of both ends.
         Shape.Size[1] = Metres(0.5 * Scaled.Length);
         Shape.bUpright = Shape.Size[1] > 0.0f;
         Shape.Kind = Shape.bUpright ? LR_COLLIDER_CAPSULE : LR_COLLIDER_SPHERE;
@@ -146,7 +146,7 @@ bool GatherLandscape(const ULandscapeHeightfieldCollisionComponent& Component, F
     float Lowest = TNumericLimits<float>::Max();
     for (int32 Row = 0; Row <= Quads; ++Row) {
         for (int32 Column = 0; Column <= Quads; ++Column) {
-            // A border belongs to no component: a hair's breadth inside there is an answer.
+            // A border belongs to no component: sample slightly inside it.
             const double X = FMath::Clamp(static_cast<double>(Column), 1e-3, Quads - 1e-3) * Component.CollisionScale;
             const double Y = FMath::Clamp(static_cast<double>(Row), 1e-3, Quads - 1e-3) * Component.CollisionScale;
             const TOptional<float> Height =
@@ -157,7 +157,7 @@ bool GatherLandscape(const ULandscapeHeightfieldCollisionComponent& Component, F
         }
     }
     if (Lowest == TNumericLimits<float>::Max()) return false;
-    // A heightfield has no holes: they become shafts of ten metres.
+    // A heightfield cannot have holes: they become shafts of ten metres.
     for (float& Height : Out.Heights) {
         if (Height == Hole) Height = Lowest - 10.0f;
     }

@@ -1,4 +1,4 @@
-// The collision of the engine's components as colliders of the library, in the frame of their component.
+// Converts collision of the engine's components to colliders of the library, in their component's frame.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -9,11 +9,11 @@ class UPrimitiveComponent;
 
 struct FLangevinShape {
     int32 Kind = 0; // LR_COLLIDER_*
-    /** In the component's frame without its scale, which the sizes hold. cm. */
+    /** In the component's frame without its scale, which the sizes include. cm. */
     FTransform Local = FTransform::Identity;
-    /** Stands along Z here and along y in the library. */
+    /** Its axis is Z in Unreal and y in the library. */
     bool bUpright = false;
-    /** The library's units and axes from here on. */
+    /** The members below have the library's units and axes. */
     float Size[3] = {};
     TArray<float> Vertices;
     TArray<uint32> Indices;
@@ -23,13 +23,13 @@ struct FLangevinShape {
 };
 
 namespace LangevinShapes {
-/** Boxes, spheres, capsules and convex hulls of a component, of each of its instances if it is instanced, or its triangles
-    where it has none of these and bComplex. */
+/** The boxes, spheres, capsules and convex hulls of a component, and of each of its instances. If it has none of these, and
+ * bComplex is true: its triangles. */
 void Gather(UPrimitiveComponent& Component, bool bComplex, TArray<FLangevinShape>& Out);
 
-/** A part of a landscape. False where there is nothing, or it is tilted. */
+/** Converts a part of a landscape. False if it is empty or tilted. */
 bool GatherLandscape(const ULandscapeHeightfieldCollisionComponent& Component, FLangevinShape& Out);
 
-/** Takes the points that lie farthest out in Count directions: the library takes 256 for a hull. */
+/** The points farthest out in Count directions: a hull of the library has at most 256. */
 TArray<FVector> Outermost(const TArray<FVector>& Points, int32 Count);
 } // namespace LangevinShapes

@@ -1,4 +1,4 @@
-// The engine's vectors to and from those of LangevinConversion.h, and into the library's arrays.
+// Converts the engine's vectors to those of LangevinConversion.h and to the library's arrays.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -45,7 +45,7 @@ void FLangevinWind::Update(const UWorld& Level, float DeltaSeconds) {
         UntilSearch = SearchInterval;
     }
     const FVector ScaledExtra = Extra / LangevinConversion::CentimetresPerMetre;
-    FVector Uniform = ScaledExtra; // m/s, still with the engine's axes
+    FVector Uniform = ScaledExtra; // m/s, in the engine's axes
     FVector GustSum = FVector::ZeroVector;
     Points.Reset();
     for (const TWeakObjectPtr<UWindDirectionalSourceComponent>& Weak : Sources) {

@@ -1,4 +1,4 @@
-// The level's wind sources in a world of the library.
+// Passes the level's wind sources to a world of the library.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -15,10 +15,10 @@ public:
     FLangevinWind(lr_world* InWorld, const FVector& InOrigin, const ULangevinSettings& InSettings);
     ~FLangevinWind();
 
-    /** Wind besides that of the level's sources, cm/s. */
+    /** Sets the wind besides the level's sources, cm/s. */
     void SetExtra(const FVector& Velocity) { Extra = Velocity; }
 
-    /** Before a step. Sources are looked for twice a second, and read every time. */
+    /** Before a step. Searches for sources twice a second, and reads their values every time. */
     void Update(const UWorld& Level, float DeltaSeconds);
 
 private:

@@ -83,7 +83,7 @@ void ULangevinWorldSubsystem::Deinitialize() {
 void ULangevinWorldSubsystem::OnWorldBeginPlay(UWorld& InWorld) {
     Super::OnWorldBeginPlay(InWorld);
     if (World == nullptr) return;
-    // World settings may override gravity, and are there only now.
+    // World settings can override gravity, and are not available earlier.
     float Gravity[3];
     LangevinTypes::Store(Gravity, LangevinConversion::VectorToLangevin({0.0, 0.0, InWorld.GetGravityZ()}));
     Check(lr_world_set_gravity(World, Gravity), TEXT("Gravity"));
@@ -96,12 +96,12 @@ void ULangevinWorldSubsystem::OnWorldBeginPlay(UWorld& InWorld) {
 
 void ULangevinWorldSubsystem::OnLevelAdded(ULevel* Level, UWorld* InWorld) {
     if (Level == nullptr || InWorld != GetWorld() || !InWorld->HasBegunPlay()) return;
-    Colliders->RemoveLevel(*Level); // it may have come before
+    Colliders->RemoveLevel(*Level); // it may already be there
     Colliders->AddLevel(*Level);
 }
 
 void ULangevinWorldSubsystem::OnLevelRemoved(ULevel* Level, UWorld* InWorld) {
-    // Null: all levels go, and this world with them.
+    // Null: all levels leave, and this world with them.
     if (Level != nullptr && InWorld == GetWorld()) Colliders->RemoveLevel(*Level);
 }
 
@@ -119,7 +119,7 @@ void ULangevinWorldSubsystem::Tick(float DeltaTime) {
         Step(Frame);
     } else {
         Due += Frame;
-        // A frame of exactly one step must not wait for the next because of rounding.
+        // The tolerance keeps a frame of exactly one step from waiting for the next frame because of rounding.
         const int32 Whole = FMath::FloorToInt32(Due / Settings.FixedStep + 1e-4);
         const int32 Steps = FMath::Min(Whole, Settings.MaxStepsPerFrame);
         for (int32 Index = 0; Index < Steps; ++Index) Step(Settings.FixedStep);
@@ -146,7 +146,7 @@ void ULangevinWorldSubsystem::Step(float Seconds) {
     const float Longest = GetDefault<ULangevinSettings>()->LongestSubstep;
     const int32 Substeps = FMath::Clamp(FMath::CeilToInt32(Seconds / Longest - 1e-3f), 1, 1024);
     const lr_status Status = lr_world_step(World, Seconds, static_cast<uint32>(Substeps));
-    // Without memory for all that bodies touch it is taken all the same.
+    // With too little memory for all contacts, the step is still taken.
     if (Check(Status, TEXT("A step")) || Status == LR_ERROR_OUT_OF_MEMORY) TellEvents();
 }
 
@@ -171,7 +171,7 @@ void ULangevinWorldSubsystem::TellEvents() {
         Event.Impulse = static_cast<float>(LangevinConversion::LengthToCentimetres(From.impulse));
         Events.Add(Event);
     }
-    // Listeners may create and destroy bodies: the list of the library is not looked at again.
+    // Listeners can create and destroy bodies: do not use the library's list below.
     OnEvents.Broadcast(Events);
 }
 
@@ -210,7 +210,7 @@ int32 ULangevinWorldSubsystem::GetColliderCount() const {
 
 int32 ULangevinWorldSubsystem::WakeBox(FVector Min, FVector Max) {
     if (World == nullptr) return 0;
-    // y changes its sign, and so low and high change places.
+    // y changes its sign, so low and high change places.
     float Low[3], High[3];
     LangevinTypes::Store(Low,
                          LangevinConversion::PositionToLangevin({Min.X, Max.Y, Min.Z}, LangevinTypes::From(Origin)));

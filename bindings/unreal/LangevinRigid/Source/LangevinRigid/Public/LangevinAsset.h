@@ -15,48 +15,48 @@ class LANGEVINRIGID_API ULangevinAsset : public UObject {
     GENERATED_BODY()
 
 public:
-    /** Takes the bytes of a .lrb file. Returns false, and changes nothing, if they are not one: Faults then says why, a line
-        for each, with what to do. */
+    /** Sets the bytes of a .lrb file. Returns false, and changes nothing, if they are not valid: Faults then has a line with
+     * reason and remedy for each fault. */
     bool SetBytes(const TArray<uint8>& Bytes, TArray<FString>& Faults);
 
     const TArray<uint8>& GetBytes() const { return FileBytes; }
 
-    /** The asset of the library, made when first asked for; null if the bytes are none. It lives as long as this object, or as
-        a reference of one's own (lr_asset_retain). Game thread. */
+    /** The library's asset, created at the first call; null if the bytes are not valid. It lives as long as this object, or as
+     * your own reference (lr_asset_retain). Game thread. */
     const lr_asset* GetHandle();
 
-    /** cm, Unreal's axes: from the origin of the mesh to the centre of mass. */
+    /** From the origin of the mesh to the centre of mass, cm, Unreal's axes. */
     FVector GetCenterOfMass() const { return CenterOfMass; }
 
     virtual void PostInitProperties() override;
     virtual void PostLoad() override;
     virtual void BeginDestroy() override;
 
-    /** g */
+    /** Mass, g. */
     UPROPERTY(VisibleAnywhere, BlueprintReadOnly, Transient, Category = "Body")
     float Mass = 0.0f;
 
-    /** cm^3 */
+    /** Volume, cm^3. */
     UPROPERTY(VisibleAnywhere, BlueprintReadOnly, Transient, Category = "Body")
     float Volume = 0.0f;
 
-    /** cm, the largest extent. */
+    /** Largest extent, cm. */
     UPROPERTY(VisibleAnywhere, BlueprintReadOnly, Transient, Category = "Body")
     float Length = 0.0f;
 
-    /** cm */
+    /** Thickness, cm. */
     UPROPERTY(VisibleAnywhere, BlueprintReadOnly, Transient, Category = "Body")
     float Thickness = 0.0f;
 
-    /** cm, in the mesh. */
+    /** Centre of mass in the frame of the mesh, cm. */
     UPROPERTY(VisibleAnywhere, BlueprintReadOnly, Transient, Category = "Body")
     FVector CenterOfMass = FVector::ZeroVector;
 
-    /** cm/s, approximate fall speed in its fluid. */
+    /** Approximate fall speed in its fluid, cm/s. */
     UPROPERTY(VisibleAnywhere, BlueprintReadOnly, Transient, Category = "Body")
     float FallSpeed = 0.0f;
 
-    /** Corners of its hull, 0 for none. */
+    /** Number of corners of its hull; 0: no hull. */
     UPROPERTY(VisibleAnywhere, BlueprintReadOnly, Transient, Category = "Body")
     int32 HullVertices = 0;
 

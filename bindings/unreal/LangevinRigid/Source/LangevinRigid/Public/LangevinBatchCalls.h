@@ -1,4 +1,4 @@
-// The calls that the subsystem makes to its batches. They know the subsystem; it knows them by this interface alone.
+// The subsystem's calls to its batches. Batches know the subsystem; it knows them only by this interface.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -13,11 +13,11 @@ public:
 
     virtual void EndBatch() = 0;
 
-    /** Before a step, and after one. */
+    /** Called before and after a step. */
     virtual void PrepareStep() = 0;
     virtual void WriteInstances(double AheadSeconds) = 0;
     virtual void WriteAllInstances() = 0;
 
-    /** Names the batch in an event of one of its bodies. */
+    /** Sets the batch in an event of one of its bodies. */
     virtual void NameBatch(const lr_event& From, FLangevinEvent& Event) = 0;
 };

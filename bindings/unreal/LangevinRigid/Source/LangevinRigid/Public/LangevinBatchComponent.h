@@ -20,7 +20,7 @@ enum class ELangevinLoads : uint8 {
     Default = 0,
     /** Gravity, buoyancy and added mass only. */
     None = 1,
-    /** The paper's turbulent loads. */
+    /** The paper's random turbulent loads. */
     Langevin = 2,
     /** Quasi-steady drag and lift in a turbulent fluid. */
     Aerodynamic = 3,
@@ -43,15 +43,15 @@ struct LANGEVINRIGID_API FLangevinSnapshot {
     TArray<FVector3f> Spins;      // rad/s, world
     TArray<float> Ages;           // s
     TArray<float> Scales;
-    int32 AwakeCount = 0; // the first of them move, the others lie
+    int32 AwakeCount = 0; // the first bodies are awake, the others asleep
     uint64 Frame = 0;
 
     int32 Num() const { return Locations.Num(); }
 };
 
 /**
- * All bodies of one asset, drawn as instances of the component's static mesh. Give it the mesh from which the asset was baked, and
- * press play. Instances are written by the subsystem; do not add or remove them by hand.
+ * All bodies of an asset, drawn as instances of the component's static mesh. Set the mesh from which the asset was baked, and
+ * press play. The subsystem writes the instances; do not add or remove them by hand.
  */
 UCLASS(ClassGroup = "Langevin Rigid", meta = (BlueprintSpawnableComponent))
 class LANGEVINRIGID_API ULangevinBatchComponent : public UInstancedStaticMeshComponent, public FLangevinBatchCalls {
@@ -64,18 +64,18 @@ public:
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Langevin Rigid")
     TObjectPtr<ULangevinAsset> Asset;
 
-    /** The most bodies at a time; memory for all is allocated when play begins. */
+    /** Largest number of bodies; their memory is allocated when play begins. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Langevin Rigid", meta = (ClampMin = "1"))
     int32 Capacity = 1000;
 
-    /** Bodies at the beginning, from the emitter. */
+    /** Number of bodies that the emitter spawns when play begins. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Langevin Rigid", meta = (ClampMin = "0"))
     int32 InitialCount = 0;
 
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Langevin Rigid", AdvancedDisplay)
     ELangevinLoads Loads = ELangevinLoads::Default;
 
-    /** Level of detail: takes one substep where others take this many; for distant batches. */
+    /** Level of detail: takes one substep where other batches take this number. For distant batches. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Langevin Rigid", AdvancedDisplay,
               meta = (ClampMin = "1", ClampMax = "1024"))
     int32 RateDivisor = 1;
@@ -83,27 +83,27 @@ public:
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Emitter")
     ELangevinEmitterShape EmitterShape = ELangevinEmitterShape::Box;
 
-    /** cm, half extents along the component's axes; the emitter moves and rotates with the component. */
+    /** Half extents along the component's axes, cm. The emitter moves and rotates with the component. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Emitter")
     FVector EmitterExtent = FVector(100.0, 100.0, 100.0);
 
-    /** Spawns per second. */
+    /** Bodies spawned per second. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Emitter", meta = (ClampMin = "0.0"))
     float EmitterRate = 0.0f;
 
-    /** cm/s, world, at spawning. */
+    /** Initial velocity, cm/s, world. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Emitter")
     FVector InitialVelocity = FVector::ZeroVector;
 
-    /** rad/s, at spawning, about a random axis. */
+    /** Largest initial spin, rad/s, about a random axis. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Emitter", meta = (ClampMin = "0.0"))
     float InitialSpin = 0.0f;
 
-    /** Smallest and largest size, 1: as baked. */
+    /** Smallest and largest scale. 1: the baked size. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Emitter")
     FVector2D ScaleRange = FVector2D(1.0, 1.0);
 
-    /** s; 0: no limit. */
+    /** Age at which bodies end, s. 0: no limit. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Ends", meta = (ClampMin = "0.0"))
     float MaxAge = 0.0f;
 
@@ -111,18 +111,18 @@ public:
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Ends")
     bool bKillBelow = false;
 
-    /** cm, world. */
+    /** Height below which bodies end, cm, world. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Ends", meta = (EditCondition = "bKillBelow"))
     double KillHeight = -10000.0;
 
-    /** Ended bodies respawn in the emitter: a storm that never stops. */
+    /** Ended bodies respawn from the emitter, so that the storm never stops. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Ends")
     bool bRespawn = false;
 
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Contact")
     bool bCollide = true;
 
-    /** Body contact within this batch: heaps. Costs much more. */
+    /** Contact between bodies of this batch, so that they pile up. Costs much more. */
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Contact")
     bool bCollideWithEachOther = false;
 
@@ -150,27 +150,27 @@ public:
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid")
     virtual void EndBatch() override;
 
-    /** Creates bodies at these transforms of the mesh, all or none. */
+    /** Creates bodies from transforms of the mesh, all or none. */
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid")
     TArray<FLangevinBody> SpawnBodies(const TArray<FTransform>& Transforms, FVector Velocity);
 
-    /** Spawns bodies by the emitter, all or none. */
+    /** Spawns bodies from the emitter, all or none. */
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid")
     bool EmitBodies(int32 Count);
 
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid")
     bool DestroyBodies(const TArray<FLangevinBody>& Bodies);
 
-    /** Transform: of the mesh, world. cm/s and rad/s, world. False if the body no longer exists. */
+    /** Reads the transform of the mesh (world), velocity (cm/s) and spin (rad/s). False if the body no longer exists. */
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid")
     bool GetBodyState(FLangevinBody Body, FTransform& Transform, FVector& Velocity, FVector& Spin,
                       bool& bResting) const;
 
-    /** kg cm/s, at the centre of mass, or at Location if bAtLocation. */
+    /** Adds an impulse, kg cm/s, at the centre of mass, or at Location if bAtLocation. */
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid")
     bool AddImpulseToBody(FLangevinBody Body, FVector Impulse, FVector Location, bool bAtLocation);
 
-    /** cm/s^2 on all bodies of the batch, until changed. */
+    /** Accelerates all bodies of the batch, cm/s^2, until changed. */
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid")
     bool SetAcceleration(FVector Acceleration);
 
@@ -184,10 +184,10 @@ public:
     /** The state of all bodies, copied at most once per step. Null without a batch. Game thread. */
     TSharedPtr<const FLangevinSnapshot, ESPMode::ThreadSafe> GetSnapshot() const;
 
-    /** For functions of langevin_rigid.h; its id is 0 without a batch. */
+    /** The batch's handle for functions of langevin_rigid.h; its id is 0 without a batch. */
     lr_batch GetLibraryBatch() const { return Batch; }
 
-    /** Instances written by the last update. */
+    /** Number of instances written by the last update. */
     int32 GetLastWritten() const { return LastWritten; }
 
     virtual void BeginPlay() override;

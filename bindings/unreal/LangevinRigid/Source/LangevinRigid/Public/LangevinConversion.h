@@ -1,10 +1,10 @@
-// Between the library's frame (metres, right-handed) and Unreal's (centimetres, left-handed, Z up). Plain C++: no engine
-// types, so that it is tested with numbers outside the engine.
+// Converts between the library's frame (metres, right-handed) and Unreal's (centimetres, left-handed, Z up). Plain C++
+// without engine types, so that tests can run it outside the engine.
 //
-// The library has no up axis of its own. Its world is here Unreal's with y mirrored and lengths over 100, which is also
-// what Unreal's FBX and OBJ importers make of a right-handed Z-up mesh file: a mesh that was baked from the same file as
-// the one that is drawn needs no further turn. Mirroring turns true vectors (positions, velocities) into (x, -y, z), and
-// pseudovectors (spins, torques, rotation axes) into (-x, y, -z).
+// The library has no fixed up axis. Here its world is Unreal's with y mirrored and lengths divided by 100. Unreal's FBX
+// and OBJ importers do the same to a right-handed Z-up mesh file, so a mesh baked from the drawn mesh's file needs no
+// further rotation. The mirror turns true vectors (positions, velocities) into (x, -y, z), and pseudovectors (spins,
+// torques, rotation axes) into (-x, y, -z).
 //
 // SPDX-License-Identifier: MIT
 #pragma once
@@ -31,22 +31,22 @@ constexpr double LengthToCentimetres(double Metres) {
     return Metres * CentimetresPerMetre;
 }
 
-/** A direction keeps its length. Its own inverse. */
+/** Mirrors a direction; its length stays. Its own inverse. */
 constexpr FVec MirrorDirection(const FVec& V) {
     return {V.X, -V.Y, V.Z};
 }
 
-/** Spins in rad/s, rotation axes. Its own inverse. */
+/** Mirrors a spin (rad/s) or rotation axis. Its own inverse. */
 constexpr FVec MirrorSpin(const FVec& V) {
     return {-V.X, V.Y, -V.Z};
 }
 
-/** Its own inverse: S R S of the mirror S. */
+/** Mirrors a rotation R to S R S, with the mirror S. Its own inverse. */
 constexpr FRotation MirrorRotation(const FRotation& Q) {
     return {-Q.X, Q.Y, -Q.Z, Q.W};
 }
 
-/** Velocities, accelerations and offsets: cm to m. */
+/** Converts velocities, accelerations and offsets: cm to m. */
 constexpr FVec VectorToLangevin(const FVec& V) {
     return {LengthToMetres(V.X), -LengthToMetres(V.Y), LengthToMetres(V.Z)};
 }
@@ -55,8 +55,8 @@ constexpr FVec VectorToUnreal(const FVec& V) {
     return {LengthToCentimetres(V.X), -LengthToCentimetres(V.Y), LengthToCentimetres(V.Z)};
 }
 
-/** Origin: the point of the level, in cm, where the library's world has its own. It keeps the library's floats fine in
-    levels that are larger than some kilometres. */
+/** Origin: the level's point, in cm, at the origin of the library's world. It keeps single precision accurate in levels of
+ * more than a few kilometres. */
 constexpr FVec PositionToLangevin(const FVec& P, const FVec& Origin) {
     return VectorToLangevin({P.X - Origin.X, P.Y - Origin.Y, P.Z - Origin.Z});
 }
@@ -88,9 +88,9 @@ constexpr FVec Rotate(const FRotation& Q, const FVec& V) {
             V.Z + Q.W * T.Z + Q.X * T.Y - Q.Y * T.X};
 }
 
-/** Planes, capsules and heightfields stand along y in the library and along Z in Unreal: the orientation of such a
-    collider, for the rotation of what it is in Unreal. Its own y then points along Unreal's Z, and its own x and z along
-    Unreal's X and Y, so that heights in rows of X are in the library's order as they are. */
+/** Planes, capsules and heightfields stand along y in the library and along Z in Unreal. Gives the orientation of such a
+ * collider from its rotation in Unreal: its y points along Unreal's Z, its x and z along Unreal's X and Y. Heights in
+ * rows of X are then in the library's order. */
 inline FRotation UprightToLangevin(const FRotation& Q) {
     const double Half = std::sqrt(0.5);
     return Multiply(MirrorRotation(Q), {Half, 0.0, 0.0, Half});
@@ -104,16 +104,16 @@ inline FRotation RotationFromYTo(const FVec& Normal) {
     return {Q.X / Length, 0.0, Q.Z / Length, Q.W / Length};
 }
 
-/** Where an instance is drawn, in Unreal's frame: location in cm, rotation, uniform scale. */
+/** Pose of an instance in Unreal's frame: location in cm, rotation, uniform scale. */
 struct FPose {
     FVec Location;
     FRotation Rotation;
     double Scale = 1.0;
 };
 
-/** Record: position x y z, quaternion x y z w, scale, as lr_batch_write_transforms has them
-    (LR_TRANSFORM_POSITION_QUATERNION_SCALE). MeshOrigin: where the drawn mesh has its origin in the body, cm, Unreal's
-    axes: minus the centre of mass, which is the body's own. */
+/** Record: position x y z, quaternion x y z w, scale, as written by lr_batch_write_transforms with
+ * LR_TRANSFORM_POSITION_QUATERNION_SCALE. MeshOrigin: origin of the drawn mesh relative to the body's, which is its centre
+ * of mass; cm, Unreal's axes. */
 inline FPose InstancePose(const float* Record, const FVec& MeshOrigin, const FVec& Origin) {
     FPose Pose;
     Pose.Rotation = MirrorRotation({Record[3], Record[4], Record[5], Record[6]});
@@ -125,8 +125,8 @@ inline FPose InstancePose(const float* Record, const FVec& MeshOrigin, const FVe
     return Pose;
 }
 
-/** Moves a record on by Seconds with the body's velocity and spin, both in its own frame as in lr_batch_view. For frames
-    between fixed steps; angles stay small there. */
+/** Advances a record by Seconds with the body's velocity and spin, both in the body frame as in lr_batch_view. For frames
+ * between fixed steps: angles stay small there. */
 inline void AdvanceRecord(float* Record, const FVec& BodyVelocity, const FVec& BodySpin, double Seconds) {
     const FRotation Q{Record[3], Record[4], Record[5], Record[6]};
     const FVec V = Rotate(Q, BodyVelocity);

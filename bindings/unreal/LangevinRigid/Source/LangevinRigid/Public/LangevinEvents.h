@@ -20,20 +20,20 @@ struct LANGEVINRIGID_API FLangevinBody {
 UENUM(BlueprintType)
 enum class ELangevinEvent : uint8 {
     None = 0,
-    /** An emitter added the body. */
+    /** The emitter spawned the body. */
     Spawned = 1,
-    /** It touches a collider that it did not touch before. */
+    /** The body began to touch a collider. */
     Hit = 2,
-    /** It no longer touches the collider. */
+    /** The body stopped touching the collider. */
     Lifted = 3,
-    /** It fell asleep by itself. */
+    /** The body fell asleep by itself. */
     Landed = 4,
     Woke = 5,
-    /** The rules of its batch destroyed it. */
+    /** The rules of its batch destroyed the body. */
     Ended = 6,
-    /** The rules of its batch ended it, and it restarted. */
+    /** The rules of its batch ended the body, and the emitter respawned it. */
     Respawned = 7,
-    /** It diverged, and is held where it was or has ended; then there is Ended or Respawned too. */
+    /** The body diverged, and is held, destroyed or respawned; then there is also Ended or Respawned. */
     Diverged = 8,
 };
 
@@ -47,33 +47,33 @@ struct LANGEVINRIGID_API FLangevinEvent {
     UPROPERTY(BlueprintReadOnly, Category = "Langevin Rigid")
     FLangevinBody Body;
 
-    /** The number that the program gave to the body. */
+    /** The body's user number. */
     UPROPERTY(BlueprintReadOnly, Category = "Langevin Rigid")
     int64 User = 0;
 
     UPROPERTY(BlueprintReadOnly, Category = "Langevin Rigid")
     TObjectPtr<ULangevinBatchComponent> Batch;
 
-    /** The component touched; null for planes and if there is none. */
+    /** The touched component; null for planes and for other events. */
     UPROPERTY(BlueprintReadOnly, Category = "Langevin Rigid")
     TObjectPtr<UPrimitiveComponent> Other;
 
-    /** cm, world: where they touch, else of the body. */
+    /** The contact point, or else the body's location, cm, world. */
     UPROPERTY(BlueprintReadOnly, Category = "Langevin Rigid")
     FVector Location = FVector::ZeroVector;
 
-    /** From the collider to the body. */
+    /** Unit normal from the collider to the body. */
     UPROPERTY(BlueprintReadOnly, Category = "Langevin Rigid")
     FVector Normal = FVector::ZeroVector;
 
-    /** cm/s, approach speed. */
+    /** Approach speed, cm/s. */
     UPROPERTY(BlueprintReadOnly, Category = "Langevin Rigid")
     float Speed = 0.0f;
 
-    /** kg cm/s, along the normal. */
+    /** Impulse along the normal, kg cm/s. */
     UPROPERTY(BlueprintReadOnly, Category = "Langevin Rigid")
     float Impulse = 0.0f;
 };
 
-/** All events of a step at once: thousands of leaves may land in a frame. */
+/** All events of a step at once: thousands of leaves can land in a frame. */
 DECLARE_DYNAMIC_MULTICAST_DELEGATE_OneParam(FLangevinEvents, const TArray<FLangevinEvent>&, Events);

@@ -11,11 +11,11 @@ public:
     virtual void StartupModule() override;
     virtual void ShutdownModule() override;
 
-    /** Whether the native library is loaded and of the version that the plugin was built for. Without it no function of
-        it may be called: on Windows the first call would end the process. */
+    /** Whether the native library is loaded and has the version that the plugin was built for. Otherwise none of its
+     * functions may be called: on Windows the first call would end the process. */
     static bool IsLibraryAvailable();
 
-    /** Whether a library of version Loaded serves a plugin that was built with version Built (lr_version). */
+    /** Whether a library of version Loaded works with a plugin built for version Built (lr_version). */
     static bool IsCompatible(uint32 Built, uint32 Loaded);
 
 private:

@@ -17,15 +17,15 @@ class ULevel;
 class UPrimitiveComponent;
 struct lr_world;
 
-/** One world of the library for each game world. It steps after actors and components have ticked, and then writes the
-    instances of all batches. */
+/** A world of the library for each game world. It steps after actors and components have ticked, then writes the instances
+ * of all batches. */
 UCLASS()
 class LANGEVINRIGID_API ULangevinWorldSubsystem : public UTickableWorldSubsystem {
     GENERATED_BODY()
 
 public:
     ULangevinWorldSubsystem();
-    ULangevinWorldSubsystem(FVTableHelper& Helper); // the generated one would need what the pointers below point to
+    ULangevinWorldSubsystem(FVTableHelper& Helper); // a generated constructor would need the pointers' types below
     virtual ~ULangevinWorldSubsystem() override;
 
     virtual void Initialize(FSubsystemCollectionBase& Collection) override;
@@ -34,27 +34,27 @@ public:
     virtual void Tick(float DeltaTime) override;
     virtual TStatId GetStatId() const override;
 
-    /** Contacts, landings and ends of each step; Max Events of the project settings says how many. */
+    /** Contacts, landings and ends of each step, at most Max Events of the project settings. */
     UPROPERTY(BlueprintAssignable, Category = "Langevin Rigid")
     FLangevinEvents OnEvents;
 
-    /** Pauses all bodies, and nothing else. */
+    /** Pauses all bodies, but not the game. */
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid")
     void SetPaused(bool bInPaused);
 
-    /** Wind in addition to the level's sources. cm/s. */
+    /** Sets wind in addition to the level's sources, cm/s. */
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid|Wind")
     void SetWind(FVector Velocity);
 
-    /** The velocity of the air at a point, from all sources. cm/s. */
+    /** The velocity of the air at a point, from all sources, cm/s. */
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid|Wind")
     FVector SampleWind(FVector Location) const;
 
-    /** Everything behind the plane is solid, without bounds. */
+    /** Adds an unbounded plane; everything behind it is solid. */
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid|Collision")
     bool AddPlane(FVector Point, FVector Normal, float Friction = 0.5f, float Restitution = 0.2f);
 
-    /** Adds this component's collision; set bFollow if it moves. Returns the number of its parts. */
+    /** Adds this component's collision; set bFollow if it moves. Returns the number of colliders. */
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid|Collision")
     int32 AddCollider(UPrimitiveComponent* Component, bool bFollow);
 
@@ -64,11 +64,11 @@ public:
     UFUNCTION(BlueprintPure, Category = "Langevin Rigid|Collision")
     int32 GetColliderCount() const;
 
-    /** Wakes sleeping bodies in a box: footsteps, explosions. Returns how many. */
+    /** Wakes sleeping bodies in a box, for footsteps and explosions. Returns their number. */
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid")
     int32 WakeBox(FVector Min, FVector Max);
 
-    /** The state of all bodies, wind and colliders, for saved games, replays and roll-back. */
+    /** The state of all bodies, wind and colliders, for saved games, replays and rollback. */
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid|State")
     bool SaveState(TArray<uint8>& State) const;
 
@@ -76,27 +76,27 @@ public:
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid|State")
     bool RestoreState(const TArray<uint8>& State);
 
-    /** Equal for equal states: finds where two machines diverge. */
+    /** A hash that is equal for equal states, to find where two machines diverge. */
     UFUNCTION(BlueprintPure, Category = "Langevin Rigid|State")
     int64 GetStateHash() const;
 
-    /** Writes all that happens in this world to a file, for lr_replay to play again, until StopRecording or the end of the game
-        world: send it with a bug report. FPaths::ProjectSavedDir can be written in shipped games. */
+    /** Writes all calls on this world to a file for lr_replay, until StopRecording or the end of the game world. Send it with a
+     * bug report. FPaths::ProjectSavedDir is writable in shipped games. */
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid|State")
     bool StartRecording(const FString& Filename);
 
-    /** False if there is no recording, or if the file could not be written completely. */
+    /** Stops the recording. False if there is none, or if the file is incomplete. */
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid|State")
     bool StopRecording();
 
-    /** s of simulated time. */
+    /** Simulated time, s. */
     UFUNCTION(BlueprintPure, Category = "Langevin Rigid")
     double GetSimulatedTime() const;
 
     UFUNCTION(BlueprintPure, Category = "Langevin Rigid")
     int32 GetBodyCount() const;
 
-    /** For everything that has no function here: langevin_rigid.h. Game thread, between ticks. Null without the library. */
+    /** For functions of langevin_rigid.h that have no counterpart here. Game thread, between ticks. Null without the library. */
     lr_world* GetLibraryWorld() const { return World; }
 
     FVector GetOrigin() const { return Origin; }
@@ -122,12 +122,12 @@ private:
     TUniquePtr<FLangevinColliders> Colliders;
     TUniquePtr<FLangevinWind> Wind;
     FVector Origin = FVector::ZeroVector;
-    double Due = 0.0; // s of frames that no fixed step has made up for yet
+    double Due = 0.0; // s of frame time that no fixed step has covered yet
     bool bPaused = false;
     bool bToldLost = false;
     FDelegateHandle LevelAdded;
     FDelegateHandle LevelRemoved;
 
-    // Actors keep their components; these leave by UnregisterBatch when their play ends.
+    // Actors own their components. A component leaves by UnregisterBatch when its play ends.
     TArray<FLangevinBatchCalls*> Batches;
 };

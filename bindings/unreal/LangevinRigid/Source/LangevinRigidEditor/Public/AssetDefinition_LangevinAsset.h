@@ -7,7 +7,7 @@
 
 #include "AssetDefinition_LangevinAsset.generated.h"
 
-/** How the content browser shows a ULangevinAsset. */
+/** Describes ULangevinAsset to the content browser. */
 UCLASS()
 class LANGEVINRIGIDEDITOR_API UAssetDefinition_LangevinAsset : public UAssetDefinitionDefault {
     GENERATED_BODY()

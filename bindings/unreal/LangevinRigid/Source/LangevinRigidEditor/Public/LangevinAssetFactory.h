@@ -7,7 +7,7 @@
 
 #include "LangevinAssetFactory.generated.h"
 
-/** Imports .lrb files, by drag and drop or Import, and reimports them, by hand or when the file changes. */
+/** Imports .lrb files by drag and drop or Import, and reimports them on request or when the file changes. */
 UCLASS()
 class LANGEVINRIGIDEDITOR_API ULangevinAssetFactory : public UFactory, public FReimportHandler {
     GENERATED_BODY()

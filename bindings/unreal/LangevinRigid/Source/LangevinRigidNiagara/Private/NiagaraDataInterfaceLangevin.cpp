@@ -10,7 +10,7 @@ namespace {
 const FName GetNumBodiesName(TEXT("GetNumBodies"));
 const FName GetBodyName(TEXT("GetBody"));
 
-/** Simulations run on other threads: they read what was copied for them before. */
+/** A copy for simulations, which run on other threads. */
 struct FInstanceData {
     TWeakObjectPtr<ULangevinBatchComponent> Batch;
     TSharedPtr<const FLangevinSnapshot, ESPMode::ThreadSafe> Snapshot;
@@ -72,14 +72,14 @@ bool UNiagaraDataInterfaceLangevin::InitPerInstanceData(void* PerInstanceData, F
     FInstanceData* Data = new (PerInstanceData) FInstanceData;
     Data->Converter = SystemInstance->GetLWCConverter(false);
     Data->Batch = FindBatch(*SystemInstance);
-    return true; // a batch may still come
+    return true; // a batch can still be created
 }
 
 void UNiagaraDataInterfaceLangevin::DestroyPerInstanceData(void* PerInstanceData, FNiagaraSystemInstance*) {
     static_cast<FInstanceData*>(PerInstanceData)->~FInstanceData();
 }
 
-// Whether the instance must begin anew: never.
+// Returns whether the instance must restart: never.
 bool UNiagaraDataInterfaceLangevin::PerInstanceTick(void* PerInstanceData, FNiagaraSystemInstance* SystemInstance,
                                                     float) {
     FInstanceData& Data = *static_cast<FInstanceData*>(PerInstanceData);

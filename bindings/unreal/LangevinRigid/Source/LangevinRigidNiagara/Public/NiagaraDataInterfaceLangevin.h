@@ -10,14 +10,14 @@ class AActor;
 class ULangevinBatchComponent;
 struct FLangevinSnapshot;
 
-/** Reads the bodies of a batch in CPU simulations: particles on leaves, trails behind them, dust where they land. What it reads is
-    as of the last step before the system ticks. */
+/** Reads the bodies of a batch in CPU simulations: particles on leaves, trails behind them, dust where they land. Values are from
+ * the last step before the system ticks. */
 UCLASS(EditInlineNew, Category = "Langevin Rigid", CollapseCategories, meta = (DisplayName = "Langevin Bodies"))
 class LANGEVINRIGIDNIAGARA_API UNiagaraDataInterfaceLangevin : public UNiagaraDataInterface {
     GENERATED_BODY()
 
 public:
-    /** The actor whose batch is read. None: the actor of the Niagara component, or what it is attached to. */
+    /** The actor with the batch. None: the actor of the Niagara component, or the actor to which that is attached. */
     UPROPERTY(EditAnywhere, Category = "Langevin Rigid")
     TSoftObjectPtr<AActor> Source;
 

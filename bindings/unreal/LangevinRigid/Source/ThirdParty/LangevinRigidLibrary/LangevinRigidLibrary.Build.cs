@@ -2,10 +2,10 @@
 using System.IO;
 using UnrealBuildTool;
 
-// The native library as bindings/unreal/package.py puts it in place:
+// The native library, in the layout of bindings/unreal/package.py:
 //   include/langevin_rigid.h
 //   lib/Win64/langevin_rigid.lib, lib/Win64/*.dll
-//   lib/Linux/liblangevin_rigid.so, and the files that it needs; likewise lib/LinuxArm64
+//   lib/Linux/liblangevin_rigid.so and its dependencies; likewise lib/LinuxArm64
 public class LangevinRigidLibrary : ModuleRules
 {
 	public LangevinRigidLibrary(ReadOnlyTargetRules Target) : base(Target)
@@ -31,7 +31,7 @@ public class LangevinRigidLibrary : ModuleRules
 		if (Target.Platform == UnrealTargetPlatform.Win64)
 		{
 			PublicAdditionalLibraries.Add(Path.Combine(LibraryDir, "langevin_rigid.lib"));
-			// Windows would look for it beside the executable only; StartupModule loads it by its path instead.
+			// Windows would search only beside the executable; StartupModule loads the library by its path instead.
 			foreach (string Dll in Directory.GetFiles(LibraryDir, "*.dll"))
 			{
 				PublicDelayLoadDLLs.Add(Path.GetFileName(Dll));
@@ -45,12 +45,12 @@ public class LangevinRigidLibrary : ModuleRules
 		else
 		{
 			PublicAdditionalLibraries.Add(Path.Combine(LibraryDir, "liblangevin_rigid.so"));
-			// The loader needs a run path to it, which packaged servers lack without this line.
+			// The loader needs a run path to the library; packaged servers lack it without this line.
 			PublicRuntimeLibraryPaths.Add(LibraryDir);
 			foreach (string Library in Directory.GetFiles(LibraryDir, "*.so*"))
 			{
 				RuntimeDependencies.Add(Library);
-				// The name that the loader knows it by: another copy would be another library, with worlds of its own.
+				// The loader's name of the library: a copy under another name would be a second library with its own worlds.
 				if (Path.GetFileName(Library).StartsWith("liblangevin_rigid.so."))
 				{
 					Loaded = Path.GetFileName(Library);
