@@ -854,7 +854,11 @@ typedef struct lr_batch_desc {
     lr_table_end table_end;    /* LR_TABLE_*; default LR_TABLE_CLAMP */
     lr_integrator integrator;  /* LR_INTEGRATOR_*; default LR_INTEGRATOR_DEFAULT */
     float damping_gain;        /* multiplies the turbulent damping, 0 to 100; default 1 */
-    float noise_gain; /* multiplies the turbulent noise, 0 to 100; default 1; 0 makes single falls repeatable */
+    float noise_gain;  /* multiplies the turbulent noise, 0 to 100; default 1; 0 makes single falls repeatable */
+    float variation;   /* natural spread of AERODYNAMIC loads from body to body, as by thickness and curl: relative
+                                  standard deviation, 0 to 0.5; default 0.15; 0: all bodies are alike. A body's loads follow
+                                  from its noise seed and the world's seed, and never change */
+    uint32_t reserved; /* 0 */
 } lr_batch_desc;
 
 LR_API lr_status lr_batch_desc_init(lr_batch_desc* desc, uint32_t struct_size);
@@ -1707,7 +1711,7 @@ LR_API lr_status lr_batch_get_counts(const lr_world* world, lr_batch batch, lr_b
 #define LR_TIMINGS_INIT {sizeof(lr_timings), 0, 0, 0, 0, 0, 0, 0, 0, 0}
 #define LR_RECORDING_DESC_INIT {sizeof(lr_recording_desc), LR_RECORD_CALLBACKS, 1, 0, 0, 0}
 #define LR_BATCH_DESC_INIT {sizeof(lr_batch_desc), 0, 0, LR_LOADS_DEFAULT, LR_CLOCK_SPEED, LR_TABLE_CLAMP, \
-    LR_INTEGRATOR_DEFAULT, 1, 1}
+    LR_INTEGRATOR_DEFAULT, 1, 1, 0.15f, 0}
 #define LR_LOAD_GAINS_INIT {sizeof(lr_load_gains), 0, 1, 1, 1, 1}
 #define LR_BATCH_PACE_INIT {sizeof(lr_batch_pace), 0, 0, 0, 0, 0, 0}
 #define LR_BATCH_VIEW_INIT {sizeof(lr_batch_view), 0, {0}, {0}, {0}, {0}, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}

@@ -18,6 +18,8 @@ const char* wrong_in(const lr_batch_desc& d) {
     if (!one_of(d.clock, LR_CLOCK_AGE)) return "unknown clock";
     if (!one_of(d.table_end, LR_TABLE_LOOP)) return "unknown table_end";
     if (!one_of(d.integrator, LR_INTEGRATOR_SPLITTING)) return "unknown integrator";
+    if (!in_range(d.variation, 0.0, 0.5)) return "variation is not 0 to 0.5";
+    if (d.reserved != 0) return "reserved is not 0";
     Gains gains;
     gains.damping = static_cast<double>(d.damping_gain);
     gains.noise = static_cast<double>(d.noise_gain);
@@ -73,7 +75,7 @@ lr_status lr_batch_create(lr_world* world, const lr_batch_desc* desc, lr_batch* 
     if (out) *out = {};
     const auto create = [](lr_world& w, lr_batch& handle, const lr_batch_desc& d) -> Outcome {
         if (!d.asset) return {LR_ERROR_NULL_ARGUMENT, "desc->asset is null"};
-        if (!finite(d.damping_gain, d.noise_gain)) return LR_ERROR_NOT_FINITE;
+        if (!finite(d.damping_gain, d.noise_gain, d.variation)) return LR_ERROR_NOT_FINITE;
         if (const char* why = wrong_in(d)) return invalid(why);
         if (!accepted(w)) return LR_ERROR_OUT_OF_MEMORY;
         BatchSettings settings;
@@ -83,6 +85,7 @@ lr_status lr_batch_create(lr_world* world, const lr_batch_desc* desc, lr_batch* 
         settings.clock = d.clock == LR_CLOCK_AGE ? Clock::age : Clock::speed;
         settings.integrator = d.integrator == LR_INTEGRATOR_RK4 ? Integrator::rk4 : Integrator::splitting;
         settings.loop = d.table_end == LR_TABLE_LOOP;
+        settings.variation = d.variation;
         settings.gains.damping = static_cast<double>(d.damping_gain);
         settings.gains.noise = static_cast<double>(d.noise_gain);
         const AssetData& asset = d.asset->data;

@@ -81,8 +81,8 @@ inline void tell(Call& call, const lr_batch_desc* desc) {
     lr_batch_desc d{};
     if (!call.reads(desc)) return;
     copy_struct(desc, d);
-    const recording::BatchRecord record{call.asset(*d.asset), d.capacity,   d.load_model,   d.clock,
-                                        d.table_end,          d.integrator, d.damping_gain, d.noise_gain};
+    const recording::BatchRecord record{call.asset(*d.asset), d.capacity,     d.load_model, d.clock,    d.table_end,
+                                        d.integrator,         d.damping_gain, d.noise_gain, d.variation};
     call.value(static_cast<uint32_t>(recording::Where::here));
     call.raw(&record, sizeof record);
 }

@@ -63,6 +63,7 @@ lr_batch_desc desc_of(const Batch& batch) {
     d.integrator = s.integrator == Integrator::rk4 ? LR_INTEGRATOR_RK4 : LR_INTEGRATOR_SPLITTING;
     d.damping_gain = static_cast<float>(s.gains.damping);
     d.noise_gain = static_cast<float>(s.gains.noise);
+    d.variation = s.variation;
     return d;
 }
 

@@ -102,7 +102,7 @@ struct BatchRecord { // lr_batch_desc without pointers and padding, whose bytes 
     uint32_t asset;
     uint32_t capacity;
     int32_t load_model, clock, table_end, integrator;
-    float damping_gain, noise_gain;
+    float damping_gain, noise_gain, variation;
 };
 struct TableRecord { // the same for lr_turbulence_table
     uint32_t count;

@@ -187,7 +187,7 @@ TEST_CASE("formats: one of several meshes by the name of its node, its mesh or a
         check_near(solid.centroid, {20.25, 0.5, 0.75});
         CHECK(faults.size() == 1 + count(faults, FaultId::mesh_merged_vertices));
         CHECK(count(faults, FaultId::mesh_several_meshes) == 1);
-        CHECK(contains(all_text(faults), "left out: 'Left'"));
+        CHECK(contains(all_text(faults), "ignored: 'Left'"));
 
         options.mesh = "right";
         faults.clear();

@@ -14,7 +14,7 @@ typedef char body_state_size[sizeof(lr_body_state) == 80 ? 1 : -1];
 typedef char world_desc_size[sizeof(lr_world_desc) == 24 + 24 + 24 + 8 + 24 + 8 ? 1 : -1];
 typedef char gusts_desc_size[sizeof(lr_gusts_desc) == 32 ? 1 : -1];
 typedef char grid_desc_size[sizeof(lr_wind_grid_desc) == 64 + sizeof(void*) ? 1 : -1];
-typedef char batch_desc_size[sizeof(lr_batch_desc) == 40 ? 1 : -1];
+typedef char batch_desc_size[sizeof(lr_batch_desc) == 48 ? 1 : -1];
 typedef char ellipsoid_desc_size[sizeof(lr_ellipsoid_desc) == 88 ? 1 : -1];
 typedef char table_size[sizeof(lr_turbulence_table) == 48 ? 1 : -1];
 typedef char view_size[sizeof(lr_batch_view) == 8 + 13 * 8 + 5 * 8 + 8 + 16 ? 1 : -1];

@@ -248,6 +248,7 @@ void Play::build() {
         bd.clock = scene_.clock;
         bd.table_end = scene_.table_end;
         bd.integrator = scene_.integrator;
+        bd.variation = b == 0 ? 0.0f : 0.15f;
         batches[b] = add_batch(world, bd, assets_[b], scene_.bodies + 40, scene_.full);
     }
     // Not part of snapshots: callbacks, and a grid's samples, which can have another address.

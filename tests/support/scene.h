@@ -38,8 +38,11 @@ template <class T> T initialised(lr_status (*init)(T*, uint32_t)) {
 inline lr_world_desc world_desc() {
     return initialised(lr_world_desc_init);
 }
+// Without variation, so that bodies obey the formulas they are compared with.
 inline lr_batch_desc batch_desc() {
-    return initialised(lr_batch_desc_init);
+    lr_batch_desc d = LR_BATCH_DESC_INIT;
+    d.variation = 0.0f;
+    return d;
 }
 inline lr_batch_desc langevin() {
     lr_batch_desc d = batch_desc();

@@ -134,6 +134,7 @@ class BatchOptions(TypedDict, total=False):
     integrator: int
     damping_gain: float
     noise_gain: float
+    variation: float
 
 
 class LoadGainsOptions(TypedDict, total=False):

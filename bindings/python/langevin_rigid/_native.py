@@ -505,7 +505,7 @@ class lr_recording_desc(ctypes.Structure):
 
 
 class lr_batch_desc(ctypes.Structure):
-    """lr_batch_desc: 40 bytes."""
+    """lr_batch_desc: 48 bytes."""
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
         ('capacity', ctypes.c_uint32),
@@ -516,6 +516,8 @@ class lr_batch_desc(ctypes.Structure):
         ('integrator', ctypes.c_int32),
         ('damping_gain', ctypes.c_float),
         ('noise_gain', ctypes.c_float),
+        ('variation', ctypes.c_float),
+        ('reserved', ctypes.c_uint32),
     ]
 
 
@@ -1130,6 +1132,7 @@ FIELD_DOCS = {
         'integrator': '`Integrator`; default `Integrator.DEFAULT`',
         'damping_gain': 'multiplies the turbulent damping, 0 to 100; default 1',
         'noise_gain': 'multiplies the turbulent noise, 0 to 100; default 1; 0 makes single falls repeatable',
+        'variation': "natural spread of AERODYNAMIC loads from body to body, as by thickness and curl: relative standard deviation, 0 to 0.5; default 0.15; 0: all bodies are alike. A body's loads follow from its noise seed and the world's seed, and never change",
     },
     'lr_load_gains': {
         'drag': 'on translation, 0 to 100; default 1',
@@ -3280,7 +3283,8 @@ PROTOTYPES = {
         """lr_status lr_batch_set_aerodynamics(lr_world* world, lr_batch batch, const lr_aerodynamics* aerodynamics)
 
         Replaces the asset's coefficients of AERODYNAMIC loads for a batch from the next step on. The struct is copied; null
-        restores the asset's. With intensity 0 and lr_load_gains.turbulence 1 a fall is the same for any seed. Axes other
+        restores the asset's. With intensity 0, lr_load_gains.turbulence 1 and
+        lr_batch_desc.variation 0 a fall is the same for any seed. Axes other
         than the body's, or a center other than 0, put an LR_ASSET_DIAGONAL body on the slower path of all other bodies.
 
         world: the world

@@ -252,6 +252,7 @@ struct External {
 // Constant over the stages of one substep.
 struct Held {
     VF inverse_length; // 1/(d s)
+    VF drag, lift;     // AERODYNAMIC: inverse_length times the body's own factors of its loads (vary)
     VF alpha, beta;    // 1/s and m/s^(3/2), AGE clock
     Twist noise;       // weighted turbulent force and torque per unit mass
     // The fluid at the body, world axes, in the middle of the substep (docs/reference/wind_and_water.md).

@@ -72,6 +72,7 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
             held.external = &external;
         }
         const VU noise_seed = load1(a.noise_seed, at);
+        if constexpr (kAerodynamic) vary(in, noise_seed, held);
         const VF beta_unit = constant(c.speed_beta) * held.inverse_length;
 
         for (uint32_t i = 0; i < in.substeps; ++i) {

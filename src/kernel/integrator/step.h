@@ -37,6 +37,7 @@ struct StepInput {
     Loads loads;
     Clock clock;
     Integrator integrator;
+    float variation = 0.0f; // lr_batch_desc.variation
     BodyConstants body;
     TableConstants table;
     ExternalInput external;

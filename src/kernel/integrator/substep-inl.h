@@ -60,7 +60,7 @@ HWY_INLINE void rk4_substep(const StepInput& in, const C& c, Held& held, VF beta
         const Twist r = twist_rate<kFull, kAerodynamic>(in, c, held, q, t);
         if constexpr (!kAerodynamic) return r;
         if (held.sheared) t.u -= to_body(q, held.fluid_spin);
-        return r + acceleration<kFull>(c, aerodynamic_loads<kFull>(c.aerodynamics, held.inverse_length, t));
+        return r + acceleration<kFull>(c, aerodynamic_loads<kFull>(c.aerodynamics, held, t));
     };
     const auto spin = [&](Twist t) LR_LAMBDA { return held.inverse_length * t.u; };
 

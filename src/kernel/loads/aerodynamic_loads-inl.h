@@ -90,15 +90,33 @@ template <bool kFull, class A> HWY_INLINE Vec3 load_spin(const A& c, Twist t) {
     return rows(c.axes, t.u);
 }
 
+// Real leaves differ. Thickness multiplies all loads, as they are per mass; curl the lift. Both factors are uniform with the same deviation, from a
+// hash of the noise seed (finalizer of MurmurHash3).
+HWY_INLINE void vary(const StepInput& in, VU noise_seed, Held& held) {
+    held.drag = held.lift = held.inverse_length;
+    if (in.variation == 0.0f) return;
+    const DU du;
+    VU x = hn::Xor(noise_seed, hn::Set(du, static_cast<uint32_t>(in.seed ^ in.seed >> 32)));
+    x = hn::Xor(x, hn::ShiftRight<16>(x)) * hn::Set(du, 0x85ebca6bu);
+    x = hn::Xor(x, hn::ShiftRight<13>(x)) * hn::Set(du, 0xc2b2ae35u);
+    x = hn::Xor(x, hn::ShiftRight<16>(x));
+    const float most = in.variation * 1.7320508f; // of a uniform distribution
+    const auto factor = [&](VU bits) LR_LAMBDA {
+        return from_signed(bits) * constant(most / 32768.0f) + constant(1.0f - most * (65535.0f / 65536.0f));
+    };
+    held.drag = held.inverse_length * factor(hn::ShiftRight<16>(x));
+    held.lift = held.drag * factor(hn::And(x, hn::Set(du, 0xffffu)));
+}
+
 // The sum of all loads as force and torque about the centre of mass, body axes.
-template <bool kFull, class A> HWY_INLINE Twist aerodynamic_loads(const A& c, VF b, Twist t) {
-    const VF nu = constant(c.viscosity) * b;
+template <bool kFull, class A> HWY_INLINE Twist aerodynamic_loads(const A& c, const Held& held, Twist t) {
+    const VF nu = constant(c.viscosity) * held.inverse_length;
     const Vec3 v = centre_velocity<kFull>(c, t), u = load_spin<kFull>(c, t);
-    const Vec3 force = cross(circulation(c, b, nu, v, u), v) - drag_rate(c, b, nu, v) * v;
+    const Vec3 force = cross(circulation(c, held.lift, nu, v, u), v) - drag_rate(c, held.drag, nu, v) * v;
     const VF s = hn::Sqrt(speed_squared(v));
-    const Roll roll = roll_damping(c, b, s, v);
-    const Vec3 resisted = times(spin_drag_rate(c, b, nu, s, u), u) + roll.rate * dot(roll.axis, u) * roll.axis;
-    const Vec3 torque = lift_moment(c, b, v) - resisted;
+    const Roll roll = roll_damping(c, held.drag, s, v);
+    const Vec3 resisted = times(spin_drag_rate(c, held.drag, nu, s, u), u) + roll.rate * dot(roll.axis, u) * roll.axis;
+    const Vec3 torque = lift_moment(c, held.lift, v) - resisted;
     if constexpr (!kFull) return {force, torque};
     const Vec3 f = columns(c.axes, force);
     return {f, columns(c.axes, torque) + cross(broadcast(c.arm), f)};
@@ -163,10 +181,10 @@ HWY_INLINE void drag_along_modes(const StepInput& in, const C& c, const Held& he
     const Vec3 r = y + half * pull.modes;
     Vec3 middle;
     if (before_lift)
-        middle = each_axis(relax_middle, r, drag_rate(a, held.inverse_length, nu, t.v + half * pull.t.v) * rate);
+        middle = each_axis(relax_middle, r, drag_rate(a, held.drag, nu, t.v + half * pull.t.v) * rate);
     else
         middle = each_axis(over_one_and, r, half * rates.drag * rate);
-    rates.drag = drag_rate(a, held.inverse_length, nu, from_modes(middle));
+    rates.drag = drag_rate(a, held.drag, nu, from_modes(middle));
     const Vec3 after = each_axis(relax_second, y, rates.drag * rate, pull.modes);
     if constexpr (!kFull) {
         t.v = after;
@@ -232,7 +250,7 @@ HWY_INLINE void couple_at_end(const StepInput& in, const C& c, const Held& held,
     if (kFull && held.sheared) t.u -= to_body(b.q, held.fluid_spin);
     const Vec3 v = centre_velocity<kFull>(a, t);
     const VF s = hn::Sqrt(speed_squared(v));
-    const Vec3 couple = constant(couple_share * in.h) * lift_moment(a, held.inverse_length, v);
+    const Vec3 couple = constant(couple_share * in.h) * lift_moment(a, held.lift, v);
     const Vec3 push = bounded_push(spin_mobility<kFull>(c, couple), s, most_rim_at_end);
     if constexpr (kFull)
         b.t += rows6(a.spin_response, push);
@@ -262,13 +280,13 @@ static HWY_NOINLINE void spin_drag_half_full(const StepInput& in, const C& c, co
     const VF tau = constant(0.5f * in.h), half = constant(0.5f);
     const Vec3 own = spin_mobility<true>(c), share = constant(couple_share * in.h) * own, rate = tau * own;
     const auto push_in = [&](Vec3 v, VF s) LR_LAMBDA {
-        return bounded_push(times(share, lift_moment(a, held.inverse_length, v)), s, most_rim);
+        return bounded_push(times(share, lift_moment(a, held.lift, v)), s, most_rim);
     };
     const VF s = hn::Sqrt(speed_squared(t.v));
     const Vec3 first = half * push_in(t.v, s);
     const Vec3 r = answering<2>(n, first.z, answering<1>(n, first.y, answering<0>(n, first.x, t.u)));
     Vec3 e = half * times(rate, rates.spin);
-    if (before_lift) e = each_axis(eased, times(rate, spin_drag_rate(a, held.inverse_length, nu, s, r)));
+    if (before_lift) e = each_axis(eased, times(rate, spin_drag_rate(a, held.drag, nu, s, r)));
     const auto lost = [&](VF y, VF by) LR_LAMBDA { return -over_one_and(y * by, by); };
     Vec3 middle = answering<0>(n, lost(r.x, e.x), r);
     middle = answering<1>(n, lost(middle.y, e.y), middle);
@@ -277,8 +295,8 @@ static HWY_NOINLINE void spin_drag_half_full(const StepInput& in, const C& c, co
     const Vec3 v = t.v + rows(a.velocity_of_couple, middle - t.u);
     const VF speed = hn::Sqrt(speed_squared(v));
     const Vec3 push = push_in(v, speed);
-    const Roll roll = roll_damping(a, held.inverse_length, speed, v);
-    rates.spin = spin_drag_rate(a, held.inverse_length, nu, speed, middle);
+    const Roll roll = roll_damping(a, held.drag, speed, v);
+    rates.spin = spin_drag_rate(a, held.drag, nu, speed, middle);
     const Vec3 x = times(rate, rates.spin);
     Vec3 u = t.u;
     if (before_lift) {
@@ -306,17 +324,17 @@ HWY_INLINE void spin_drag_half(const StepInput& in, const C& c, const Held& held
         const auto& a = c.aerodynamics;
         const VF tau = constant(0.5f * in.h), half = constant(0.5f), share = constant(couple_share * in.h);
         const VF s = hn::Sqrt(speed_squared(t.v));
-        const Vec3 couple = share * lift_moment(a, held.inverse_length, t.v);
-        const Roll roll = roll_damping(a, held.inverse_length, s, t.v);
+        const Vec3 couple = share * lift_moment(a, held.lift, t.v);
+        const Roll roll = roll_damping(a, held.drag, s, t.v);
         const Vec3 u = kBeforeLift ? t.u : rolled_half<false>(c, roll, tau, t.u);
         const Vec3 rate = spin_mobility<false>(c), push = bounded_push(times(rate, couple), s, most_rim) + pull.t.u;
         const Vec3 r = u + half * push;
         Vec3 middle;
         if constexpr (kBeforeLift)
-            middle = each_axis(relax_middle, r, times(rate, tau * spin_drag_rate(a, held.inverse_length, nu, s, r)));
+            middle = each_axis(relax_middle, r, times(rate, tau * spin_drag_rate(a, held.drag, nu, s, r)));
         else
             middle = each_axis(over_one_and, r, times(rate, half * tau * rates.spin));
-        rates.spin = spin_drag_rate(a, held.inverse_length, nu, s, middle);
+        rates.spin = spin_drag_rate(a, held.drag, nu, s, middle);
         t.u = each_axis(relax_second, u, times(rate, tau * rates.spin), push);
         if constexpr (kBeforeLift) t.u = rolled_half<false>(c, roll, tau, t.u);
     }
@@ -350,11 +368,11 @@ HWY_INLINE void lift_step(const StepInput& in, const C& c, const Held& held, VF 
     const Vec3 v = t.v, u = t.u;
     // Beyond this the velocity turns too far in a step to be resolved.
     const VF most = constant(5e3f), least = constant(-5e3f);
-    const Vec3 start = bounded(half * circulation(a, held.inverse_length, nu, v, u), most, least);
+    const Vec3 start = bounded(half * circulation(a, held.lift, nu, v, u), most, least);
     const Vec3 v_start = lifted_middle<kFull>(c, start, v);
     Vec3 u_middle = u;
     if constexpr (kFull) u_middle = u + rows(a.spin_response_to_force, cross(start, v_start));
-    const Vec3 k = bounded(half * circulation(a, held.inverse_length, nu, v_start, u_middle), most, least);
+    const Vec3 k = bounded(half * circulation(a, held.lift, nu, v_start, u_middle), most, least);
     const Vec3 half_impulse = cross(k, lifted_middle<kFull>(c, k, v));
     const Vec3 impulse = half_impulse + half_impulse;
     if constexpr (kFull)

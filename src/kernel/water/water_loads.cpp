@@ -425,6 +425,7 @@ HWY_NOINLINE void step_wet_bodies(const StepInput& in, const WetSubstep& s, cons
         const Vec3 half_change = half * wet * rate;
         b.t = {world.v - to_body(b.q, held.wind - half_change), world.u};
         const VU noise_seed = load1(a.noise_seed, at);
+        if constexpr (kAerodynamic) vary(in, noise_seed, held);
         const VF beta_unit = c.speed_beta * inverse_length;
         one_substep<kFull, kAerodynamic, Integrator::splitting>(in, c, held, noise_seed, 0, beta_unit, b);
 

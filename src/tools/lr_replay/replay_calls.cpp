@@ -125,6 +125,7 @@ lr_status batch_create(Arguments& from, const Scene& scene, uint64_t& output) {
     d.integrator = r.integrator;
     d.damping_gain = r.damping_gain;
     d.noise_gain = r.noise_gain;
+    d.variation = r.variation;
     const lr_status status = lr_batch_create(scene.world, &d, &out);
     output = out.id;
     return status;

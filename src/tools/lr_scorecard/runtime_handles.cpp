@@ -40,6 +40,7 @@ lr_batch add_batch(const World& world, const Asset& asset, const Loads& loads, u
     d.integrator = loads.integrator;
     d.clock = loads.clock;
     d.noise_gain = loads.noise_gain;
+    d.variation = 0.0f; // rows compare single bodies with measurements
     lr_batch batch{};
     require(lr_batch_create(world.get(), &d, &batch), "lr_batch_create");
     if (loads.configure) loads.configure(world.get(), batch);

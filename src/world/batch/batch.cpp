@@ -43,6 +43,7 @@ Batch* Batch::create(Allocator& allocator, const lr_asset& asset, uint32_t capac
     batch->step.loads = settings.loads;
     batch->step.clock = settings.clock;
     batch->step.integrator = settings.integrator;
+    batch->step.variation = settings.variation;
     batch->step.faults = &batch->faults.noted;
     const bool usable = make_body_constants(asset.data, asset.diagonal, settings.fluid_density, batch->step.body) &&
                         batch->set_aerodynamics(asset.data.aerodynamics, settings.gains);

@@ -29,6 +29,7 @@ struct BatchSettings {
     Clock clock = Clock::speed;
     Integrator integrator = Integrator::splitting;
     bool loop = false;
+    float variation = 0.0f;
     Gains gains;
     double fluid_density = 1.2; // kg/m^3
     double viscosity = 1.5e-5;  // m^2/s, kinematic

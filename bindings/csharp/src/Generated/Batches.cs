@@ -86,6 +86,12 @@ namespace LangevinRigid
         public float DampingGain;
         /// <summary>multiplies the turbulent noise, 0 to 100; default 1; 0 makes single falls repeatable</summary>
         public float NoiseGain;
+        /// <summary>natural spread of AERODYNAMIC loads from body to body, as by thickness and curl: relative standard
+        /// deviation, 0 to 0.5; default 0.15; 0: all bodies are alike. A body's loads follow from its noise seed and
+        /// the world's seed, and never change</summary>
+        public float Variation;
+        /// <summary>0.</summary>
+        public uint Reserved;
 
         /// <summary>A struct with its initial values and its size.</summary>
         public static BatchDesc Create()

@@ -623,6 +623,8 @@ export interface BatchDesc {
   dampingGain: number;
   /** multiplies the turbulent noise, 0 to 100; default 1; 0 makes single falls repeatable */
   noiseGain: number;
+  /** natural spread of AERODYNAMIC loads from body to body, as by thickness and curl: relative standard deviation, 0 to 0.5; default 0.15; 0: all bodies are alike. A body's loads follow from its noise seed and the world's seed, and never change */
+  variation: number;
 }
 
 /** Artistic control of AERODYNAMIC loads. The factors multiply the coefficients, so bodies still move physically. */
@@ -1756,7 +1758,8 @@ export interface RawFunctions {
   lr_asset_get_aerodynamics(asset: number, aerodynamics: number): number;
   /**
    * Replaces the asset's coefficients of AERODYNAMIC loads for a batch from the next step on. The struct is copied; null
-   * restores the asset's. With intensity 0 and lr_load_gains.turbulence 1 a fall is the same for any seed. Axes other
+   * restores the asset's. With intensity 0, lr_load_gains.turbulence 1 and
+   * lr_batch_desc.variation 0 a fall is the same for any seed. Axes other
    * than the body's, or a center other than 0, put an LR_ASSET_DIAGONAL body on the slower path of all other bodies.
    * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
    * LR_ERROR_INVALID_ARGUMENT.

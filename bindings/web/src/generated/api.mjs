@@ -382,7 +382,7 @@ export const structs = {
     ],
   },
   lr_batch_desc: {
-    size: 36, init: 'lr_batch_desc_init', sized: true,
+    size: 44, init: 'lr_batch_desc_init', sized: true,
     fields: [
       ['capacity', 4, 'u32', 0],
       ['asset', 8, 'pointer', 0],
@@ -392,6 +392,7 @@ export const structs = {
       ['integrator', 24, 'i32', 0],
       ['dampingGain', 28, 'f32', 0],
       ['noiseGain', 32, 'f32', 0],
+      ['variation', 36, 'f32', 0],
     ],
   },
   lr_load_gains: {
