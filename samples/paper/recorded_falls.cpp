@@ -37,6 +37,7 @@ lr_batch make_batch(lr_world* world, const lr_asset* asset, std::int32_t loads, 
     desc.asset = asset;
     desc.capacity = static_cast<std::uint32_t>(capacity);
     desc.load_model = loads;
+    desc.variation = 0.0f; // the paper has one leaf
     lr_batch batch{};
     check(lr_batch_create(world, &desc, &batch), "cannot create a batch", "try fewer --falls");
     return batch;
