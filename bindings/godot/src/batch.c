@@ -24,6 +24,7 @@ static void construct(void* instance) {
     self->scale_min = self->scale_max = 1.0;
     self->random_orientation = 1;
     self->drag = self->lift = self->spin_drag = self->turbulence = 1.0;
+    self->variation = 0.15;
     self->collision_mask = 4294967295;
     self->friction = 0.5;
     self->bounce = 0.1;
@@ -216,6 +217,7 @@ static const gd_property properties[] = {
     NUMBER(lift, 0, 100, "0,4,0.01,or_greater", retune),
     NUMBER(spin_drag, 0, 100, "0,4,0.01,or_greater", retune),
     NUMBER(turbulence, 0, 100, "0,4,0.01,or_greater", retune),
+    NUMBER(variation, 0, 0.5, "0,0.5,0.01", rebuild),
     COUNT(rate_divisor, 1, 1024, "1,16,1,or_greater", retune),
     GROUP("Collision"),
     {.name = "collision_mask",

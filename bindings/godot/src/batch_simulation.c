@@ -89,6 +89,7 @@ void batch_ensure(batch_node* self) {
         lr_batch_desc_init(&desc, sizeof desc);
         desc.asset = asset->asset;
         desc.capacity = (uint32_t)self->capacity;
+        desc.variation = (float)self->variation;
         const lr_status status = lr_batch_create(self->world->world, &desc, &self->batch);
         complain(self, "batch", status);
         if (status != LR_OK) return;

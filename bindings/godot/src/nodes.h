@@ -119,7 +119,7 @@ typedef struct batch_node {
     double rate, lifetime, spread, spin, scale_min, scale_max;
     float extents[3], velocity[3], bounds[6];
     int64_t random_orientation;
-    double drag, lift, spin_drag, turbulence;
+    double drag, lift, spin_drag, turbulence, variation;
     int64_t collision_mask, body_contact;
     double friction, bounce;
     int64_t rate_divisor;

@@ -185,8 +185,8 @@ public sealed class WorldTests : Stage
         Assert.IsTrue(child.World == second);
         Assert.AreEqual(1L, World.BodyCount);
         Assert.AreEqual(4L, second.BodyCount);
-        Assert.Throws<ArgumentException>(() => first.SetMeets(preferred, true));
-        preferred.SetMeets(child, true);
+        Assert.Throws<ArgumentException>(() => first.SetBodyContact(preferred, true));
+        preferred.SetBodyContact(child, true);
     }
 
     [Test]

@@ -136,11 +136,11 @@ namespace LangevinUnity
         }
 
         /// <summary>Switches contact between bodies of this batch and of another.</summary>
-        public void SetMeets(LangevinBatch other, bool meet)
+        public void SetBodyContact(LangevinBatch other, bool enabled)
         {
             if (other == null) throw new ArgumentNullException("other");
             if (other.World != World) throw new ArgumentException("The batches are in different worlds.", "other");
-            Status status = Native.lr_batch_set_body_contact(Ready(), id, other.id, meet ? 1 : 0);
+            Status status = Native.lr_batch_set_body_contact(Ready(), id, other.id, enabled ? 1 : 0);
             LangevinSimulation.Check(status, "lr_batch_set_body_contact");
         }
 

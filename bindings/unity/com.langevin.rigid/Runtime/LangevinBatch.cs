@@ -31,13 +31,15 @@ namespace LangevinUnity
         [Tooltip("Strength of the air cushion between a sheet and the ground. 1: physical.")]
         [SerializeField, Range(0.0f, 1.0f)] private float groundEffect = 0.0f;
         [Tooltip("Contact between bodies of this batch, so that they pile up.")]
-        [SerializeField] private bool meetEachOther = false;
+        [SerializeField] private bool bodyContact = false;
 
         [Header("Art")]
         [SerializeField, Range(0.0f, 5.0f)] private float drag = 1.0f;
         [SerializeField, Range(0.0f, 5.0f)] private float lift = 1.0f;
         [SerializeField, Range(0.0f, 5.0f)] private float spinDrag = 1.0f;
         [SerializeField, Range(0.0f, 5.0f)] private float turbulence = 1.0f;
+        [Tooltip("Natural spread of drag and lift from body to body. 0: all bodies are alike.")]
+        [SerializeField, Range(0.0f, 0.5f)] private float variation = 0.15f;
 
         [Header("Level of detail")]
         [Tooltip("Level of detail: one substep for this number of substeps of the world.")]
@@ -78,8 +80,11 @@ namespace LangevinUnity
         /// <summary>Matrices of all bodies, as of the last frame; null while the batch is in no world.</summary>
         public LangevinInstances Instances { get { return instances; } }
 
-        /// <summary>Whether bodies of this batch meet each other. Call Apply after a change.</summary>
-        public bool MeetEachOther { get { return meetEachOther; } set { meetEachOther = value; } }
+        /// <summary>Spread of drag and lift from body to body, 0 to 0.5. Set it while the component is disabled.</summary>
+        public float Variation { get { return variation; } set { variation = Mathf.Clamp(value, 0.0f, 0.5f); } }
+
+        /// <summary>Contact between bodies of this batch. Call Apply after a change.</summary>
+        public bool BodyContact { get { return bodyContact; } set { bodyContact = value; } }
 
         /// <summary>Level of detail. Call Apply after a change.</summary>
         public int Divisor { get { return divisor; } set { divisor = Mathf.Clamp(value, 1, 1024); } }
@@ -104,6 +109,7 @@ namespace LangevinUnity
             desc.Asset = simulation.AssetOf(asset);
             desc.Capacity = (uint)capacity;
             desc.LoadModel = loadModel;
+            desc.Variation = variation;
             BatchId created;
             LangevinSimulation.Check(Native.lr_batch_create(simulation.Handle, &desc, &created), "lr_batch_create");
             id = created;
@@ -170,7 +176,7 @@ namespace LangevinUnity
             contact.RollingResistance = rollingResistance;
             contact.GroundEffect = groundEffect;
             LangevinSimulation.Check(Native.lr_batch_set_contact(world, id, &contact), "lr_batch_set_contact");
-            LangevinSimulation.Check(Native.lr_batch_set_body_contact(world, id, id, meetEachOther ? 1 : 0), "lr_batch_set_body_contact");
+            LangevinSimulation.Check(Native.lr_batch_set_body_contact(world, id, id, bodyContact ? 1 : 0), "lr_batch_set_body_contact");
             LoadGains gains = LoadGains.Create();
             gains.Drag = drag;
             gains.Lift = lift;

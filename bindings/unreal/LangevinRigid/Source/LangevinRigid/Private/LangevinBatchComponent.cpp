@@ -65,6 +65,7 @@ bool ULangevinBatchComponent::BeginBatch() {
     Desc.asset = Handle;
     Desc.capacity = static_cast<uint32>(FMath::Max(Capacity, 1));
     Desc.load_model = static_cast<int32>(Loads);
+    Desc.variation = FMath::Clamp(Variation, 0.0f, 0.5f);
     if (!Check(lr_batch_create(World, &Desc, &Batch), *GetPathName())) return false;
     MeshOrigin = -Asset->GetCenterOfMass();
 

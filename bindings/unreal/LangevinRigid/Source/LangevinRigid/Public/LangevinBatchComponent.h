@@ -142,6 +142,10 @@ public:
     UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Art", meta = (ClampMin = "0.0", ClampMax = "100.0"))
     float TurbulenceGain = 1.0f;
 
+    /** Natural spread of drag and lift from body to body. 0: all bodies are alike. */
+    UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Art", meta = (ClampMin = "0.0", ClampMax = "0.5"))
+    float Variation = 0.15f;
+
     /** Creates the batch now if it does not exist. BeginPlay calls it; call it if the asset is set later. */
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid")
     bool BeginBatch();
