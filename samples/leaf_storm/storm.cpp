@@ -76,10 +76,10 @@ Storm::Storm(const Options& options) : options_(options), world_(create_world(op
             fill(kind, first);
         first += kind.count;
     }
-    if (options.heap) let_meet();
+    if (options.heap) set_body_contact();
 }
 
-void Storm::let_meet() {
+void Storm::set_body_contact() {
     for (std::size_t a = 0; a < kinds_.size(); ++a)
         for (std::size_t b = 0; b <= a; ++b)
             check(lr_batch_set_body_contact(world_.get(), kinds_[a].batch, kinds_[b].batch, 1),

@@ -47,7 +47,7 @@ public:
 private:
     void fill(Kind& kind, std::uint64_t first);
     void fill_from_above(Kind& kind);
-    void let_meet();
+    void set_body_contact();
     void end_births();
     void count_ended();
 

@@ -27,7 +27,7 @@ static const char help[] =
     "  --count N            number of bodies, once all are spawned\n"
     "  --wind, --gusts, --turbulence SPEED   m/s; --direction DEGREES: direction to which the wind blows\n"
     "  --time-scale X, --substeps N          of the world\n"
-    "  --model aerodynamic|langevin|none     loads; --meet: contact between bodies\n"
+    "  --model aerodynamic|langevin|none     loads; --body-contact: contact between bodies\n"
     "  --seed N, --threads N                 of the world\n"
     "  --png FILE           a picture, or with --frames a film; without --window needs no display\n"
     "  --frames N, --fps N  length of the film and its rate, a divisor of 60; default: 30\n"
@@ -96,7 +96,7 @@ static float model_of(const char* text) {
 static int read_setting(settings* s, const char* option, const char* value) {
     for (int k = 0; k < setting_number; ++k) {
         const setting_kind* kind = &setting_kinds[k];
-        if (strcmp(kind->option, option) != 0 || k == setting_meet) continue;
+        if (strcmp(kind->option, option) != 0 || k == setting_contact) continue;
         if (k == setting_model)
             s->value[k] = model_of(value);
         else
@@ -162,8 +162,8 @@ static int read_flag(options* o, settings* s, const char* option) {
         o->overlay = 0;
     else if (strcmp(option, "--window") == 0)
         o->window = 1;
-    else if (strcmp(option, "--meet") == 0)
-        s->value[setting_meet] = 1.0f;
+    else if (strcmp(option, "--body-contact") == 0)
+        s->value[setting_contact] = 1.0f;
     else
         return 0;
     return 1;

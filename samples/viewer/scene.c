@@ -157,11 +157,11 @@ static void set_emitter(scene* s, const scene_batch* b) {
     check(lr_batch_set_emitter(s->world, b->batch, &desc), "emitter", "try a smaller --count");
 }
 
-static void let_meet(scene* s) {
+static void apply_body_contact(scene* s) {
     for (int a = 0; a < s->batch_count; ++a)
         for (int b = 0; b <= a; ++b)
             check(lr_batch_set_body_contact(s->world, s->batches[a].batch, s->batches[b].batch,
-                                            s->now.value[setting_meet] > 0.0f),
+                                            s->now.value[setting_contact] > 0.0f),
                   "cannot set contact between bodies", "try a smaller --count");
 }
 
@@ -198,7 +198,7 @@ scene* scene_create(const scene_plan* plan, const scene_source* source, const se
         set_emitter(s, b);
         set_rules(s, b);
     }
-    if (s->now.value[setting_meet] > 0.0f) let_meet(s);
+    if (s->now.value[setting_contact] > 0.0f) apply_body_contact(s);
     scene_wind_create(s);
     return s;
 }
@@ -278,7 +278,7 @@ int scene_apply(scene* s, const settings* wanted) {
         set_emitter(s, b);
         set_rules(s, b);
     }
-    if (changed[setting_count] || changed[setting_model] || changed[setting_meet]) let_meet(s);
+    if (changed[setting_count] || changed[setting_model] || changed[setting_contact]) apply_body_contact(s);
     if (changed[setting_wind] || changed[setting_direction] || changed[setting_gusts] || changed[setting_turbulence])
         scene_wind_update(s);
     return changed[setting_count] || changed[setting_model];

@@ -16,7 +16,7 @@ const setting_kind setting_kinds[setting_number] = {
     {"time", "x", "--time-scale", 0.05f, 4.0f, 1.25f, 2, 1},
     {"substeps", "", "--substeps", 1.0f, 16.0f, 1.0f, 0, 0},
     {"loads", "", "--model", 0.0f, load_model_count - 1, 1.0f, 0, 0},
-    {"meet", "", "--meet", 0.0f, 1.0f, 1.0f, 0, 0},
+    {"contact", "", "--body-contact", 0.0f, 1.0f, 1.0f, 0, 0},
 };
 
 const load_model load_models[load_model_count] = {
@@ -59,7 +59,7 @@ void setting_text(const settings* s, enum setting which, char* text, unsigned si
     const float value = s->value[which];
     if (which == setting_model)
         snprintf(text, size, "%s", load_models[(int)value].name);
-    else if (which == setting_meet)
+    else if (which == setting_contact)
         snprintf(text, size, "%s", value > 0.0f ? "yes" : "no");
     else
         snprintf(text, size, "%.*f%s%s", kind->decimals, (double)value, *kind->unit ? " " : "", kind->unit);

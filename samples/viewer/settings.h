@@ -12,8 +12,8 @@ enum setting {
     setting_count,
     setting_time, /* s of the world per second of the clock */
     setting_substeps,
-    setting_model, /* index in load_models */
-    setting_meet,  /* contact between bodies: 0 or 1 */
+    setting_model,   /* index in load_models */
+    setting_contact, /* contact between bodies: 0 or 1 */
     setting_number
 };
 

@@ -147,7 +147,7 @@ def check_keys(path):
     assert done.paused and abs(done.time - 1 - 3 / 60) < 1e-4, done.time
     done = after("0.5:right*2,1:down,1:right,1:down*3,1:left*2,1:tab*2,1:right,1:down*2,1:right")
     assert done.settings == {"wind": "2.00 m/s", "direction": "35 deg", "gusts": "0.4 m/s", "turbulence": "0.4 m/s", "bodies": "256",
-                             "time": "1.00 x", "substeps": "3", "loads": "aerodynamic", "meet": "yes"}, done.settings
+                             "time": "1.00 x", "substeps": "3", "loads": "aerodynamic", "contact": "yes"}, done.settings
     assert done.bodies <= 256
     done = after("0.5:up*2,0.5:right")
     assert done.settings["loads"] == "langevin" and done.hash != after("0.5:up*2").hash and done.bodies > 30
