@@ -24,6 +24,13 @@ const char* wrong_in(const lr_batch_desc& d) {
     return wrong_in(gains);
 }
 
+// From one written element to the next; 0 if stride or alignment is wrong for elements of `bytes`.
+uint64_t step_of(uint64_t stride, uint32_t bytes, const void* dst) {
+    const uint64_t step = stride == 0 ? bytes : stride;
+    const bool fits = step >= bytes && step % 4 == 0 && step <= (uint64_t{1} << 32);
+    return fits && reinterpret_cast<uintptr_t>(dst) % 4 == 0 ? step : 0;
+}
+
 TurbulenceSample sample(const lr_turbulence_table& t, float chi, float epsilon) {
     return {static_cast<double>(chi), static_cast<double>(epsilon), static_cast<double>(t.u0), static_cast<double>(t.l),
             static_cast<double>(t.c0)};
@@ -165,11 +172,7 @@ lr_status lr_batch_get_view(const lr_world* world, lr_batch batch, lr_batch_view
         const BatchArrays& a = b.arrays();
         out.count = b.count();
         out.capacity = b.capacity();
-        for (size_t i = 0; i < 3; ++i) {
-            out.position[i] = a.field[field_x + i];
-            out.velocity[i] = a.field[field_vx + i];
-            out.spin[i] = a.field[field_wx + i];
-        }
+        for (size_t i = 0; i < 3; ++i) out.position[i] = a.field[field_x + i];
         for (size_t i = 0; i < 4; ++i) out.orientation[i] = a.field[field_qx + i];
         out.scale = a.field[field_scale];
         out.age = a.field[field_age];
@@ -199,13 +202,34 @@ lr_status lr_batch_write_transforms(const lr_world* world, lr_batch batch, int32
     const auto write = [&](const lr_world& w, const Batch& b) -> Outcome {
         const uint32_t bytes = transform_bytes(format);
         if (bytes == 0) return invalid("unknown format");
-        const uint64_t step = stride == 0 ? bytes : stride;
-        if (step < bytes || step % 4 != 0 || step > (uint64_t{1} << 32) || reinterpret_cast<uintptr_t>(dst) % 4 != 0)
-            return invalid("stride or alignment is wrong for this format");
+        const uint64_t step = step_of(stride, bytes, dst);
+        if (step == 0) return invalid("stride or alignment is wrong for this format");
         const uint32_t n = std::min(count, b.count());
         if (n == 0) return {};
         if (!dst) return LR_ERROR_NULL_ARGUMENT;
         write_transforms(w.target->simd, b.arrays(), n, static_cast<float>(b.pace.behind()), format, dst, step);
+        if (written) *written = n;
+        return {};
+    };
+    return query(world, __func__, args(batch), write);
+}
+
+lr_status lr_batch_write_velocities(const lr_world* world, lr_batch batch, void* dst, uint64_t stride, uint32_t count,
+                                    uint32_t* written) {
+    if (written) *written = 0;
+    const auto write = [&](const lr_world&, const Batch& b) -> Outcome {
+        const uint64_t step = step_of(stride, 6 * sizeof(float), dst);
+        if (step == 0) return invalid("stride or alignment is wrong for 6 floats");
+        const uint32_t n = std::min(count, b.count());
+        if (n == 0) return {};
+        if (!dst) return LR_ERROR_NULL_ARGUMENT;
+        const BatchArrays& a = b.arrays();
+        for (uint32_t i = 0; i < n; ++i) {
+            auto* const to = reinterpret_cast<float*>(static_cast<unsigned char*>(dst) + step * i);
+            const Rotation q = pose_of(a, i).rotation;
+            put(to_world(q, vector_in(a.field, field_vx, i)), to);
+            put(to_world(q, vector_in(a.field, field_wx, i)), to + 3);
+        }
         if (written) *written = n;
         return {};
     };

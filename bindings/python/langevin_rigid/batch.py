@@ -113,6 +113,13 @@ class Batch(BatchPlain):
         self._ask("lr_batch_write_transforms", int(format), out.ctypes.data, stride, count, ctypes.byref(written))
         return out[:written.value]
 
+    def velocities(self) -> Tuple[np.ndarray, np.ndarray]:
+        """Linear velocities, m/s, and angular velocities, rad/s, world frame, in the order of the view: two arrays of shape
+        (count, 3). Bodies of a waiting batch have those of their last step."""
+        out = np.empty((len(self), 6), np.float32)
+        self._ask("lr_batch_write_velocities", out.ctypes.data, 0, len(out), None)
+        return out[:, :3], out[:, 3:]
+
     @staticmethod
     def _stride(out: np.ndarray, floats: int) -> int:
         if out.dtype != np.float32 or not out.flags.writeable:

@@ -92,15 +92,25 @@ export class Batch extends BatchPlain {
   /** The bodies' arrays without a copy, valid until the world changes. */
   view() {
     const { heap } = this.#host;
-    const { position, orientation, velocity, spin, scale, age, noiseSeed, ids, user, ...numbers } = this.#get('lr_batch_view', 'lr_batch_get_view');
+    const { position, orientation, scale, age, noiseSeed, ids, user, ...numbers } = this.#get('lr_batch_view', 'lr_batch_get_view');
     const { count } = numbers;
     const one = (Type, address) => heap.array(Type, address, count);
     const all = (addresses) => addresses.map((address) => one(Float32Array, address));
     return {
-      ...numbers, position: all(position), orientation: all(orientation), velocity: all(velocity), spin: all(spin),
-      scale: one(Float32Array, scale), age: one(Float32Array, age), noiseSeed: one(Uint32Array, noiseSeed), ids: one(BigUint64Array, ids),
+      ...numbers, position: all(position), orientation: all(orientation), scale: one(Float32Array, scale), age: one(Float32Array, age),
+      noiseSeed: one(Uint32Array, noiseSeed), ids: one(BigUint64Array, ids),
       user: user ? one(BigUint64Array, user) : new BigUint64Array(count),
     };
+  }
+
+  /** A copy of all velocities, world frame, in the order of the view: for each body the linear one, m/s, and the angular one, rad/s. */
+  velocities() {
+    const { count } = this.#get('lr_batch_view', 'lr_batch_get_view');
+    return this.#host.scratch((scratch) => {
+      const at = scratch.bytes(24 * count);
+      this.#call('lr_batch_write_velocities', at, 0n, count, 0);
+      return this.#host.heap.array(Float32Array, at, 6 * count).slice();
+    });
   }
 
   /** A box around all bodies; null without bodies. */

@@ -166,8 +166,13 @@ test('bodies: created singly and many at once, read, set, pushed, asleep', () =>
   world.addForces([{ body: many[0], mode: LR.FORCE_MODE_VELOCITY, force: [3, 0, 0] }]);
   assert.ok(Math.abs(world.bodyState(many[0]).linearVelocity[0] - 3) < 1e-5);
   batch.addForces({ mode: LR.FORCE_MODE_VELOCITY, first: 1, force: [[1, 1], [0, 0], [0, 0]] });
-  const { velocity } = batch.view();
-  assert.ok(Math.abs(velocity[0][2] - 1) < 1e-5 && Math.abs(velocity[0][3]) < 1e-5);
+  const velocities = batch.velocities(), { ids } = batch.view();
+  assert.equal(velocities.length, 36);
+  assert.ok(Math.abs(velocities[6 * 2] - 1) < 1e-5 && Math.abs(velocities[6 * 3]) < 1e-5);
+  ids.forEach((id, i) => {
+    const { linearVelocity, angularVelocity } = world.bodyState(id);
+    assert.deepEqual([...velocities.subarray(6 * i, 6 * i + 6)], [...linearVelocity, ...angularVelocity]);
+  });
   assert.throws(() => batch.addForces({ force: [[1], [1, 2], [1]] }), RangeError);
   batch.setForce({ acceleration: [0, 1, 0] });
   world.setSleep(many, true);

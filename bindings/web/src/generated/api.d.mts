@@ -656,7 +656,7 @@ export interface BatchPace {
 /**
  * Read access to a batch's state without a copy: arrays of `count` values, one per body, 64-byte aligned. Awake bodies
  * come first, then sleeping ones, without gaps. A body that leaves either part is replaced by the last one of that
- * part. Pointers are valid until the next call that is not a query.
+ * part. Pointers are valid until the next call that is not a query. Velocities: lr_batch_write_velocities.
  */
 export interface BatchView {
   /** bodies */
@@ -665,10 +665,6 @@ export interface BatchView {
   position: Float32Array[];
   /** 4 elements. unit quaternion x, y, z, w, body to world */
   orientation: Float32Array[];
-  /** 3 elements. m/s, of the centre of mass, in the BODY frame: rotate by `orientation` for world */
-  velocity: Float32Array[];
-  /** 3 elements. rad/s, angular velocity, in the BODY frame */
-  spin: Float32Array[];
   /** uniform scale */
   scale: Float32Array;
   /** s; outdated for sleeping bodies: lr_body_get_state gives their exact age */
@@ -1493,6 +1489,15 @@ export interface RawFunctions {
    * LR_ERROR_INVALID_ARGUMENT.
    */
   lr_batch_write_transforms(world: number, batch: number, format: number, dst: number, stride: bigint, count: number, written: number): number;
+  /**
+   * Writes the velocities of a batch's first `count` bodies, or of all if there are fewer, in the order of its view. An
+   * element is 6 floats, world frame: the linear velocity of the centre of mass, m/s, and the angular velocity, rad/s; bit
+   * for bit those of lr_body_get_state. Sleeping bodies have 0, bodies of a waiting batch (lr_batch_set_rate) the
+   * velocities of their last step.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT (dst may be null only when nothing is to be written), LR_ERROR_STALE_BATCH,
+   * LR_ERROR_INVALID_ARGUMENT.
+   */
+  lr_batch_write_velocities(world: number, batch: number, dst: number, stride: bigint, count: number, written: number): number;
   lr_body_desc_init(desc: number, struct_size: number): number;
   /**
    * Creates `count` bodies, all or none.
