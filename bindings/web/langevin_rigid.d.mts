@@ -166,6 +166,8 @@ export declare class Batch extends BatchPlain {
   /** format: LR.TRANSFORM_*, by default 4x4 column-major. capacity: by default the batch's. */
   createTransforms(format?: number, capacity?: number): TransformBuffer;
   setTurbulenceTable(table: Input<api.TurbulenceTable> | null): void;
+  /** The k-epsilon samples in use, as setTurbulenceTable takes them. */
+  readonly turbulenceTable: { chi: Float32Array; epsilon: Float32Array; dt: number; u0: number; l: number; c0: number; stationary: number };
   addForces(arrays: Input<api.ForceArrays>): void;
   /** The rules, or null. */
   readonly rules: api.BatchRules | null;

@@ -31,27 +31,24 @@ uint64_t step_of(uint64_t stride, uint32_t bytes, const void* dst) {
     return fits && reinterpret_cast<uintptr_t>(dst) % 4 == 0 ? step : 0;
 }
 
-TurbulenceSample sample(const lr_turbulence_table& t, float chi, float epsilon) {
-    return {static_cast<double>(chi), static_cast<double>(epsilon), static_cast<double>(t.u0), static_cast<double>(t.l),
+TableHead head_of(const lr_turbulence_table& t) {
+    return {t.count,
+            t.stationary,
+            static_cast<double>(t.dt),
+            static_cast<double>(t.u0),
+            static_cast<double>(t.l),
             static_cast<double>(t.c0)};
-}
-
-const char* wrong_in(const lr_turbulence_table& t) {
-    if (t.count == 0 || t.count > 65536) return "count is not 1 to 65536";
-    if (!in_range(t.dt, least_interval, most_interval)) return "dt is not positive";
-    if (const char* why = wrong_in(sample(t, 0.0f, 0.0f))) return why;
-    if (t.stationary >= t.count) return "stationary is not less than count";
-    if (t.reserved != 0) return "reserved is not 0";
-    return nullptr;
 }
 
 Outcome check(const lr_turbulence_table& t) {
     if (!finite(t.dt, t.u0, t.l, t.c0)) return LR_ERROR_NOT_FINITE;
-    if (const char* why = wrong_in(t)) return invalid(why);
+    const TableHead head = head_of(t);
+    if (const char* why = wrong_in(head)) return invalid(why);
+    if (t.reserved != 0) return invalid("reserved is not 0");
     if (!t.chi || !t.epsilon) return LR_ERROR_NULL_ARGUMENT;
     for (uint32_t i = 0; i < t.count; ++i) {
         if (!finite(t.chi[i], t.epsilon[i])) return LR_ERROR_NOT_FINITE;
-        if (const char* why = wrong_in(sample(t, t.chi[i], t.epsilon[i]))) return invalid(why);
+        if (const char* why = wrong_in(head.sample(t.chi[i], t.epsilon[i]))) return invalid(why);
     }
     return {};
 }
@@ -115,17 +112,30 @@ lr_status lr_batch_set_turbulence_table(lr_world* world, lr_batch batch, const l
     const auto set = [](lr_world& w, Batch& b, const lr_turbulence_table* t) -> Outcome {
         if (!t) return b.set_asset_table() ? LR_OK : LR_ERROR_OUT_OF_MEMORY;
         if (const Outcome outcome = check(*t); outcome.refused()) return outcome;
-        const TableView view{t->chi,
-                             t->epsilon,
-                             t->count,
-                             t->stationary,
-                             static_cast<double>(t->dt),
-                             static_cast<double>(t->u0),
-                             static_cast<double>(t->l),
-                             static_cast<double>(t->c0)};
-        return accepted(w) && b.set_table(view) ? LR_OK : LR_ERROR_OUT_OF_MEMORY;
+        return accepted(w) && b.set_table(head_of(*t), t->chi, t->epsilon) ? LR_OK : LR_ERROR_OUT_OF_MEMORY;
     };
     return change(world, __func__, args(batch, table), set);
+}
+
+lr_status lr_batch_get_turbulence_table(const lr_world* world, lr_batch batch, lr_turbulence_table* table, float* chi,
+                                        float* epsilon, uint32_t capacity) {
+    const auto get = [&](const lr_world&, const Batch& b, lr_turbulence_table& out) -> Outcome {
+        const TableHead& head = b.table();
+        out.count = head.count;
+        out.stationary = head.stationary;
+        out.dt = static_cast<float>(head.dt);
+        out.u0 = static_cast<float>(head.u0);
+        out.l = static_cast<float>(head.l);
+        out.c0 = static_cast<float>(head.c0);
+        if ((chi || epsilon) && capacity < head.count) {
+            write_struct(out, table);
+            return LR_ERROR_BUFFER_TOO_SMALL;
+        }
+        if (chi) std::copy_n(b.table_chi(), head.count, chi);
+        if (epsilon) std::copy_n(b.table_epsilon(), head.count, epsilon);
+        return {};
+    };
+    return query(world, __func__, args(batch, table), get);
 }
 
 lr_status lr_batch_set_rate(lr_world* world, lr_batch batch, uint32_t divisor) {

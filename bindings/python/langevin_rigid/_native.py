@@ -3370,6 +3370,24 @@ PROTOTYPES = {
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY.
         """,
     ),
+    'lr_batch_get_turbulence_table': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(lr_turbulence_table), ctypes.POINTER(ctypes.c_float), ctypes.POINTER(ctypes.c_float), ctypes.c_uint32],
+        ('world', 'batch', 'table', 'chi', 'epsilon', 'capacity'),
+        """lr_status lr_batch_get_turbulence_table(const lr_world* world, lr_batch batch, lr_turbulence_table* table, float* chi, float* epsilon, uint32_t capacity)
+
+        Reads a batch's turbulence table: the one that was set, bit for bit, or the asset's, rounded to float.
+
+        world: the world
+        batch: handle of a batch of the world
+        table: initialised, or with struct_size set; its own chi and epsilon receive null.
+        chi: receive `table->count` values each, up to `capacity`; either may be null, and capacity is then not read for it.
+        epsilon: receive `table->count` values each, up to `capacity`; either may be null, and capacity is then not read for it.
+        capacity: number of elements that fit
+
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT (world, table), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_BUFFER_TOO_SMALL (table is set, chi and epsilon are not).
+        """,
+    ),
 }
 
 

@@ -139,6 +139,20 @@ export class Batch extends BatchPlain {
     })));
   }
 
+  /** The k-epsilon samples in use, as setTurbulenceTable takes them. */
+  get turbulenceTable() {
+    return this.#host.scratch((scratch) => {
+      const at = scratch.struct('lr_turbulence_table');
+      const read = (...room) => this.#call('lr_batch_get_turbulence_table', at, ...room);
+      read(0, 0, 0);
+      const { count, dt, u0, l, c0, stationary } = this.#host.heap.read('lr_turbulence_table', at);
+      const [chi, epsilon] = [scratch.bytes(4 * count), scratch.bytes(4 * count)];
+      read(chi, epsilon, count);
+      const copy = (from) => this.#host.heap.array(Float32Array, from, count).slice();
+      return { chi: copy(chi), epsilon: copy(epsilon), dt, u0, l, c0, stationary };
+    });
+  }
+
   /** Adds forces to many bodies in the order of the view: x, y, z of each are arrays. */
   addForces({ force = null, torque = null, ...rest }) {
     const lengths = [...(force ?? []), ...(torque ?? [])].map((values) => values.length);

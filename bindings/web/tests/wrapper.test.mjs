@@ -325,9 +325,15 @@ test('rules, emitters, rates, budgets, gains, tables', () => {
   batch.setAerodynamics(stronger);
   assert.equal(batch.aerodynamics.intensity, 0);
   batch.setAerodynamics(null);
-  batch.setTurbulenceTable({ chi: [1, 2], epsilon: [1, 1], dt: 0.1, u0: 1, l: 0.1 });
+  const own = batch.turbulenceTable;
+  batch.setTurbulenceTable({ chi: [1, 2], epsilon: [1, 1], dt: 0.25, u0: 1, l: 0.5, stationary: 1 });
+  const table = batch.turbulenceTable;
+  assert.deepEqual({ ...table, chi: [...table.chi], epsilon: [...table.epsilon] },
+    { chi: [1, 2], epsilon: [1, 1], dt: 0.25, u0: 1, l: 0.5, c0: 6.5, stationary: 1 });
+  batch.setTurbulenceTable(table);
   assert.throws(() => batch.setTurbulenceTable({ chi: [1], epsilon: [1, 1] }), RangeError);
   batch.setTurbulenceTable(null);
+  assert.deepEqual(batch.turbulenceTable, own);
   world.setGravity([0, -1.6, 0]);
   world.setSimdTarget(LR.SIMD_WASM);
   assert.throws(() => world.setSimdTarget(LR.SIMD_NEON), refused('UNSUPPORTED'));

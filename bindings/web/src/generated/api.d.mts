@@ -1787,4 +1787,10 @@ export interface RawFunctions {
    * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY.
    */
   lr_batch_set_turbulence_table(world: number, batch: number, table: number): number;
+  /**
+   * Reads a batch's turbulence table: the one that was set, bit for bit, or the asset's, rounded to float.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT (world, table), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_BUFFER_TOO_SMALL
+   * (table is set, chi and epsilon are not).
+   */
+  lr_batch_get_turbulence_table(world: number, batch: number, table: number, chi: number, epsilon: number, capacity: number): number;
 }

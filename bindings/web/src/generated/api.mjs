@@ -870,4 +870,5 @@ export const functions = [
   'lr_asset_create_rigid',
   'lr_turbulence_table_init',
   'lr_batch_set_turbulence_table',
+  'lr_batch_get_turbulence_table',
 ];
