@@ -932,14 +932,12 @@ LR_API lr_status lr_batch_get_pace(const lr_world* world, lr_batch batch, lr_bat
 
 /* Read access to a batch's state without a copy: arrays of `count` values, one per body, 64-byte aligned. Awake bodies
  * come first, then sleeping ones, without gaps. A body that leaves either part is replaced by the last one of that
- * part. Pointers are valid until the next call that is not a query. */
+ * part. Pointers are valid until the next call that is not a query. Velocities: lr_batch_write_velocities. */
 typedef struct lr_batch_view {
     uint32_t struct_size;
     uint32_t count;              /* bodies */
     const float* position[3];    /* m, world frame: x, y, z */
     const float* orientation[4]; /* unit quaternion x, y, z, w, body to world */
-    const float* velocity[3];    /* m/s, of the centre of mass, in the BODY frame: rotate by `orientation` for world */
-    const float* spin[3];        /* rad/s, angular velocity, in the BODY frame */
     const float* scale;          /* uniform scale */
     const float* age;            /* s; outdated for sleeping bodies: lr_body_get_state gives their exact age */
     const uint32_t* noise_seed;  /* bodies with different seeds have independent noise */
@@ -990,6 +988,18 @@ enum {
  * LR_ERROR_INVALID_ARGUMENT. */
 LR_API lr_status lr_batch_write_transforms(const lr_world* world, lr_batch batch, lr_transform_format format, void* dst,
                                            uint64_t stride, uint32_t count, uint32_t* written);
+
+/* Writes the velocities of a batch's first `count` bodies, or of all if there are fewer, in the order of its view. An
+ * element is 6 floats, world frame: the linear velocity of the centre of mass, m/s, and the angular velocity, rad/s; bit
+ * for bit those of lr_body_get_state. Sleeping bodies have 0, bodies of a waiting batch (lr_batch_set_rate) the
+ * velocities of their last step.
+ * dst: 4-byte aligned, room for `count` elements `stride` bytes apart.
+ * stride: 0 for elements without gaps, else a multiple of 4 no smaller than an element. written: elements written; may
+ * be null.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT (dst may be null only when nothing is to be written), LR_ERROR_STALE_BATCH,
+ * LR_ERROR_INVALID_ARGUMENT. */
+LR_API lr_status lr_batch_write_velocities(const lr_world* world, lr_batch batch, void* dst, uint64_t stride,
+                                           uint32_t count, uint32_t* written);
 
 /* ------------------------------------------------------------------------------------------------------------------ */
 /* Bodies                                                                                                             */
@@ -1714,7 +1724,7 @@ LR_API lr_status lr_batch_get_counts(const lr_world* world, lr_batch batch, lr_b
     LR_INTEGRATOR_DEFAULT, 1, 1, 0.15f, 0}
 #define LR_LOAD_GAINS_INIT {sizeof(lr_load_gains), 0, 1, 1, 1, 1}
 #define LR_BATCH_PACE_INIT {sizeof(lr_batch_pace), 0, 0, 0, 0, 0, 0}
-#define LR_BATCH_VIEW_INIT {sizeof(lr_batch_view), 0, {0}, {0}, {0}, {0}, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}
+#define LR_BATCH_VIEW_INIT {sizeof(lr_batch_view), 0, {0}, {0}, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}
 #define LR_BODY_DESC_INIT {sizeof(lr_body_desc), 0, {0}, {0, 0, 0, 1}, {0}, {0}, 1, 0, 0, 0}
 #define LR_BODY_STATE_INIT {sizeof(lr_body_state), 0, {0}, {0, 0, 0, 1}, {0}, {0}, 1, 0, LR_SLEEP_AWAKE, 0}
 #define LR_BODY_FORCE_INIT {sizeof(lr_body_force), LR_FORCE_MODE_FORCE, {0}, LR_FRAME_WORLD, 0, {0}, {0}, {0}, 0}

@@ -119,6 +119,15 @@ LR_API lr_status lr_turbulence_table_init(lr_turbulence_table* table, uint32_t s
  * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY. */
 LR_API lr_status lr_batch_set_turbulence_table(lr_world* world, lr_batch batch, const lr_turbulence_table* table);
 
+/* Reads a batch's turbulence table: the one that was set, bit for bit, or the asset's, rounded to float.
+ * table: initialised, or with struct_size set; its own chi and epsilon receive null.
+ * chi, epsilon: receive `table->count` values each, up to `capacity`; either may be null, and capacity is then not read
+ * for it.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT (world, table), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_BUFFER_TOO_SMALL
+ * (table is set, chi and epsilon are not). */
+LR_API lr_status lr_batch_get_turbulence_table(const lr_world* world, lr_batch batch, lr_turbulence_table* table,
+                                               float* chi, float* epsilon, uint32_t capacity);
+
 /* Initial values, as in langevin_rigid.h. */
 /* clang-format off */
 #define LR_AERODYNAMICS_INIT {sizeof(lr_aerodynamics), 0, {1, 0, 0, 0, 1, 0, 0, 0, 1}, {0}, {0}, {0}, {0}, {0}, {0}, \

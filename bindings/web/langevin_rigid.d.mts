@@ -159,11 +159,15 @@ export declare class Batch extends BatchPlain {
   emit(count: number): BigUint64Array;
   /** The bodies' arrays, without a copy. Valid until the world changes; empty after the memory grew. Call it again each frame. */
   view(): api.BatchView;
+  /** A copy of all velocities, world frame, in the order of the view: for each body x, y, z of the linear one, m/s, and of the angular one, rad/s. */
+  velocities(): Float32Array;
   /** A box around all bodies; null without bodies. */
   bounds(): { low: number[]; high: number[] } | null;
   /** format: LR.TRANSFORM_*, by default 4x4 column-major. capacity: by default the batch's. */
   createTransforms(format?: number, capacity?: number): TransformBuffer;
   setTurbulenceTable(table: Input<api.TurbulenceTable> | null): void;
+  /** The k-epsilon samples in use, as setTurbulenceTable takes them. */
+  readonly turbulenceTable: { chi: Float32Array; epsilon: Float32Array; dt: number; u0: number; l: number; c0: number; stationary: number };
   addForces(arrays: Input<api.ForceArrays>): void;
   /** The rules, or null. */
   readonly rules: api.BatchRules | null;

@@ -23,20 +23,19 @@ double Histogram::quantile(double part) const {
     return 0.0;
 }
 
-void Sampler::add(const lr_batch_view& view, const float* wind, Histogram* descents) {
+void Sampler::add(const lr_batch_view& view, const std::vector<float>& velocities, const float* wind,
+                  Histogram* descents) {
     sample_.at_rest += view.count - view.awake_count;
-    for (std::uint32_t i = 0; i < view.awake_count; ++i) {
+    for (std::size_t i = 0; i < view.awake_count; ++i) {
         const double x = view.orientation[0][i], y = view.orientation[1][i], z = view.orientation[2][i],
                      w = view.orientation[3][i];
-        const double v[3] = {view.velocity[0][i], view.velocity[1][i], view.velocity[2][i]};
-        // Body to world: v + 2 w (q x v) + 2 q x (q x v).
-        const double tx = 2.0 * (y * v[2] - z * v[1]), ty = 2.0 * (z * v[0] - x * v[2]),
-                     tz = 2.0 * (x * v[1] - y * v[0]);
-        const double east = v[0] + w * tx + y * tz - z * ty - static_cast<double>(wind[0]);
-        const double up = v[1] + w * ty + z * tx - x * tz - static_cast<double>(wind[1]);
-        const double south = v[2] + w * tz + x * ty - y * tx - static_cast<double>(wind[2]);
-        const double spin[3] = {view.spin[0][i], view.spin[1][i], view.spin[2][i]};
-        const double horizontal = std::sqrt(east * east + south * south);
+        double v[3], spin[3]; // v: relative to the wind
+        for (std::size_t k = 0; k < 3; ++k) {
+            v[k] = static_cast<double>(velocities[6 * i + k]) - static_cast<double>(wind[k]);
+            spin[k] = static_cast<double>(velocities[6 * i + 3 + k]);
+        }
+        const double up = v[1];
+        const double horizontal = std::sqrt(v[0] * v[0] + v[2] * v[2]);
         const double turning = std::sqrt(spin[0] * spin[0] + spin[1] * spin[1] + spin[2] * spin[2]);
         if (!std::isfinite(horizontal + up + turning)) continue; // the next step reports it
         ++sample_.bodies;

@@ -28,11 +28,12 @@ private:
     std::uint64_t total_ = 0;
 };
 
-// Adds the bodies of a view to sums; `finish` turns them into means.
+// Adds the awake bodies of a view to sums; `finish` turns them into means.
 class Sampler {
 public:
     explicit Sampler(double time) { sample_.time = time; }
-    void add(const lr_batch_view& view, const float* wind, Histogram* descents); // descents may be null
+    // velocities: of lr_batch_write_velocities. descents may be null.
+    void add(const lr_batch_view& view, const std::vector<float>& velocities, const float* wind, Histogram* descents);
     Sample finish() const;
 
 private:

@@ -160,11 +160,15 @@ void Storm::step() {
 
 Sample Storm::sample(Histogram* descents) const {
     Sampler sampler(info().time);
+    std::vector<float> velocities;
     for (const Kind& kind : kinds_) {
         lr_batch_view view;
         check(lr_batch_view_init(&view, sizeof view), "lr_batch_view_init");
         check(lr_batch_get_view(world_.get(), kind.batch, &view), "view");
-        sampler.add(view, options_.wind, descents);
+        velocities.resize(std::size_t{6} * view.awake_count);
+        check(lr_batch_write_velocities(world_.get(), kind.batch, velocities.data(), 0, view.awake_count, nullptr),
+              "velocities");
+        sampler.add(view, velocities, options_.wind, descents);
     }
     return sampler.finish();
 }

@@ -91,7 +91,7 @@ LeafFall measure_leaf(const Track& track) {
     for (const Pose& pose : track) {
         vx.push_back(pose.velocity[0]);
         vz.push_back(pose.velocity[2]);
-        fall.rolls += std::abs(pose.spin[0]) * interval / (2.0 * pi);
+        fall.rolls += std::abs(dot(pose.spin, turned(pose.turn, {1.0, 0.0, 0.0}))) * interval / (2.0 * pi);
         const double up = turned(pose.turn, {0.0, 0.0, 1.0})[1];
         if (std::abs(up) < 0.1) continue;
         if (side * up < 0.0) fall.overturns += 1.0;

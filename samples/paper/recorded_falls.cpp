@@ -7,16 +7,15 @@
 
 namespace {
 
-Pose pose_of(const lr_batch_view& view, std::size_t i, double time) {
+Pose pose_of(const lr_batch_view& view, const float* velocity, std::size_t i, double time) {
     const auto at = [i](const float* values) { return static_cast<double>(values[i]); };
     Pose pose{time, {}, {}, {}, {}};
     for (std::size_t k = 0; k < 3; ++k) {
         pose.position[k] = at(view.position[k]);
-        pose.velocity[k] = at(view.velocity[k]);
-        pose.spin[k] = at(view.spin[k]);
+        pose.velocity[k] = static_cast<double>(velocity[k]);
+        pose.spin[k] = static_cast<double>(velocity[3 + k]);
     }
     for (std::size_t k = 0; k < 4; ++k) pose.turn[k] = at(view.orientation[k]);
-    pose.velocity = turned(pose.turn, pose.velocity);
     return pose;
 }
 
@@ -57,14 +56,16 @@ std::vector<Track> record(const lr_asset* asset, const Run& run, const std::vect
 
     // No body ends, so the view keeps the order of the releases.
     std::vector<Track> tracks(releases.size());
+    std::vector<float> velocities(6 * releases.size());
     const auto steps = static_cast<std::size_t>(std::lround(run.seconds / run.interval));
     for (std::size_t step = 0; step <= steps; ++step) {
         if (step > 0) check(lr_world_step(world.get(), static_cast<float>(run.interval), run.substeps), "step");
         lr_batch_view view;
         check(lr_batch_view_init(&view, sizeof view), "lr_batch_view_init");
         check(lr_batch_get_view(world.get(), batch, &view), "view");
+        check(lr_batch_write_velocities(world.get(), batch, velocities.data(), 0, view.count, nullptr), "velocities");
         for (std::size_t i = 0; i < tracks.size(); ++i) {
-            tracks[i].push_back(pose_of(view, i, run.interval * static_cast<double>(step)));
+            tracks[i].push_back(pose_of(view, &velocities[6 * i], i, run.interval * static_cast<double>(step)));
         }
     }
     return tracks;

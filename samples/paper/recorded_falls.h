@@ -14,7 +14,7 @@ struct Pose {
     Vector position; // m, of the centre of mass
     Quaternion turn; // body to world
     Vector velocity; // m/s, world frame
-    Vector spin;     // rad/s, body frame
+    Vector spin;     // rad/s, world frame
 };
 using Track = std::vector<Pose>;
 

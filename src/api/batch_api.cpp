@@ -26,27 +26,31 @@ const char* wrong_in(const lr_batch_desc& d) {
     return wrong_in(gains);
 }
 
-TurbulenceSample sample(const lr_turbulence_table& t, float chi, float epsilon) {
-    return {static_cast<double>(chi), static_cast<double>(epsilon), static_cast<double>(t.u0), static_cast<double>(t.l),
-            static_cast<double>(t.c0)};
+// From one written element to the next; 0 if stride or alignment is wrong for elements of `bytes`.
+uint64_t step_of(uint64_t stride, uint32_t bytes, const void* dst) {
+    const uint64_t step = stride == 0 ? bytes : stride;
+    const bool fits = step >= bytes && step % 4 == 0 && step <= (uint64_t{1} << 32);
+    return fits && reinterpret_cast<uintptr_t>(dst) % 4 == 0 ? step : 0;
 }
 
-const char* wrong_in(const lr_turbulence_table& t) {
-    if (t.count == 0 || t.count > 65536) return "count is not 1 to 65536";
-    if (!in_range(t.dt, least_interval, most_interval)) return "dt is not positive";
-    if (const char* why = wrong_in(sample(t, 0.0f, 0.0f))) return why;
-    if (t.stationary >= t.count) return "stationary is not less than count";
-    if (t.reserved != 0) return "reserved is not 0";
-    return nullptr;
+TableHead head_of(const lr_turbulence_table& t) {
+    return {t.count,
+            t.stationary,
+            static_cast<double>(t.dt),
+            static_cast<double>(t.u0),
+            static_cast<double>(t.l),
+            static_cast<double>(t.c0)};
 }
 
 Outcome check(const lr_turbulence_table& t) {
     if (!finite(t.dt, t.u0, t.l, t.c0)) return LR_ERROR_NOT_FINITE;
-    if (const char* why = wrong_in(t)) return invalid(why);
+    const TableHead head = head_of(t);
+    if (const char* why = wrong_in(head)) return invalid(why);
+    if (t.reserved != 0) return invalid("reserved is not 0");
     if (!t.chi || !t.epsilon) return LR_ERROR_NULL_ARGUMENT;
     for (uint32_t i = 0; i < t.count; ++i) {
         if (!finite(t.chi[i], t.epsilon[i])) return LR_ERROR_NOT_FINITE;
-        if (const char* why = wrong_in(sample(t, t.chi[i], t.epsilon[i]))) return invalid(why);
+        if (const char* why = wrong_in(head.sample(t.chi[i], t.epsilon[i]))) return invalid(why);
     }
     return {};
 }
@@ -111,17 +115,30 @@ lr_status lr_batch_set_turbulence_table(lr_world* world, lr_batch batch, const l
     const auto set = [](lr_world& w, Batch& b, const lr_turbulence_table* t) -> Outcome {
         if (!t) return b.set_asset_table() ? LR_OK : LR_ERROR_OUT_OF_MEMORY;
         if (const Outcome outcome = check(*t); outcome.refused()) return outcome;
-        const TableView view{t->chi,
-                             t->epsilon,
-                             t->count,
-                             t->stationary,
-                             static_cast<double>(t->dt),
-                             static_cast<double>(t->u0),
-                             static_cast<double>(t->l),
-                             static_cast<double>(t->c0)};
-        return accepted(w) && b.set_table(view) ? LR_OK : LR_ERROR_OUT_OF_MEMORY;
+        return accepted(w) && b.set_table(head_of(*t), t->chi, t->epsilon) ? LR_OK : LR_ERROR_OUT_OF_MEMORY;
     };
     return change(world, __func__, args(batch, table), set);
+}
+
+lr_status lr_batch_get_turbulence_table(const lr_world* world, lr_batch batch, lr_turbulence_table* table, float* chi,
+                                        float* epsilon, uint32_t capacity) {
+    const auto get = [&](const lr_world&, const Batch& b, lr_turbulence_table& out) -> Outcome {
+        const TableHead& head = b.table();
+        out.count = head.count;
+        out.stationary = head.stationary;
+        out.dt = static_cast<float>(head.dt);
+        out.u0 = static_cast<float>(head.u0);
+        out.l = static_cast<float>(head.l);
+        out.c0 = static_cast<float>(head.c0);
+        if ((chi || epsilon) && capacity < head.count) {
+            write_struct(out, table);
+            return LR_ERROR_BUFFER_TOO_SMALL;
+        }
+        if (chi) std::copy_n(b.table_chi(), head.count, chi);
+        if (epsilon) std::copy_n(b.table_epsilon(), head.count, epsilon);
+        return {};
+    };
+    return query(world, __func__, args(batch, table), get);
 }
 
 lr_status lr_batch_set_rate(lr_world* world, lr_batch batch, uint32_t divisor) {
@@ -168,11 +185,7 @@ lr_status lr_batch_get_view(const lr_world* world, lr_batch batch, lr_batch_view
         const BatchArrays& a = b.arrays();
         out.count = b.count();
         out.capacity = b.capacity();
-        for (size_t i = 0; i < 3; ++i) {
-            out.position[i] = a.field[field_x + i];
-            out.velocity[i] = a.field[field_vx + i];
-            out.spin[i] = a.field[field_wx + i];
-        }
+        for (size_t i = 0; i < 3; ++i) out.position[i] = a.field[field_x + i];
         for (size_t i = 0; i < 4; ++i) out.orientation[i] = a.field[field_qx + i];
         out.scale = a.field[field_scale];
         out.age = a.field[field_age];
@@ -202,13 +215,34 @@ lr_status lr_batch_write_transforms(const lr_world* world, lr_batch batch, int32
     const auto write = [&](const lr_world& w, const Batch& b) -> Outcome {
         const uint32_t bytes = transform_bytes(format);
         if (bytes == 0) return invalid("unknown format");
-        const uint64_t step = stride == 0 ? bytes : stride;
-        if (step < bytes || step % 4 != 0 || step > (uint64_t{1} << 32) || reinterpret_cast<uintptr_t>(dst) % 4 != 0)
-            return invalid("stride or alignment is wrong for this format");
+        const uint64_t step = step_of(stride, bytes, dst);
+        if (step == 0) return invalid("stride or alignment is wrong for this format");
         const uint32_t n = std::min(count, b.count());
         if (n == 0) return {};
         if (!dst) return LR_ERROR_NULL_ARGUMENT;
         write_transforms(w.target->simd, b.arrays(), n, static_cast<float>(b.pace.behind()), format, dst, step);
+        if (written) *written = n;
+        return {};
+    };
+    return query(world, __func__, args(batch), write);
+}
+
+lr_status lr_batch_write_velocities(const lr_world* world, lr_batch batch, void* dst, uint64_t stride, uint32_t count,
+                                    uint32_t* written) {
+    if (written) *written = 0;
+    const auto write = [&](const lr_world&, const Batch& b) -> Outcome {
+        const uint64_t step = step_of(stride, 6 * sizeof(float), dst);
+        if (step == 0) return invalid("stride or alignment is wrong for 6 floats");
+        const uint32_t n = std::min(count, b.count());
+        if (n == 0) return {};
+        if (!dst) return LR_ERROR_NULL_ARGUMENT;
+        const BatchArrays& a = b.arrays();
+        for (uint32_t i = 0; i < n; ++i) {
+            auto* const to = reinterpret_cast<float*>(static_cast<unsigned char*>(dst) + step * i);
+            const Rotation q = pose_of(a, i).rotation;
+            put(to_world(q, vector_in(a.field, field_vx, i)), to);
+            put(to_world(q, vector_in(a.field, field_wx, i)), to + 3);
+        }
         if (written) *written = n;
         return {};
     };

@@ -1,5 +1,6 @@
 // Bodies and the forces on them.
 #include "api/checked_call.h"
+#include "api/struct_conversion.h"
 
 #include <iterator>
 
@@ -230,8 +231,8 @@ lr_status lr_body_get_state(const lr_world* world, lr_body body, lr_body_state* 
         const Rotation q = rotation_of(s.value + field_qx);
         put(vector_of(s.value + field_x), out.position);
         put(q, out.orientation);
-        put(to_float(rotate(to_double(q), to_double(vector_of(s.value + field_vx)))), out.linear_velocity);
-        put(to_float(rotate(to_double(q), to_double(vector_of(s.value + field_wx)))), out.angular_velocity);
+        put(to_world(q, vector_of(s.value + field_vx)), out.linear_velocity);
+        put(to_world(q, vector_of(s.value + field_wx)), out.angular_velocity);
         out.scale = s.value[field_scale];
         out.age = s.value[field_age];
         out.noise_seed = s.noise_seed;

@@ -3,6 +3,7 @@
 
 #include "api/check_arguments.h"
 #include "asset/asset_data.h"
+#include "base/pose.h"
 #include "collision/collider_contact_group.h"
 #include "langevin_rigid_research.h"
 
@@ -47,6 +48,11 @@ inline lr_status read_loads(const lr_aerodynamics* from, AerodynamicData& out) {
     });
     if (!all_finite) return LR_ERROR_NOT_FINITE;
     return a.reserved == 0 ? LR_OK : LR_ERROR_INVALID_ARGUMENT;
+}
+
+// A velocity in the world frame, from storage in the body frame.
+inline Vector to_world(Rotation q, Vector v) {
+    return to_float(rotate(to_double(q), to_double(v)));
 }
 
 // An optional setting. Without one, `out` gets the initial values.

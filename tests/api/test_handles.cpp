@@ -28,6 +28,7 @@ void check_stale_batch(const World& world, lr_batch batch) {
     CHECK(lr_batch_set_turbulence_table(world.get(), batch, nullptr) == LR_ERROR_STALE_BATCH);
     CHECK(lr_batch_get_view(world.get(), batch, &view) == LR_ERROR_STALE_BATCH);
     CHECK(lr_batch_write_transforms(world.get(), batch, 0, transform, 0, 1, nullptr) == LR_ERROR_STALE_BATCH);
+    CHECK(lr_batch_write_velocities(world.get(), batch, transform, 0, 1, nullptr) == LR_ERROR_STALE_BATCH);
     CHECK(lr_body_create(world.get(), batch, &desc, 1, nullptr) == LR_ERROR_STALE_BATCH);
     CHECK(lr_body_create(world.get(), batch, nullptr, 0, nullptr) == LR_ERROR_STALE_BATCH);
 }

@@ -50,10 +50,10 @@ std::vector<double> noise_from(uint64_t begin, uint32_t substeps, int32_t loads)
     REQUIRE(lr_body_create(w.get(), batch, bodies.data(), many, nullptr) == LR_OK);
     steps(w, 1, 0.01f * static_cast<float>(substeps), substeps);
     CHECK(info_of(w).substep_count == begin + substeps);
-    const lr_batch_view view = view_of(w, batch);
+    const std::vector<Velocity> all = velocities_of(w, batch);
     std::vector<double> out;
-    for (const float* v : view.spin)
-        for (uint32_t i = 0; i < view.count; ++i) out.push_back(wide(v[i]));
+    for (size_t k = 0; k < 3; ++k)
+        for (const Velocity& v : all) out.push_back(wide(v.angular[k]));
     return out;
 }
 

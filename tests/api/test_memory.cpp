@@ -172,6 +172,7 @@ TEST_CASE("a step, a hash, a view and transforms allocate nothing, with and with
             ok = ok && lr_batch_get_view(world.get(), batch, &view) == LR_OK;
             ok = ok &&
                  lr_batch_write_transforms(world.get(), batch, i % 6, transforms.data(), 0, 5000, nullptr) == LR_OK;
+            ok = ok && lr_batch_write_velocities(world.get(), batch, transforms.data(), 0, 5000, nullptr) == LR_OK;
             ok = ok && lr_body_get_state(world.get(), ids[7], &state) == LR_OK;
             ok = ok && lr_body_set_state(world.get(), ids[7], &state) == LR_OK;
             ok = ok && lr_world_snapshot_save(world.get(), snapshot.data(), snapshot.size(), nullptr) == LR_OK;

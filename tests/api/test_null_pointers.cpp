@@ -130,11 +130,14 @@ TEST_CASE("bodies, colliders and wind sources may be made without asking for the
     CHECK(hashes[0] == hashes[1]);
 }
 
-TEST_CASE("an empty batch writes no transforms and needs no buffer") {
+TEST_CASE("an empty batch writes neither transforms nor velocities and needs no buffer") {
     const Asset asset = leaf();
     const World world = make(world_desc());
     const lr_batch batch = add_batch(world, asset, 8);
     uint32_t written = 9;
     CHECK(lr_batch_write_transforms(world.get(), batch, 0, nullptr, 0, 0, &written) == LR_OK);
+    CHECK(written == 0);
+    written = 9;
+    CHECK(lr_batch_write_velocities(world.get(), batch, nullptr, 0, 3, &written) == LR_OK);
     CHECK(written == 0);
 }

@@ -61,6 +61,86 @@ lr_body_desc with_user(uint64_t user, float height = 0.0f) {
 
 } // namespace
 
+TEST_CASE("a turbulence table reads back as it was set, also from a snapshot, and is the asset's by default") {
+    const Asset asset = leaf();
+    const lr_asset_info info = info_of(asset);
+    const World world = make(world_desc());
+    const lr_batch batch = add_batch(world, asset, 4);
+    struct Read {
+        lr_turbulence_table table;
+        std::vector<float> chi, epsilon;
+        bool operator==(const Read& o) const {
+            return std::memcmp(&table, &o.table, sizeof table) == 0 && chi == o.chi && epsilon == o.epsilon;
+        }
+    };
+    const auto read = [&] {
+        Read r{table_desc(), {}, {}};
+        REQUIRE(lr_batch_get_turbulence_table(world.get(), batch, &r.table, nullptr, nullptr, 0) == LR_OK);
+        r.chi.resize(r.table.count), r.epsilon.resize(r.table.count);
+        REQUIRE(lr_batch_get_turbulence_table(world.get(), batch, &r.table, r.chi.data(), nullptr, r.table.count) ==
+                LR_OK);
+        REQUIRE(lr_batch_get_turbulence_table(world.get(), batch, &r.table, nullptr, r.epsilon.data(), r.table.count) ==
+                LR_OK);
+        CHECK((!r.table.chi && !r.table.epsilon && r.table.reserved == 0));
+        return r;
+    };
+    const Read own = read();
+    CHECK(own.table.count == info.turbulence_count);
+    CHECK((own.table.u0 == narrow(info.u0) && own.table.l == narrow(info.length_l) && own.table.c0 == narrow(info.c0)));
+    CHECK(own.table.dt == narrow(info.turbulence_dt));
+    CHECK(std::all_of(own.chi.begin(), own.chi.end(), [](float x) { return x > 0.0f; }));
+    const std::vector<unsigned char> before = snapshot_of(world);
+
+    const float chi[3] = {0.1f, 3e8f, 0.0f}, epsilon[3] = {7.3f, 1e-30f, 9e11f}, other[3] = {0.1f, 3e8f, 1.0f};
+    lr_turbulence_table t = table_desc();
+    t.count = 3, t.stationary = 2;
+    t.chi = chi, t.epsilon = epsilon;
+    t.dt = 0.3f, t.u0 = 1.7f, t.l = 0.013f, t.c0 = 2.1f;
+    REQUIRE(lr_batch_set_turbulence_table(world.get(), batch, &t) == LR_OK);
+    const Read set = read();
+    t.chi = t.epsilon = nullptr;
+    CHECK(set == Read{t, {chi, chi + 3}, {epsilon, epsilon + 3}});
+    const std::vector<unsigned char> after = snapshot_of(world);
+    // Another table of the same length, the asset's, and the same one lie before the restores.
+    t.chi = other, t.epsilon = epsilon;
+    REQUIRE(lr_batch_set_turbulence_table(world.get(), batch, &t) == LR_OK);
+    CHECK_FALSE(read() == set);
+    for (int i = 0; i < 3; ++i) {
+        if (i == 1) REQUIRE(lr_batch_set_turbulence_table(world.get(), batch, nullptr) == LR_OK);
+        REQUIRE(lr_world_snapshot_restore(world.get(), after.data(), after.size()) == LR_OK);
+        CHECK(read() == set);
+        CHECK(snapshot_of(world) == after);
+    }
+    REQUIRE(lr_batch_set_turbulence_table(world.get(), batch, nullptr) == LR_OK);
+    CHECK(read() == own);
+    REQUIRE(lr_world_snapshot_restore(world.get(), after.data(), after.size()) == LR_OK);
+    REQUIRE(lr_world_snapshot_restore(world.get(), before.data(), before.size()) == LR_OK);
+    CHECK(read() == own);
+    CHECK(snapshot_of(world) == before);
+}
+
+TEST_CASE("a turbulence table is not read into too little room") {
+    const Asset asset = leaf();
+    const World world = make(world_desc());
+    const lr_batch batch = add_batch(world, asset, 4);
+    const uint32_t count = info_of(asset).turbulence_count;
+    REQUIRE(count > 1);
+    std::vector<float> samples(count, -7.0f);
+    const auto get = [&](lr_batch from, lr_turbulence_table* t, float* chi, float* epsilon, uint32_t capacity) {
+        return lr_batch_get_turbulence_table(world.get(), from, t, chi, epsilon, capacity);
+    };
+    lr_turbulence_table t = table_desc();
+    CHECK(get(batch, &t, samples.data(), nullptr, count - 1) == LR_ERROR_BUFFER_TOO_SMALL);
+    CHECK(t.count == count);
+    CHECK(get(batch, &t, nullptr, samples.data(), 0) == LR_ERROR_BUFFER_TOO_SMALL);
+    CHECK(std::count(samples.begin(), samples.end(), -7.0f) == count);
+    CHECK(get({}, &t, nullptr, nullptr, 0) == LR_ERROR_STALE_BATCH);
+    CHECK(get(batch, nullptr, nullptr, nullptr, 0) == LR_ERROR_NULL_ARGUMENT);
+    t.struct_size = 8;
+    CHECK(get(batch, &t, nullptr, nullptr, 0) == LR_ERROR_STRUCT_SIZE);
+    CHECK(t.struct_size == 8);
+}
+
 TEST_CASE("a body's user goes with it, wherever it moves in memory, and does not move it") {
     const Asset asset = leaf();
     const World world = make(world_desc()), other = make(world_desc());

@@ -136,6 +136,7 @@ TEST_CASE("the log says which function refused and why") {
                    {"lr_batch_set_load_gains", lr_batch_set_load_gains(w, {}, nullptr)},
                    {"lr_batch_get_view", lr_batch_get_view(w, {}, &view)},
                    {"lr_batch_write_transforms", lr_batch_write_transforms(w, batch, 99, bytes, 0, 1, nullptr)},
+                   {"lr_batch_write_velocities", lr_batch_write_velocities(w, batch, bytes, 4, 1, nullptr)},
                    {"lr_body_create", lr_body_create(w, batch, &desc, 1, nullptr)},
                    {"lr_body_destroy", lr_body_destroy(w, &stale, 1)},
                    {"lr_body_get_state", lr_body_get_state(w, stale, &state)},

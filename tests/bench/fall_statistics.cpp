@@ -67,13 +67,15 @@ public:
         require(lr_batch_get_view(world_, batch_, &v));
         std::array<std::vector<float>, 3> start;
         for (size_t k = 0; k < 3; ++k) start[k].assign(v.position[k], v.position[k] + bodies);
+        std::vector<float> u(size_t{6} * bodies);
         std::vector<bool> up(bodies);
         Means sum{};
         const uint32_t count = steps(until) - steps(from);
         for (uint32_t n = 0; n < count; ++n) {
             require(lr_world_step(world_, dt_, substeps_));
             require(lr_batch_get_view(world_, batch_, &v));
-            for (uint32_t i = 0; i < bodies; ++i) add(v, i, n > 0, up, sum);
+            require(lr_batch_write_velocities(world_, batch_, u.data(), 0, bodies, nullptr));
+            for (uint32_t i = 0; i < bodies; ++i) add(v, u.data() + size_t{6} * i, i, n > 0, up, sum);
         }
         const double samples = static_cast<double>(count) * bodies;
         for (size_t k : {horizontal, spin}) sum[k] /= samples;
@@ -90,15 +92,15 @@ public:
     }
 
 private:
-    static void add(const lr_batch_view& v, uint32_t i, bool counted, std::vector<bool>& up, Means& sum) {
+    static void add(const lr_batch_view& v, const float* velocity, uint32_t i, bool counted, std::vector<bool>& up,
+                    Means& sum) {
         const auto at = [&](const float* const* field, size_t k) { return static_cast<double>(field[k][i]); };
         const double x = at(v.orientation, 0), y = at(v.orientation, 1), z = at(v.orientation, 2),
                      w = at(v.orientation, 3);
-        const double b[3] = {at(v.velocity, 0), at(v.velocity, 1), at(v.velocity, 2)};
-        const double vx = (1 - 2 * (y * y + z * z)) * b[0] + 2 * (x * y - w * z) * b[1] + 2 * (x * z + w * y) * b[2];
-        const double vz = 2 * (x * z - w * y) * b[0] + 2 * (y * z + w * x) * b[1] + (1 - 2 * (x * x + y * y)) * b[2];
-        sum[horizontal] += std::hypot(vx, vz);
-        sum[spin] += std::hypot(at(v.spin, 0), at(v.spin, 1), at(v.spin, 2));
+        double of[6];
+        std::copy_n(velocity, 6, of);
+        sum[horizontal] += std::hypot(of[0], of[2]);
+        sum[spin] += std::hypot(of[3], of[4], of[5]);
         const bool now = y * z + w * x > 0.0; // which side is up
         if (counted && now != up[i]) sum[flips] += 1.0;
         up[i] = now;

@@ -106,6 +106,9 @@ private:
             must(lr_batch_get_view(storm_.world(), kind.batch, &v), "view");
             series_[4 * k].block.add(v.count);
             series_[4 * k + 1].block.add(v.awake_count);
+            velocities_.resize(size_t{6} * v.count);
+            must(lr_batch_write_velocities(storm_.world(), kind.batch, velocities_.data(), 0, v.count, nullptr),
+                 "velocities");
             for (uint32_t i = 0; i < v.count; ++i) look_at(kind, v, i, 4 * k);
         }
     }
@@ -113,8 +116,8 @@ private:
     void look_at(const Kind& kind, const lr_batch_view& v, uint32_t i, size_t at) {
         double norm = 0.0, speed = 0.0, spin = 0.0, all = 0.0;
         for (const float* q : v.orientation) norm += square(q[i]);
-        for (const float* x : v.velocity) speed += square(x[i]);
-        for (const float* x : v.spin) spin += square(x[i]);
+        for (size_t n = 0; n < 3; ++n)
+            speed += square(velocities_[6 * i + n]), spin += square(velocities_[6 * i + 3 + n]);
         for (const float* x : v.position) all += static_cast<double>(x[i]);
         if (!std::isfinite(norm + speed + spin + all)) ++not_finite_;
         quaternion_ = std::max(quaternion_, std::abs(std::sqrt(norm) - 1.0));
@@ -230,6 +233,7 @@ private:
     Storm storm_;
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> csv_;
     std::vector<Series> series_;
+    std::vector<float> velocities_; // 6 for each body
     std::vector<uint64_t> world_bytes_, resident_;
     uint64_t not_finite_ = 0;
     double quaternion_ = 0.0, most_quaternion_ = 0.0, over_age_ = -1e9, wrong_age_ = 0.0;

@@ -15,13 +15,16 @@ constexpr int frames = 240;
 
 double energy_of(const World& world, lr_batch batch, const lr_asset_info& info) {
     const lr_batch_view v = view_of(world, batch);
+    const std::vector<Velocity> u = velocities_of(world, batch);
     double sum = 0.0;
     for (uint32_t i = 0; i < v.count; ++i) {
         sum += gravity * (info.mass - info.fluid_density * info.volume) * wide(v.position[1][i]);
+        const Quat q{wide(v.orientation[0][i]), wide(v.orientation[1][i]), wide(v.orientation[2][i]),
+                     wide(v.orientation[3][i])};
+        const Vec speed = to_body(q, vec(u[i].linear)), spin = to_body(q, vec(u[i].angular));
         for (size_t k = 0; k < 3; ++k) {
-            const double speed = wide(v.velocity[k][i]), spin = wide(v.spin[k][i]);
-            sum += 0.5 * (info.mass + info.added_mass[7 * k]) * speed * speed;
-            sum += 0.5 * (info.inertia[4 * k] + info.added_mass[7 * (k + 3)]) * spin * spin;
+            sum += 0.5 * (info.mass + info.added_mass[7 * k]) * speed[k] * speed[k];
+            sum += 0.5 * (info.inertia[4 * k] + info.added_mass[7 * (k + 3)]) * spin[k] * spin[k];
         }
     }
     return sum;

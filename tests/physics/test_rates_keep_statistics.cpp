@@ -57,7 +57,7 @@ struct Fall {
         std::vector<Means> sums(batches.size());
         for (int i = 0; i < frames; ++i) {
             steps(world, 1, frame, substeps);
-            for (size_t b = 0; b < batches.size(); ++b) add(view_of(world, batches[b]), sums[b]);
+            for (size_t b = 0; b < batches.size(); ++b) add(velocities_of(world, batches[b]), sums[b]);
         }
         for (Means& m : sums)
             for (double* v : {&m.descent, &m.across, &m.spin}) *v /= static_cast<double>(frames) * bodies;
@@ -65,19 +65,11 @@ struct Fall {
     }
 
 private:
-    static void add(const lr_batch_view& v, Means& sum) {
-        for (uint32_t i = 0; i < v.count; ++i) {
-            double q[4], b[3];
-            for (size_t k = 0; k < 4; ++k) q[k] = wide(v.orientation[k][i]);
-            for (size_t k = 0; k < 3; ++k) b[k] = wide(v.velocity[k][i]);
-            const double u[3] = {2.0 * (q[1] * b[2] - q[2] * b[1]), 2.0 * (q[2] * b[0] - q[0] * b[2]),
-                                 2.0 * (q[0] * b[1] - q[1] * b[0])};
-            const double x = b[0] + q[3] * u[0] + q[1] * u[2] - q[2] * u[1];
-            const double y = b[1] + q[3] * u[1] + q[2] * u[0] - q[0] * u[2];
-            const double z = b[2] + q[3] * u[2] + q[0] * u[1] - q[1] * u[0];
-            sum.descent -= y;
-            sum.across += std::hypot(x, z);
-            sum.spin += std::hypot(wide(v.spin[0][i]), wide(v.spin[1][i]), wide(v.spin[2][i]));
+    static void add(const std::vector<Velocity>& velocities, Means& sum) {
+        for (const Velocity& v : velocities) {
+            sum.descent -= wide(v.linear[1]);
+            sum.across += std::hypot(wide(v.linear[0]), wide(v.linear[2]));
+            sum.spin += std::hypot(wide(v.angular[0]), wide(v.angular[1]), wide(v.angular[2]));
         }
     }
 };

@@ -58,14 +58,15 @@ TEST_CASE("a storm keeps its count, stays finite, and its distribution does not 
     for (int round = 0; round < rounds; ++round) {
         steps(storm.world, per_round, 1.0f / 60.0f, 1);
         const lr_batch_view v = view_of(storm.world, storm.batch);
+        const std::vector<Velocity> u = velocities_of(storm.world, storm.batch);
         REQUIRE(v.count == count);
         double y = 0.0, s = 0.0;
         for (uint32_t i = 0; i < v.count; ++i) {
             bool sound = v.age[i] <= 20.0f && v.scale[i] >= 0.5f && v.scale[i] <= 1.0f;
             double square = 0.0;
             for (size_t k = 0; k < 3; ++k) {
-                sound = sound && std::abs(v.position[k][i]) <= 10.0f && std::isfinite(v.spin[k][i]);
-                square += wide(v.velocity[k][i]) * wide(v.velocity[k][i]);
+                sound = sound && std::abs(v.position[k][i]) <= 10.0f && std::isfinite(u[i].angular[k]);
+                square += wide(u[i].linear[k]) * wide(u[i].linear[k]);
             }
             if (!sound || !std::isfinite(square)) FAIL("body ", i, " has left the storm");
             y += wide(v.position[1][i]) / count;

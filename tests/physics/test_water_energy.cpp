@@ -65,12 +65,12 @@ public:
     std::vector<Energy> energies() const {
         std::vector<Energy> out;
         const lr_batch_view v = view_of(world, batch_);
+        const std::vector<Velocity> u = velocities_of(world, batch_);
         for (uint32_t i = 0; i < v.count; ++i) {
             const auto at = [&](const float* const* field, size_t k) { return wide(field[k][i]); };
             const Vec x{at(v.position, 0), at(v.position, 1), at(v.position, 2)};
             const Quat q{at(v.orientation, 0), at(v.orientation, 1), at(v.orientation, 2), at(v.orientation, 3)};
-            const Six t = join({at(v.velocity, 0), at(v.velocity, 1), at(v.velocity, 2)},
-                               {at(v.spin, 0), at(v.spin, 1), at(v.spin, 2)});
+            const Six t = join(to_body(q, vec(u[i].linear)), to_body(q, vec(u[i].angular)));
             const FloatingBody::Pose pose = reference_.pose(x, q);
             const double open = 3e-7 * (std::abs(x[1]) + reference_.largest()) / pose.half_height;
             out.push_back({reference_.kinetic(std::max(0.0, pose.fraction - open), t),

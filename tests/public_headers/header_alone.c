@@ -17,4 +17,4 @@ typedef char grid_desc_size[sizeof(lr_wind_grid_desc) == 64 + sizeof(void*) ? 1 
 typedef char batch_desc_size[sizeof(lr_batch_desc) == 48 ? 1 : -1];
 typedef char ellipsoid_desc_size[sizeof(lr_ellipsoid_desc) == 88 ? 1 : -1];
 typedef char table_size[sizeof(lr_turbulence_table) == 48 ? 1 : -1];
-typedef char view_size[sizeof(lr_batch_view) == 8 + 13 * 8 + 5 * 8 + 8 + 16 ? 1 : -1];
+typedef char view_size[sizeof(lr_batch_view) == 8 + 7 * 8 + 5 * 8 + 8 + 16 ? 1 : -1];

@@ -43,11 +43,11 @@ template <class Height> Triangles fine_sheet(uint32_t n, float cell, const Heigh
         }
     return t;
 }
-// World velocity of the body at an index of a view.
-inline Vec velocity_of(const lr_batch_view& v, uint32_t i) {
-    const Quat q{wide(v.orientation[0][i]), wide(v.orientation[1][i]), wide(v.orientation[2][i]),
-                 wide(v.orientation[3][i])};
-    return to_world(q, {wide(v.velocity[0][i]), wide(v.velocity[1][i]), wide(v.velocity[2][i])});
+// m/s, of the fastest body of a batch.
+inline double fastest_of(const World& w, lr_batch batch) {
+    double fastest = 0.0;
+    for (const Velocity& v : velocities_of(w, batch)) fastest = std::max(fastest, length(vec(v.linear)));
+    return fastest;
 }
 
 } // namespace test

@@ -285,10 +285,11 @@ bool Play::all_finite() const {
     bool good = true;
     for (lr_batch batch : batches) {
         const lr_batch_view v = view_of(world, batch);
+        const std::vector<Velocity> u = velocities_of(world, batch);
         for (uint32_t i = 0; i < v.count; ++i)
             for (size_t k = 0; k < 3; ++k)
-                good = good && std::isfinite(v.position[k][i]) && std::isfinite(v.velocity[k][i]) &&
-                       std::isfinite(v.spin[k][i]);
+                good = good && std::isfinite(v.position[k][i]) && std::isfinite(u[i].linear[k]) &&
+                       std::isfinite(u[i].angular[k]);
     }
     return good;
 }

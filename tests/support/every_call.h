@@ -38,7 +38,10 @@ struct Stage {
     const float samples[3] = {1.0f, 1.0f, 1.0f};
     std::vector<std::shared_ptr<void>> kept; // until the call is over
 
-    Stage() { wind_source = wind_source_of(lr_world_add_gusts); }
+    Stage() {
+        wind_source = wind_source_of(lr_world_add_gusts);
+        set_constant_table(place, batch, 1.0, 1.0, 1.0); // `capacity` is 1 in the calls
+    }
     // A source of the function's kind.
     template <class D> lr_wind_source wind_source_of(lr_status (*add)(lr_world*, const D*, lr_wind_source*)) {
         lr_wind_source source{};

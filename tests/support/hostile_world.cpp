@@ -101,13 +101,14 @@ Asset mad_asset(Random& random) {
 
 std::string beyond_limits(const World& world, lr_batch batch) {
     const lr_batch_view v = view_of(world, batch);
+    const std::vector<Velocity> u = velocities_of(world, batch);
     for (uint32_t i = 0; i < v.count; ++i) {
         double turn = 0.0, speed = 0.0, spin = 0.0;
         bool near = true;
         for (size_t k = 0; k < 3; ++k) {
             near = near && std::abs(v.position[k][i]) <= 1e10f;
-            speed += wide(v.velocity[k][i]) * wide(v.velocity[k][i]);
-            spin += wide(v.spin[k][i]) * wide(v.spin[k][i]);
+            speed += wide(u[i].linear[k]) * wide(u[i].linear[k]);
+            spin += wide(u[i].angular[k]) * wide(u[i].angular[k]);
         }
         for (const float* q : v.orientation) turn += wide(q[i]) * wide(q[i]);
         if (!near) return "a position";

@@ -176,6 +176,16 @@ inline lr_batch_view view_of(const World& w, lr_batch batch) {
     REQUIRE(lr_batch_get_view(w.get(), batch, &view) == LR_OK);
     return view;
 }
+struct Velocity {
+    float linear[3], angular[3]; // world frame
+};
+// In the order of the view.
+inline std::vector<Velocity> velocities_of(const World& w, lr_batch batch) {
+    std::vector<Velocity> all(view_of(w, batch).count);
+    const auto count = static_cast<uint32_t>(all.size());
+    REQUIRE(lr_batch_write_velocities(w.get(), batch, all.data(), sizeof(Velocity), count, nullptr) == LR_OK);
+    return all;
+}
 // Doctest's checks cost about a microsecond: one check for the whole run.
 inline void steps(const World& w, int count, float dt, uint32_t substeps = 1) {
     lr_status status = LR_OK;

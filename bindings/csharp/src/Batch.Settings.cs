@@ -21,6 +21,19 @@ namespace LangevinRigid
             }
         }
 
+        /// <summary>Reads the turbulence table in use, the one that was set or the asset's; its samples are in the arrays.</summary>
+        public TurbulenceTable GetTurbulenceTable(out float[] chi, out float[] epsilon)
+        {
+            var table = new TurbulenceTable { StructSize = (uint)sizeof(TurbulenceTable) };
+            Leave(Native.lr_batch_get_turbulence_table(Enter(), _id, &table, null, null, 0), "lr_batch_get_turbulence_table");
+            chi = new float[table.Count];
+            epsilon = new float[table.Count];
+            fixed (float* frequencies = chi)
+            fixed (float* rates = epsilon)
+                Leave(Native.lr_batch_get_turbulence_table(Enter(), _id, &table, frequencies, rates, table.Count), "lr_batch_get_turbulence_table");
+            return table;
+        }
+
         /// <summary>Reads corners of a box around all bodies; false without bodies.</summary>
         public bool TryGetBounds(out Float3 low, out Float3 high)
         {

@@ -118,6 +118,23 @@ namespace LangevinRigid
             fixed (float* first = to) return WriteTransforms(format, first, 0, to.Length / FloatsOf(format));
         }
 
+        /// <summary>Writes the velocities of the first <paramref name="count"/> bodies, or of all if there are fewer, in the order of the view;
+        /// returns their number. For each body: linear velocity, m/s, and angular velocity, rad/s, world frame, as in <see cref="BodyState"/>.
+        /// <paramref name="stride"/>: bytes from one body to the next, 0 for no gaps.</summary>
+        public int WriteVelocities(void* to, ulong stride, int count)
+        {
+            uint room = Counts.Of(count), written = 0;
+            Leave(Native.lr_batch_write_velocities(Enter(), _id, to, stride, room, &written), "lr_batch_write_velocities");
+            return (int)written;
+        }
+
+        /// <summary>Writes velocities into an array, two elements for each body: linear, then angular. As many bodies as fit.</summary>
+        public int WriteVelocities(Float3[] to)
+        {
+            if (to == null) throw new ArgumentNullException("to");
+            fixed (Float3* first = to) return WriteVelocities(first, 0, to.Length / 2);
+        }
+
         private static int FloatsOf(TransformFormat format)
         {
             switch (format)

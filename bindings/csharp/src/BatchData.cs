@@ -57,20 +57,6 @@ namespace LangevinRigid
             return new Float4(_view.OrientationX[index], _view.OrientationY[index], _view.OrientationZ[index], _view.OrientationW[index]);
         }
 
-        /// <summary>Velocity of a body, m/s, in the body frame.</summary>
-        public Float3 BodyVelocity(int index)
-        {
-            Check(index);
-            return new Float3(_view.VelocityX[index], _view.VelocityY[index], _view.VelocityZ[index]);
-        }
-
-        /// <summary>Angular velocity of a body, rad/s, in the body frame.</summary>
-        public Float3 BodySpin(int index)
-        {
-            Check(index);
-            return new Float3(_view.SpinX[index], _view.SpinY[index], _view.SpinZ[index]);
-        }
-
         /// <summary>Id of a body.</summary>
         public BodyId Id(int index)
         {
@@ -104,18 +90,6 @@ namespace LangevinRigid
         public ReadOnlySpan<float> OrientationZ { get { return Span(Raw.OrientationZ); } }
         /// <summary>w of the unit quaternion, body to world.</summary>
         public ReadOnlySpan<float> OrientationW { get { return Span(Raw.OrientationW); } }
-        /// <summary>m/s, body frame.</summary>
-        public ReadOnlySpan<float> VelocityX { get { return Span(Raw.VelocityX); } }
-        /// <summary>m/s, body frame.</summary>
-        public ReadOnlySpan<float> VelocityY { get { return Span(Raw.VelocityY); } }
-        /// <summary>m/s, body frame.</summary>
-        public ReadOnlySpan<float> VelocityZ { get { return Span(Raw.VelocityZ); } }
-        /// <summary>rad/s, body frame.</summary>
-        public ReadOnlySpan<float> SpinX { get { return Span(Raw.SpinX); } }
-        /// <summary>rad/s, body frame.</summary>
-        public ReadOnlySpan<float> SpinY { get { return Span(Raw.SpinY); } }
-        /// <summary>rad/s, body frame.</summary>
-        public ReadOnlySpan<float> SpinZ { get { return Span(Raw.SpinZ); } }
         /// <summary>Uniform scale.</summary>
         public ReadOnlySpan<float> Scale { get { return Span(Raw.Scale); } }
         /// <summary>s; outdated for sleeping bodies.</summary>

@@ -114,6 +114,12 @@ namespace LangevinRigid
             fixed (byte* first = &MemoryMarshal.GetReference(to)) return WriteTransforms(format, first, 0, to.Length / SizeOf(format));
         }
 
+        /// <summary><see cref="WriteVelocities(Float3[])"/></summary>
+        public int WriteVelocities(Span<Float3> to)
+        {
+            fixed (Float3* first = &MemoryMarshal.GetReference(to)) return WriteVelocities(first, 0, to.Length / 2);
+        }
+
         /// <summary>Adds forces from a span per axis with a value per body; all three empty for no force.</summary>
         public void AddForces(ForceMode mode, ForceFrame frame, ReadOnlySpan<float> x, ReadOnlySpan<float> y, ReadOnlySpan<float> z)
         {

@@ -150,6 +150,10 @@ static unsafe class SettingsTests
             string before = Convert.ToBase64String(world.SaveSnapshot());
             batch.SetTurbulenceTable(table, new[] { 1.0f, 0.5f }, new[] { 0.1f, 0.05f });
             Check.True(Convert.ToBase64String(world.SaveSnapshot()) != before, "a table is part of snapshots");
+            float[] chi, epsilon;
+            TurbulenceTable read = batch.GetTurbulenceTable(out chi, out epsilon);
+            Check.True(read.U0 == table.U0 && read.L == table.L && read.C0 == table.C0, "the table");
+            Check.True(chi.Length == 2 && chi[1] == 0.5f && epsilon.Length == 2 && epsilon[1] == 0.05f, "its samples");
             Check.Throws<ArgumentException>(() => batch.SetTurbulenceTable(table, new float[2], new float[3]), "lengths");
             batch.ResetTurbulenceTable();
             Check.Equal(before, Convert.ToBase64String(world.SaveSnapshot()), "reset");

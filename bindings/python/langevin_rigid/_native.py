@@ -549,15 +549,13 @@ class lr_batch_pace(ctypes.Structure):
 class lr_batch_view(ctypes.Structure):
     """Read access to a batch's state without a copy: arrays of `count` values, one per body, 64-byte aligned. Awake bodies
     come first, then sleeping ones, without gaps. A body that leaves either part is replaced by the last one of that
-    part. Pointers are valid until the next call that is not a query.
+    part. Pointers are valid until the next call that is not a query. Velocities: lr_batch_write_velocities.
     """
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
         ('count', ctypes.c_uint32),
         ('position', ctypes.POINTER(ctypes.c_float) * 3),
         ('orientation', ctypes.POINTER(ctypes.c_float) * 4),
-        ('velocity', ctypes.POINTER(ctypes.c_float) * 3),
-        ('spin', ctypes.POINTER(ctypes.c_float) * 3),
         ('scale', ctypes.POINTER(ctypes.c_float)),
         ('age', ctypes.POINTER(ctypes.c_float)),
         ('noise_seed', ctypes.POINTER(ctypes.c_uint32)),
@@ -1152,8 +1150,6 @@ FIELD_DOCS = {
         'count': 'bodies',
         'position': 'm, world frame: x, y, z',
         'orientation': 'unit quaternion x, y, z, w, body to world',
-        'velocity': 'm/s, of the centre of mass, in the BODY frame: rotate by `orientation` for world',
-        'spin': 'rad/s, angular velocity, in the BODY frame',
         'scale': 'uniform scale',
         'age': 's; outdated for sleeping bodies: lr_body_get_state gives their exact age',
         'noise_seed': 'bodies with different seeds have independent noise',
@@ -2550,6 +2546,27 @@ PROTOTYPES = {
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT (dst may be null only when nothing is to be written), LR_ERROR_STALE_BATCH, LR_ERROR_INVALID_ARGUMENT.
         """,
     ),
+    'lr_batch_write_velocities': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.c_void_p, ctypes.c_uint64, ctypes.c_uint32, ctypes.POINTER(ctypes.c_uint32)],
+        ('world', 'batch', 'dst', 'stride', 'count', 'written'),
+        """lr_status lr_batch_write_velocities(const lr_world* world, lr_batch batch, void* dst, uint64_t stride, uint32_t count, uint32_t* written)
+
+        Writes the velocities of a batch's first `count` bodies, or of all if there are fewer, in the order of its view. An
+        element is 6 floats, world frame: the linear velocity of the centre of mass, m/s, and the angular velocity, rad/s; bit
+        for bit those of lr_body_get_state. Sleeping bodies have 0, bodies of a waiting batch (lr_batch_set_rate) the
+        velocities of their last step.
+
+        world: the world
+        batch: handle of a batch of the world
+        dst: 4-byte aligned, room for `count` elements `stride` bytes apart.
+        stride: 0 for elements without gaps, else a multiple of 4 no smaller than an element.
+        count: number of elements
+        written: elements written; may be null.
+
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT (dst may be null only when nothing is to be written), LR_ERROR_STALE_BATCH, LR_ERROR_INVALID_ARGUMENT.
+        """,
+    ),
     'lr_body_desc_init': (
         ctypes.c_int32,
         [ctypes.POINTER(lr_body_desc), ctypes.c_uint32],
@@ -3355,6 +3372,24 @@ PROTOTYPES = {
         batch: handle of a batch of the world
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY.
+        """,
+    ),
+    'lr_batch_get_turbulence_table': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(lr_turbulence_table), ctypes.POINTER(ctypes.c_float), ctypes.POINTER(ctypes.c_float), ctypes.c_uint32],
+        ('world', 'batch', 'table', 'chi', 'epsilon', 'capacity'),
+        """lr_status lr_batch_get_turbulence_table(const lr_world* world, lr_batch batch, lr_turbulence_table* table, float* chi, float* epsilon, uint32_t capacity)
+
+        Reads a batch's turbulence table: the one that was set, bit for bit, or the asset's, rounded to float.
+
+        world: the world
+        batch: handle of a batch of the world
+        table: initialised, or with struct_size set; its own chi and epsilon receive null.
+        chi: receive `table->count` values each, up to `capacity`; either may be null, and capacity is then not read for it.
+        epsilon: receive `table->count` values each, up to `capacity`; either may be null, and capacity is then not read for it.
+        capacity: number of elements that fit
+
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT (world, table), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_BUFFER_TOO_SMALL (table is set, chi and epsilon are not).
         """,
     ),
 }

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import weakref
-from typing import TYPE_CHECKING, Any, List, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Dict, List, Optional, Tuple
 
 import numpy as np
 
@@ -113,6 +113,13 @@ class Batch(BatchPlain):
         self._ask("lr_batch_write_transforms", int(format), out.ctypes.data, stride, count, ctypes.byref(written))
         return out[:written.value]
 
+    def velocities(self) -> Tuple[np.ndarray, np.ndarray]:
+        """Linear velocities, m/s, and angular velocities, rad/s, world frame, in the order of the view: two arrays of shape
+        (count, 3). Bodies of a waiting batch have those of their last step."""
+        out = np.empty((len(self), 6), np.float32)
+        self._ask("lr_batch_write_velocities", out.ctypes.data, 0, len(out), None)
+        return out[:, :3], out[:, 3:]
+
     @staticmethod
     def _stride(out: np.ndarray, floats: int) -> int:
         if out.dtype != np.float32 or not out.flags.writeable:
@@ -179,6 +186,16 @@ class Batch(BatchPlain):
                 raise ValueError("chi and epsilon have different lengths")
             table = {**table, "count": np.size(table["chi"])}  # type: ignore[typeddict-unknown-key,misc]
         self._set("lr_batch_set_turbulence_table", native.lr_turbulence_table, table)
+
+    @property
+    def turbulence_table(self) -> Dict[str, Any]:
+        """The k-epsilon samples in use, as keywords of `set_turbulence_table`: chi and epsilon are float32 arrays."""
+        table = init(native.lr_turbulence_table)
+        self._ask("lr_batch_get_turbulence_table", ctypes.byref(table), None, None, 0)
+        samples = {name: np.empty(table.count, np.float32) for name in ("chi", "epsilon")}
+        self._ask("lr_batch_get_turbulence_table", ctypes.byref(table), *(address(part, ctypes.c_float) for part in samples.values()),
+                  table.count)
+        return {**samples, **{name: getattr(table, name) for name in ("dt", "u0", "l", "c0", "stationary")}}
 
     # Contact.
 

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any, Dict, Iterator, List, NamedTuple, Tuple, 
 import numpy as np
 
 from .enums import TransformFormat
-from .view import turned
 
 if TYPE_CHECKING:
     from .batch import Batch
@@ -61,10 +60,10 @@ class Recording:
         view = batch.view()
         lives = self._lives_of(view.ids, view.age)
         order = np.argsort(lives, kind="stable")
-        placed, quaternions = placed[order], view.orientation.stack()[order]
+        placed = placed[order]
+        velocity, spin = batch.velocities()
         frame = RecordedFrame(lives[order], view.ids[order], placed[:, :3].copy(), placed[:, 3:7].copy(), placed[:, 7].copy(),
-                              turned(quaternions, view.velocity.stack()[order]), turned(quaternions, view.spin.stack()[order]),
-                              view.age[order])
+                              velocity[order], spin[order], view.age[order])
         self.frames.append(frame)
         return frame
 

@@ -51,7 +51,7 @@ class View:
 
     Awake bodies come first, [0, awake_count), then sleeping ones. A view is valid until the next call that changes its world
     (a step, spawns, destroyed bodies, forces); then it raises `StaleViewError`: take another view. Arrays already taken from it
-    can still be read safely, but their contents are undefined. Velocities and spins are in the body frame.
+    can still be read safely, but their contents are undefined. Velocities: `Batch.velocities`.
     """
 
     def __init__(self, batch: "Batch", struct: Any) -> None:
@@ -102,16 +102,6 @@ class View:
         return self._vectors("orientation")
 
     @property
-    def velocity(self) -> Vectors:
-        """m/s, of the centre of mass, in the body frame."""
-        return self._vectors("velocity")
-
-    @property
-    def spin(self) -> Vectors:
-        """rad/s, in the body frame."""
-        return self._vectors("spin")
-
-    @property
     def scale(self) -> np.ndarray:
         return self._scalars("scale")
 
@@ -136,14 +126,6 @@ class View:
             self._check()
             return np.zeros(self.count, np.uint64)
         return self._scalars("user")
-
-    def world_velocity(self) -> np.ndarray:
-        """m/s, world frame, (count, 3), a copy."""
-        return turned(self.orientation.stack(), self.velocity.stack())
-
-    def world_spin(self) -> np.ndarray:
-        """rad/s, world frame, (count, 3), a copy."""
-        return turned(self.orientation.stack(), self.spin.stack())
 
     def __len__(self) -> int:
         return self.count

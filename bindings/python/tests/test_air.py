@@ -339,8 +339,14 @@ class Storms(WorldCase):
         self.assertEqual(self.batch.aerodynamics.intensity, 0)
         self.batch.set_aerodynamics()
         self.assertEqual(self.batch.aerodynamics.intensity, self.batch.asset.aerodynamics.intensity)
+        own = self.batch.turbulence_table
+        self.assertEqual(len(own["chi"]), self.batch.asset.info.turbulence_count)
         self.batch.set_turbulence_table(chi=[1, 2], epsilon=[3, 4], dt=0.1, u0=1, l=0.01)
+        read = self.batch.turbulence_table
+        self.assertEqual((read["chi"].tolist(), read["epsilon"].tolist(), read["u0"], read["c0"]), ([1, 2], [3, 4], 1, 6.5))
+        self.batch.set_turbulence_table(**read)
         self.batch.set_turbulence_table()
+        np.testing.assert_array_equal(self.batch.turbulence_table["epsilon"], own["epsilon"])
         with self.assertRaises(ValueError):
             self.batch.set_turbulence_table(chi=[1, 2], epsilon=[3], dt=0.1, u0=1, l=0.01)
 

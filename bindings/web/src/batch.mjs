@@ -92,15 +92,25 @@ export class Batch extends BatchPlain {
   /** The bodies' arrays without a copy, valid until the world changes. */
   view() {
     const { heap } = this.#host;
-    const { position, orientation, velocity, spin, scale, age, noiseSeed, ids, user, ...numbers } = this.#get('lr_batch_view', 'lr_batch_get_view');
+    const { position, orientation, scale, age, noiseSeed, ids, user, ...numbers } = this.#get('lr_batch_view', 'lr_batch_get_view');
     const { count } = numbers;
     const one = (Type, address) => heap.array(Type, address, count);
     const all = (addresses) => addresses.map((address) => one(Float32Array, address));
     return {
-      ...numbers, position: all(position), orientation: all(orientation), velocity: all(velocity), spin: all(spin),
-      scale: one(Float32Array, scale), age: one(Float32Array, age), noiseSeed: one(Uint32Array, noiseSeed), ids: one(BigUint64Array, ids),
+      ...numbers, position: all(position), orientation: all(orientation), scale: one(Float32Array, scale), age: one(Float32Array, age),
+      noiseSeed: one(Uint32Array, noiseSeed), ids: one(BigUint64Array, ids),
       user: user ? one(BigUint64Array, user) : new BigUint64Array(count),
     };
+  }
+
+  /** A copy of all velocities, world frame, in the order of the view: for each body the linear one, m/s, and the angular one, rad/s. */
+  velocities() {
+    const { count } = this.#get('lr_batch_view', 'lr_batch_get_view');
+    return this.#host.scratch((scratch) => {
+      const at = scratch.bytes(24 * count);
+      this.#call('lr_batch_write_velocities', at, 0n, count, 0);
+      return this.#host.heap.array(Float32Array, at, 6 * count).slice();
+    });
   }
 
   /** A box around all bodies; null without bodies. */
@@ -127,6 +137,20 @@ export class Batch extends BatchPlain {
     this.#host.scratch((scratch) => this.#call('lr_batch_set_turbulence_table', scratch.struct('lr_turbulence_table', {
       count: chi.length, ...rest, chi: scratch.copy(Float32Array, chi), epsilon: scratch.copy(Float32Array, epsilon),
     })));
+  }
+
+  /** The k-epsilon samples in use, as setTurbulenceTable takes them. */
+  get turbulenceTable() {
+    return this.#host.scratch((scratch) => {
+      const at = scratch.struct('lr_turbulence_table');
+      const read = (...room) => this.#call('lr_batch_get_turbulence_table', at, ...room);
+      read(0, 0, 0);
+      const { count, dt, u0, l, c0, stationary } = this.#host.heap.read('lr_turbulence_table', at);
+      const [chi, epsilon] = [scratch.bytes(4 * count), scratch.bytes(4 * count)];
+      read(chi, epsilon, count);
+      const copy = (from) => this.#host.heap.array(Float32Array, from, count).slice();
+      return { chi: copy(chi), epsilon: copy(epsilon), dt, u0, l, c0, stationary };
+    });
   }
 
   /** Adds forces to many bodies in the order of the view: x, y, z of each are arrays. */

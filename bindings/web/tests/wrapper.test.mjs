@@ -166,8 +166,13 @@ test('bodies: created singly and many at once, read, set, pushed, asleep', () =>
   world.addForces([{ body: many[0], mode: LR.FORCE_MODE_VELOCITY, force: [3, 0, 0] }]);
   assert.ok(Math.abs(world.bodyState(many[0]).linearVelocity[0] - 3) < 1e-5);
   batch.addForces({ mode: LR.FORCE_MODE_VELOCITY, first: 1, force: [[1, 1], [0, 0], [0, 0]] });
-  const { velocity } = batch.view();
-  assert.ok(Math.abs(velocity[0][2] - 1) < 1e-5 && Math.abs(velocity[0][3]) < 1e-5);
+  const velocities = batch.velocities(), { ids } = batch.view();
+  assert.equal(velocities.length, 36);
+  assert.ok(Math.abs(velocities[6 * 2] - 1) < 1e-5 && Math.abs(velocities[6 * 3]) < 1e-5);
+  ids.forEach((id, i) => {
+    const { linearVelocity, angularVelocity } = world.bodyState(id);
+    assert.deepEqual([...velocities.subarray(6 * i, 6 * i + 6)], [...linearVelocity, ...angularVelocity]);
+  });
   assert.throws(() => batch.addForces({ force: [[1], [1, 2], [1]] }), RangeError);
   batch.setForce({ acceleration: [0, 1, 0] });
   world.setSleep(many, true);
@@ -320,9 +325,15 @@ test('rules, emitters, rates, budgets, gains, tables', () => {
   batch.setAerodynamics(stronger);
   assert.equal(batch.aerodynamics.intensity, 0);
   batch.setAerodynamics(null);
-  batch.setTurbulenceTable({ chi: [1, 2], epsilon: [1, 1], dt: 0.1, u0: 1, l: 0.1 });
+  const own = batch.turbulenceTable;
+  batch.setTurbulenceTable({ chi: [1, 2], epsilon: [1, 1], dt: 0.25, u0: 1, l: 0.5, stationary: 1 });
+  const table = batch.turbulenceTable;
+  assert.deepEqual({ ...table, chi: [...table.chi], epsilon: [...table.epsilon] },
+    { chi: [1, 2], epsilon: [1, 1], dt: 0.25, u0: 1, l: 0.5, c0: 6.5, stationary: 1 });
+  batch.setTurbulenceTable(table);
   assert.throws(() => batch.setTurbulenceTable({ chi: [1], epsilon: [1, 1] }), RangeError);
   batch.setTurbulenceTable(null);
+  assert.deepEqual(batch.turbulenceTable, own);
   world.setGravity([0, -1.6, 0]);
   world.setSimdTarget(LR.SIMD_WASM);
   assert.throws(() => world.setSimdTarget(LR.SIMD_NEON), refused('UNSUPPORTED'));

@@ -20,13 +20,17 @@ void store(const Eigen::Vector3d& from, float to[3]) {
 std::vector<Sample> read(const World& world, lr_batch batch) {
     lr_batch_view view = initialised(lr_batch_view_init);
     require(lr_batch_get_view(world.get(), batch, &view), "lr_batch_get_view");
+    std::vector<float> velocities(size_t{6} * view.count);
+    require(lr_batch_write_velocities(world.get(), batch, velocities.data(), 0, view.count, nullptr),
+            "lr_batch_write_velocities");
     std::vector<Sample> samples(view.count);
     for (uint32_t i = 0; i < view.count; ++i) {
         const float* const* q = view.orientation;
         samples[i].orientation = Eigen::Quaterniond(wide(q[3][i]), wide(q[0][i]), wide(q[1][i]), wide(q[2][i]));
         samples[i].position = at(view.position, i);
-        samples[i].velocity = samples[i].orientation * at(view.velocity, i);
-        samples[i].spin = samples[i].orientation * at(view.spin, i);
+        const Eigen::Map<const Eigen::Matrix<float, 6, 1>> both(&velocities[size_t{6} * i]);
+        samples[i].velocity = both.head<3>().cast<double>();
+        samples[i].spin = both.tail<3>().cast<double>();
     }
     return samples;
 }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 namespace lr {
@@ -438,55 +439,55 @@ bool Batch::reserve_lifecycle() {
     return columns_.reserve(*allocator_, part_life, lanes) && lifecycle_.reserve(*allocator_, lanes);
 }
 
-bool Batch::set_table(const TableView& t, bool of_asset) {
-    Buffer<float> table;
-    if (!table.allocate(*allocator_, size_t{2} * t.count)) return false;
-    // NOLINTNEXTLINE(clang-analyzer-core.NullDereference): the samples were allocated
-    const auto chi = [&](uint32_t i) { return static_cast<double>(t.chi[i]); };
-    const auto epsilon = [&](uint32_t i) { return static_cast<double>(t.epsilon[i]); };
-    for (uint32_t i = 0; i < t.count; ++i) {
-        table[i] = static_cast<float>(langevin_alpha(chi(i), t.c0, settings_.gains));
-        table[t.count + i] = static_cast<float>(langevin_beta_squared(epsilon(i), t.c0, settings_.gains));
+bool Batch::copy_table(const TableHead& head, const void* chi, const void* epsilon, Buffer<float>& out) const {
+    if (!out.allocate(*allocator_, size_t{4} * head.count)) return false;
+    std::memcpy(out.data(), chi, sizeof(float) * head.count);
+    std::memcpy(out.data() + head.count, epsilon, sizeof(float) * head.count);
+    return true;
+}
+
+TableHead Batch::asset_table() const {
+    const AssetData& a = asset_->data;
+    const TurbulenceData& t = a.turbulence;
+    return {static_cast<uint32_t>(t.chi.size()), t.stationary, t.dt * a.length_l / a.u0, a.u0, a.length_l, t.c0};
+}
+
+bool Batch::copy_asset_table(Buffer<float>& out) const {
+    const AssetData& a = asset_->data;
+    const size_t count = a.turbulence.chi.size();
+    if (!out.allocate(*allocator_, 4 * count)) return false;
+    const double rate = a.u0 / a.length_l, power = a.u0 * a.u0 * a.u0 / a.length_l;
+    for (size_t i = 0; i < count; ++i) {
+        out[i] = static_cast<float>(a.turbulence.chi[i] * rate);
+        out[count + i] = static_cast<float>(a.turbulence.epsilon[i] * power);
     }
-    table_.swap(table);
-    step.table = {table_.data(), table_.data() + t.count, static_cast<float>(1.0 / t.dt),
-                  static_cast<float>(t.count - 1), settings_.loop};
-    const TurbulenceSample stationary{chi(t.stationary), epsilon(t.stationary), t.u0, t.l, t.c0};
+    return true;
+}
+
+bool Batch::use_table(Buffer<float>& table, const TableHead& head, bool of_asset) {
+    const uint32_t n = head.count;
+    float *const chi = table.data(), *const epsilon = chi + n, *const alpha = epsilon + n, *const beta = alpha + n;
+    for (uint32_t i = 0; i < n; ++i) {
+        alpha[i] = static_cast<float>(langevin_alpha(static_cast<double>(chi[i]), head.c0, settings_.gains));
+        beta[i] = static_cast<float>(langevin_beta_squared(static_cast<double>(epsilon[i]), head.c0, settings_.gains));
+    }
+    step.table = {alpha, beta, static_cast<float>(1.0 / head.dt), static_cast<float>(n - 1), settings_.loop};
+    const TurbulenceSample stationary = head.sample(chi[head.stationary], epsilon[head.stationary]);
     set_speed_turbulence(stationary, settings_.gains, step.body);
     stationary_ = of_asset ? TurbulenceSample{} : stationary;
+    asset_table_ = of_asset;
+    table_head_ = head;
+    table_.swap(table);
     return set_aerodynamics(aerodynamics_, settings_.gains);
 }
 
-TurbulenceSample Batch::strongest_turbulence(const TurbulenceSample& stationary, double& least_rate,
-                                             double& most_rate) const {
-    const auto rounded = [](double v) { return static_cast<double>(static_cast<float>(v)); };
-    if (stationary.u0 > 0.0) {
-        least_rate = rounded(1.0 / most_interval);
-        most_rate = rounded(1.0 / least_interval);
-        return {most_chi, most_epsilon, stationary.u0, stationary.l, stationary.c0};
-    }
-    const AssetData& a = asset_->data;
-    const TurbulenceData& t = a.turbulence;
-    least_rate = most_rate = rounded(1.0 / (t.dt * a.length_l / a.u0));
-    const double chi = *std::max_element(t.chi.begin(), t.chi.end()),
-                 epsilon = *std::max_element(t.epsilon.begin(), t.epsilon.end());
-    return {rounded(chi * (a.u0 / a.length_l)), rounded(epsilon * (a.u0 * a.u0 * a.u0 / a.length_l)), a.u0, a.length_l,
-            t.c0};
+bool Batch::set_table(const TableHead& head, const float* chi, const float* epsilon) {
+    Buffer<float> table;
+    return copy_table(head, chi, epsilon, table) && use_table(table, head, false);
 }
 
 bool Batch::set_asset_table() {
-    const AssetData& a = asset_->data;
-    const TurbulenceData& t = a.turbulence;
-    const auto count = static_cast<uint32_t>(t.chi.size());
-    Buffer<float> samples;
-    if (!samples.allocate(*allocator_, size_t{2} * count)) return false;
-    const double rate = a.u0 / a.length_l, power = a.u0 * a.u0 * a.u0 / a.length_l;
-    for (uint32_t i = 0; i < count; ++i) {
-        samples[i] = static_cast<float>(t.chi[i] * rate);
-        samples[count + i] = static_cast<float>(t.epsilon[i] * power);
-    }
-    const TableView view{
-        samples.data(), samples.data() + count, count, t.stationary, t.dt * a.length_l / a.u0, a.u0, a.length_l, t.c0};
-    return set_table(view, true);
+    Buffer<float> table;
+    return copy_asset_table(table) && use_table(table, asset_table(), true);
 }
 } // namespace lr

@@ -42,13 +42,21 @@ struct BodyState {
     uint64_t user;
 };
 
-// k-epsilon samples in the units of the bake.
-struct TableView {
-    const float* chi;
-    const float* epsilon;
-    uint32_t count, stationary;
-    double dt, u0, l, c0;
+// What goes with k-epsilon samples in the units of the bake. Snapshots contain it; count 0 there: the asset's table.
+struct TableHead {
+    uint32_t count = 0, stationary = 0;
+    double dt = 0.0, u0 = 0.0, l = 0.0, c0 = 0.0;
+
+    TurbulenceSample sample(float chi, float epsilon) const {
+        return {static_cast<double>(chi), static_cast<double>(epsilon), u0, l, c0};
+    }
 };
+inline const char* wrong_in(const TableHead& t) {
+    if (t.count == 0 || t.count > 65536) return "count is not 1 to 65536";
+    if (!in_range(t.dt, least_interval, most_interval)) return "dt is not positive";
+    if (const char* why = wrong_in(t.sample(0.0f, 0.0f))) return why;
+    return t.stationary < t.count ? nullptr : "stationary is not less than count";
+}
 
 // Diverged bodies: held where they were last valid, or ended. docs/reference/bodies.md
 struct BodyFaults {
@@ -96,11 +104,11 @@ public:
     void grow_older(double seconds);
 
     // Both leave the old table in place when they fail.
-    bool set_table(const TableView& table, bool of_asset = false);
+    bool set_table(const TableHead& head, const float* chi, const float* epsilon);
     bool set_asset_table();
-    // An upper bound of a table with this stationary sample (u0 is 0 for the asset's own), and the range of rates (1/s) of its samples.
-    TurbulenceSample strongest_turbulence(const TurbulenceSample& stationary, double& least_rate,
-                                          double& most_rate) const;
+    const TableHead& table() const { return table_head_; }
+    const float* table_chi() const { return table_.data(); }
+    const float* table_epsilon() const { return table_.data() + table_head_.count; }
     // Sets quasi-steady loads other than the asset's own. False if they cannot be used; nothing has then changed.
     bool set_aerodynamics(const AerodynamicData& loads, const Gains& gains);
     bool can_use(const AerodynamicData& loads, const Gains& gains) const;
@@ -193,6 +201,10 @@ private:
     bool take_cut(uint32_t cut);
     bool take_note(uint32_t index);
     bool is_diagonal_with(const AerodynamicData& loads) const;
+    bool copy_table(const TableHead& head, const void* chi, const void* epsilon, Buffer<float>& out) const;
+    TableHead asset_table() const;
+    bool copy_asset_table(Buffer<float>& out) const;
+    bool use_table(Buffer<float>& table, const TableHead& head, bool of_asset); // takes its memory
     bool make_loads(const AerodynamicData& loads, const Gains& gains, BodyConstants& out) const;
 
     Allocator* allocator_;
@@ -210,7 +222,9 @@ private:
     Buffer<uint32_t> generations_; // by slot: of the body in it, or of the next
     // A queue of free slots, so that a slot is reused as late as possible. Undefined while all slots are in use.
     uint32_t free_first_ = 0, free_last_ = 0;
-    Buffer<float> table_, next_table_; // alpha, then beta^2; next_table_ has another length while a snapshot is checked
+    Buffer<float> table_, next_table_; // chi, epsilon, alpha, beta^2; next_table_: of a snapshot with another table
+    TableHead table_head_;
+    bool asset_table_ = true;
     AerodynamicData aerodynamics_;
     WaterBody water_{};
     bool water_made_ = false, water_usable_ = false; // for these:

@@ -163,24 +163,13 @@ bool slots_consistent(const SavedBatch& s, uint32_t batch_index) {
            (h.count == h.capacity || (dense(h.free_last) & Batch::free_bit) != 0);
 }
 
-// No stronger than a table can be, the asset's or a caller's. The same operations in the same order, so rounding is the same.
-bool table_consistent(const SavedBatch& s, const Batch& batch) {
-    const SnapshotBatch& h = s.header;
-    double least = 0.0, most = 0.0;
-    const TurbulenceSample strongest = batch.strongest_turbulence(h.stationary, least, most);
-    BodyConstants speed{};
-    speed.length = batch.step.body.length;
-    set_speed_turbulence(strongest, h.gains, speed);
-    const auto alpha = static_cast<float>(langevin_alpha(strongest.chi, strongest.c0, h.gains)),
-               beta = static_cast<float>(langevin_beta_squared(strongest.epsilon, strongest.c0, h.gains));
-    uint32_t bad = 0;
-    for (uint32_t i = 0; i < h.table_count; ++i) {
-        const float a = s.value<float>(piece_alpha, i), b = s.value<float>(piece_beta, i);
-        bad |= a >= 0.0f && a <= alpha && b >= 0.0f && b <= beta ? 0u : 1u;
-    }
-    return bad == 0 && in_range(h.inverse_dt, least, most) &&
-           in_range(h.speed_alpha, 0.0, static_cast<double>(speed.speed_alpha)) &&
-           in_range(h.speed_beta, 0.0, static_cast<double>(speed.speed_beta));
+bool table_consistent(const SavedBatch& s) {
+    const TableHead& t = s.header.table;
+    if (t.count == 0) return same(t, TableHead{});
+    if (wrong_in(t)) return false;
+    for (uint32_t i = 0; i < t.count; ++i)
+        if (wrong_in(t.sample(s.value<float>(piece_chi, i), s.value<float>(piece_epsilon, i)))) return false;
+    return true;
 }
 } // namespace
 
@@ -206,22 +195,22 @@ public:
         if (h.capacity != batch->capacity() || h.content_hash != batch->asset().content_hash || !has(part_body) ||
             has(part_gust) != batch->columns_.has(part_gust))
             return LR_ERROR_SNAPSHOT_MISMATCH;
-        if (h.count > h.capacity || h.awake > h.count || (h.awake < h.count) != has(part_rest) || h.table_count == 0 ||
-            h.table_count > 65536 || !usable_loads(h, *batch) ||
+        if (h.count > h.capacity || h.awake > h.count || (h.awake < h.count) != has(part_rest) ||
+            h.table.count > 65536 || !usable_loads(h, *batch) ||
             !BatchClock::consistent(h.pace, world.time, world.substep_count) || wrong_in(h.options) ||
             !SleepingBodies::consistent(h.rest) || !Lifecycle::consistent(h.lifecycle) || wrong_batch_force(h.force) ||
             h.contact.struct_size != sizeof h.contact || wrong_in(h.contact) || left < s.bytes() ||
-            !slots_consistent(s, index) || !table_consistent(s, *batch) || !bodies_consistent(s) ||
+            !slots_consistent(s, index) || !table_consistent(s) || !bodies_consistent(s) ||
             !touched_consistent(s, meets_bodies))
             return LR_ERROR_SNAPSHOT_FORMAT;
         // If divergence can end bodies, their records need room.
         const bool ends = has(part_life) || h.options.divergence_policy != LR_DIVERGENCE_AUTO || h.diverged != 0;
-        const size_t floats = size_t{2} * h.table_count;
+        batch->next_table_.reset();
         const bool room = (!has(part_user) || batch->reserve_users()) &&
                           (!has(part_forces) || batch->reserve_forces()) && (!ends || batch->reserve_lifecycle()) &&
                           (!has(part_rest) || batch->reserve_rest()) &&
                           (!(has(part_contact) || contact || meets_bodies) || batch->reserve_contact()) &&
-                          (floats == batch->table_.size() || batch->next_table_.allocate(*batch->allocator_, floats));
+                          (same_table(s, *batch) || read_table(s, *batch));
         return room ? LR_OK : LR_ERROR_OUT_OF_MEMORY;
     }
 
@@ -232,10 +221,8 @@ public:
         move_batch(h, b, to_live);
         ++b.revision_;
         b.oldest_ = static_cast<double>(most_age);
-        if (b.table_.size() != size_t{2} * h.table_count) b.table_.swap(b.next_table_);
-        b.next_table_.reset();
         b.columns_.clear(h.count, before);
-        for (uint32_t piece = 0; piece < batch_pieces; ++piece) {
+        for (uint32_t piece = 0; piece < piece_chi; ++piece) {
             const uint64_t bytes = piece_bytes(h, piece);
             if (bytes != 0)
                 std::memcpy(live(b, piece), s.at(piece), static_cast<size_t>(bytes));
@@ -243,13 +230,15 @@ public:
                 b.columns_.clear(0, h.count, piece, 1);
         }
         std::fill_n(b.cut_noted_.data(), b.cut_noted_.size(), uint8_t{0});
-        b.step.table.alpha = b.table_.data();
-        b.step.table.beta_squared = b.table_.data() + h.table_count;
-        b.step.table.last = static_cast<float>(h.table_count - 1);
         b.pace.restore(h.pace);
-        if (!same_loads(h, b)) {
-            b.stationary_ = h.stationary;
-            b.set_aerodynamics(h.aerodynamics, h.gains); // cannot fail: it was checked
+        const bool other_table = b.next_table_.size() != 0;
+        if (other_table || !same_loads(h, b)) {
+            b.aerodynamics_ = h.aerodynamics;
+            b.settings_.gains = h.gains;
+            const TableHead head = !other_table ? b.table_head_ : h.table.count == 0 ? b.asset_table() : h.table;
+            // Cannot fail: it was checked.
+            b.use_table(other_table ? b.next_table_ : b.table_, head, h.table.count == 0);
+            b.next_table_.reset();
         }
         b.external.set_batch(h.force);
         b.external.restored((h.parts >> part_forces & 1u) != 0);
@@ -274,9 +263,6 @@ private:
         move(h.last_generation, b.last_generation_);
         move(h.free_first, b.free_first_);
         move(h.free_last, b.free_last_);
-        move(h.inverse_dt, b.step.table.inverse_dt);
-        move(h.speed_alpha, b.step.body.speed_alpha);
-        move(h.speed_beta, b.step.body.speed_beta);
         move(h.options, b.options);
         move(h.diverged, b.faults.total);
     }
@@ -288,10 +274,9 @@ private:
         move_batch(h, b, to_saved);
         h.content_hash = b.asset().content_hash;
         h.capacity = b.capacity_;
-        h.table_count = static_cast<uint32_t>(b.table_.size() / 2);
+        h.table = saved_head(b);
         h.parts = parts_of(b);
         h.gains = b.settings_.gains;
-        h.stationary = b.stationary_;
         h.aerodynamics = b.aerodynamics_;
         h.pace = b.pace.record();
         if (b.awake_ < b.count_) h.rest = b.resting_->state();
@@ -311,7 +296,7 @@ private:
         if (piece < piece_dense) return b.columns_.bytes(piece);
         if (piece == piece_dense) return b.dense_.data();
         if (piece == piece_generations) return b.generations_.data();
-        return b.table_.data() + (piece == piece_alpha ? 0 : b.table_.size() / 2);
+        return b.table_.data() + (piece == piece_chi ? 0 : b.table_head_.count);
     }
     // Sleeping bodies in the same place keep their boxes: recomputed ones would be equal.
     static void forget_other_boxes(Batch& b, const SavedBatch& s) {
@@ -324,15 +309,22 @@ private:
             if (other != 0) b.resting_->forget_box(slot);
         }
     }
+    static TableHead saved_head(const Batch& b) { return b.asset_table_ ? TableHead{} : b.table_head_; }
+    static bool same_table(const SavedBatch& s, const Batch& b) {
+        const size_t bytes = sizeof(float) * s.header.table.count;
+        return same(s.header.table, saved_head(b)) && std::memcmp(s.at(piece_chi), b.table_chi(), bytes) == 0 &&
+               std::memcmp(s.at(piece_epsilon), b.table_epsilon(), bytes) == 0;
+    }
+    static bool read_table(const SavedBatch& s, Batch& b) {
+        const TableHead& head = s.header.table;
+        return head.count == 0 ? b.copy_asset_table(b.next_table_)
+                               : b.copy_table(head, s.at(piece_chi), s.at(piece_epsilon), b.next_table_);
+    }
     static bool same_loads(const SnapshotBatch& h, const Batch& b) {
-        return same(h.gains, b.settings_.gains) && same(h.stationary, b.stationary_) &&
-               same(h.aerodynamics, b.aerodynamics_);
+        return same(h.gains, b.settings_.gains) && same(h.aerodynamics, b.aerodynamics_);
     }
     static bool usable_loads(const SnapshotBatch& h, const Batch& b) {
         if (same_loads(h, b)) return true;
-        // A batch without a table of its own has no stationary sample.
-        if (h.stationary.u0 != 0.0 ? wrong_in(h.stationary) != nullptr : !same(h.stationary, TurbulenceSample{}))
-            return false;
         const bool own = same(h.aerodynamics, b.asset().data.aerodynamics);
         return !wrong_in(h.gains) && (own || !wrong_in(h.aerodynamics)) && b.can_use(h.aerodynamics, h.gains);
     }

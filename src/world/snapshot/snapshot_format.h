@@ -52,12 +52,9 @@ struct SnapshotBatch {
     uint32_t generation, body_generation; // of the slot
     uint32_t first_generation, last_generation;
     uint32_t free_first, free_last;
-    uint32_t table_count;
-    float inverse_dt;
-    float speed_alpha, speed_beta;
     uint32_t parts; // a bit for each ColumnPart present
+    TableHead table;
     Gains gains;
-    TurbulenceSample stationary;
     AerodynamicData aerodynamics;
     BatchClock::Record pace;
     BatchOptions options;
@@ -71,12 +68,12 @@ static_assert(std::is_trivially_copyable_v<SnapshotHeader> && std::is_trivially_
 static_assert(sizeof(SnapshotHeader) >= 64);
 static_assert(sizeof(SnapshotHeader) % 8 == 0 && sizeof(SnapshotBatch) % 8 == 0);
 
-// Pieces of a batch: its columns; then dense indices and generations, by slot; then both halves of its table.
-enum BatchPiece : uint32_t { piece_dense = column_count, piece_generations, piece_alpha, piece_beta, batch_pieces };
+// Pieces of a batch: its columns; then dense indices and generations, by slot; then the samples of its table.
+enum BatchPiece : uint32_t { piece_dense = column_count, piece_generations, piece_chi, piece_epsilon, batch_pieces };
 
 // Bytes of a piece, without padding.
 constexpr uint64_t piece_bytes(const SnapshotBatch& h, uint32_t piece) {
-    if (piece >= piece_dense) return 4 * uint64_t{piece < piece_alpha ? h.capacity : h.table_count};
+    if (piece >= piece_dense) return 4 * uint64_t{piece < piece_chi ? h.capacity : h.table.count};
     const Column& column = body_columns[piece];
     return column.saved && (h.parts >> column.part & 1u) != 0 ? uint64_t{column.width} * h.count : 0;
 }

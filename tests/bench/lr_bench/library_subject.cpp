@@ -71,9 +71,10 @@ public:
         lr_batch_view view;
         lr_batch_view_init(&view, sizeof view);
         if (lr_batch_get_view(world_, batch_, &view) != LR_OK) return ~uint64_t{0};
+        std::vector<float> u(size_t{6} * view.count);
+        if (lr_batch_write_velocities(world_, batch_, u.data(), 0, view.count, nullptr) != LR_OK) return ~uint64_t{0};
         uint64_t count = 0;
-        for (uint32_t i = 0; i < view.count; ++i)
-            count += !std::isfinite(view.position[0][i] + view.velocity[0][i] + view.spin[0][i]);
+        for (size_t i = 0; i < view.count; ++i) count += !std::isfinite(view.position[0][i] + u[6 * i] + u[6 * i + 3]);
         return count;
     }
 

@@ -88,6 +88,26 @@ void queries(Fuzzer& f) {
     }
 }
 
+void velocities(Fuzzer& f, lr_batch id, uint64_t stride, uint32_t capacity, uint32_t count) {
+    World& w = f.world();
+    Input& in = f.in;
+    const uint64_t step = stride == 0 ? 24 : stride;
+    const bool fits = step >= 24 && step % 4 == 0;
+    const uint32_t wanted = std::min(capacity, count);
+    std::vector<float> room(fits && wanted != 0 ? ((wanted - 1) * step + 24) / 4 : 0);
+    Expected e;
+    e.add_if(!w.find(id), LR_ERROR_STALE_BATCH);
+    e.add_if(!fits, LR_ERROR_INVALID_ARGUMENT);
+    e.add_if(in.null(1) && wanted != 0, LR_ERROR_NULL_ARGUMENT);
+    Call call(f, w, "lr_batch_write_velocities", e);
+    uint32_t written = 77;
+    float* const to = in.null(1) ? nullptr : room.data();
+    const bool wild = w.state.wild;
+    const bool ok = call.ended(LR_CALL(lr_batch_write_velocities)(call.world(), id, to, stride, capacity, &written));
+    w.state.wild = wild;
+    if (!w.state.loose && written != (ok ? wanted : 0)) defect("lr_batch_write_velocities", "written", written);
+}
+
 void transforms(Fuzzer& f) {
     World& w = f.world();
     Input& in = f.in;
@@ -120,6 +140,7 @@ void transforms(Fuzzer& f) {
     const bool ok = call.ended(LR_CALL(lr_batch_write_transforms)(call.world(), id, format, to, stride, capacity, out));
     w.state.wild = wild;
     if (out && !w.state.loose && written != (ok ? wanted : 0)) defect("lr_batch_write_transforms", "written", written);
+    velocities(f, id, stride, capacity, count);
 }
 
 void rate(Fuzzer& f) {

@@ -95,7 +95,14 @@ void table(Fuzzer& f) {
     e.add_if(!w.find(id), LR_ERROR_STALE_BATCH);
     Given<lr_turbulence_table> given(in, t, 1, e, true);
     Call call(f, w, "lr_batch_set_turbulence_table", e);
-    call.ended(LR_CALL(lr_batch_set_turbulence_table)(call.world(), id, given.get()));
+    if (!call.ended(LR_CALL(lr_batch_set_turbulence_table)(call.world(), id, given.get())) || !given.get()) return;
+    lr_turbulence_table got = t;
+    float chis[most], epsilons[most];
+    if (LR_CALL(lr_batch_get_turbulence_table)(w.at, id, &got, chis, epsilons, most) != LR_OK || got.chi ||
+        got.epsilon || !std::equal(c.begin(), c.end(), chis) || !std::equal(s.begin(), s.end(), epsilons))
+        defect("lr_batch_get_turbulence_table", "not what was set");
+    got.chi = t.chi, got.epsilon = t.epsilon;
+    if (std::memcmp(&got, &t, sizeof t) != 0) defect("lr_batch_get_turbulence_table", "not what was set");
 }
 
 void field(Fuzzer& f) {

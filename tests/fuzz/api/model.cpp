@@ -112,7 +112,7 @@ void check_batch(World& w, Batch& b) {
     if (view.count != b.bodies.size()) defect("lr_batch_get_view", "count", view.count);
     if (view.capacity != b.desc.capacity) defect("lr_batch_get_view", "capacity", view.capacity);
     if (view.awake_count > view.count) defect("lr_batch_get_view", "awake_count", view.awake_count);
-    if (reinterpret_cast<uintptr_t>(view.position[0]) % 64 != 0 || reinterpret_cast<uintptr_t>(view.spin[2]) % 64 != 0)
+    if (reinterpret_cast<uintptr_t>(view.position[0]) % 64 != 0 || reinterpret_cast<uintptr_t>(view.age) % 64 != 0)
         defect("lr_batch_get_view", "alignment");
     if (!w.state.loose &&
         std::set<lr_body>(view.ids, view.ids + view.count) != std::set<lr_body>(b.bodies.begin(), b.bodies.end()))

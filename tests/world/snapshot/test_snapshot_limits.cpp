@@ -111,19 +111,17 @@ TEST_CASE("a snapshot with a value beyond the limit of its setter is refused, an
     for (float rest : {0.001f, 1e20f}) refused(colliders, ball + offsetof(Ball, rest), rest);
 
     using Batch = lr::SnapshotBatch;
-    for (float rate : {0.0f, 1e-10f, 1.1e9f}) refused(batch, offsetof(Batch, inverse_dt), rate);
-    refused(batch, offsetof(Batch, speed_alpha), 1e14f);
-    refused(batch, offsetof(Batch, speed_beta), 1e20f);
+    using Table = lr::TableHead;
+    for (double dt : {0.0, 1e-10, 1.1e9}) refused(batch, offsetof(Batch, table) + offsetof(Table, dt), dt);
+    refused(batch, offsetof(Batch, table) + offsetof(Table, stationary), 65536u);
     for (size_t k = 0; k < 6; ++k) refused(batch, offsetof(Batch, gains) + 8 * k, 100.1);
-    refused(batch, offsetof(Batch, stationary), 1.1e9);
-    refused(batch, offsetof(Batch, stationary) + 8, 1.1e12);
-    for (size_t k = 2; k < 5; ++k) refused(batch, offsetof(Batch, stationary) + 8 * k, 1.1e6);
-    refused(batch, offsetof(Batch, stationary) + 16, 0.0);
+    for (size_t at : {offsetof(Table, u0), offsetof(Table, l), offsetof(Table, c0)})
+        for (double value : {0.0, 1.1e6}) refused(batch, offsetof(Batch, table) + at, value);
     refused(batch, offsetof(Batch, aerodynamics) + offsetof(lr::AerodynamicData, drag), -1.0);
     refused(batch, offsetof(Batch, aerodynamics) + offsetof(lr::AerodynamicData, center),
             100.0); // more than two lengths away
-    refused(column + lr::piece_alpha, 0, 1e13f);
-    refused(column + lr::piece_beta, 0, 1e20f);
+    for (float chi : {-1.0f, 1.1e9f}) refused(column + lr::piece_chi, 0, chi);
+    for (float epsilon : {-1.0f, 1.1e12f}) refused(column + lr::piece_epsilon, 0, epsilon);
     using Pace = lr::BatchClock::Record;
     const size_t pace = offsetof(Batch, pace);
     refused(batch, pace + offsetof(Pace, divisor), 1025u);
@@ -148,7 +146,7 @@ TEST_CASE("a snapshot with a value beyond the limit of its setter is refused, an
     refused(batch, resting + offsetof(Rest, wind), 1000.1f);
     for (double birth : {-1.1e9, 1000.0}) refused(column + lr::column_birth, 8 * 3, birth);
     refused(batch, offsetof(Batch, contact) + offsetof(lr_batch_contact, friction), 10.1f);
-    CHECK(forgeries == 79);
+    CHECK(forgeries == 80);
     std::vector<unsigned char> same = good;
     seal(same);
     CHECK(lr_world_snapshot_restore(scene.world.get(), same.data(), same.size()) == LR_OK);

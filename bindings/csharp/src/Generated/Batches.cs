@@ -162,7 +162,8 @@ namespace LangevinRigid
 
     /// <summary>Read access to a batch's state without a copy: arrays of <c>Count</c> values, one per body, 64-byte
     /// aligned. Awake bodies come first, then sleeping ones, without gaps. A body that leaves either part is replaced
-    /// by the last one of that part. Pointers are valid until the next call that is not a query.</summary>
+    /// by the last one of that part. Pointers are valid until the next call that is not a query. Velocities:
+    /// <see cref="Native.lr_batch_write_velocities"/>.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct BatchView
     {
@@ -184,21 +185,6 @@ namespace LangevinRigid
         public float* OrientationZ;
         /// <summary>unit quaternion x, y, z, w, body to world. Element 3 of 4.</summary>
         public float* OrientationW;
-        /// <summary>m/s, of the centre of mass, in the BODY frame: rotate by <c>Orientation</c> for world. Element 0 of
-        /// 3.</summary>
-        public float* VelocityX;
-        /// <summary>m/s, of the centre of mass, in the BODY frame: rotate by <c>Orientation</c> for world. Element 1 of
-        /// 3.</summary>
-        public float* VelocityY;
-        /// <summary>m/s, of the centre of mass, in the BODY frame: rotate by <c>Orientation</c> for world. Element 2 of
-        /// 3.</summary>
-        public float* VelocityZ;
-        /// <summary>rad/s, angular velocity, in the BODY frame. Element 0 of 3.</summary>
-        public float* SpinX;
-        /// <summary>rad/s, angular velocity, in the BODY frame. Element 1 of 3.</summary>
-        public float* SpinY;
-        /// <summary>rad/s, angular velocity, in the BODY frame. Element 2 of 3.</summary>
-        public float* SpinZ;
         /// <summary>uniform scale</summary>
         public float* Scale;
         /// <summary>s; outdated for sleeping bodies: <see cref="Native.lr_body_get_state"/> gives their exact

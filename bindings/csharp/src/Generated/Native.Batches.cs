@@ -156,5 +156,22 @@ namespace LangevinRigid
         /// be written), <see cref="Status.StaleBatch"/>, <see cref="Status.InvalidArgument"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_batch_write_transforms(IntPtr world, BatchId batch, TransformFormat format, void* dst, ulong stride, uint count, uint* written);
+
+        /// <summary>Writes the velocities of a batch's first <paramref name="count"/> bodies, or of all if there are
+        /// fewer, in the order of its view. An element is 6 floats, world frame: the linear velocity of the centre of
+        /// mass, m/s, and the angular velocity, rad/s; bit for bit those of <see cref="Native.lr_body_get_state"/>.
+        /// Sleeping bodies have 0, bodies of a waiting batch (<see cref="Native.lr_batch_set_rate"/>) the velocities of
+        /// their last step.</summary>
+        /// <param name="world">the world</param>
+        /// <param name="batch">handle of a batch of the world</param>
+        /// <param name="dst">4-byte aligned, room for <paramref name="count"/> elements <paramref name="stride"/> bytes
+        /// apart.</param>
+        /// <param name="stride">0 for elements without gaps, else a multiple of 4 no smaller than an element.</param>
+        /// <param name="count">number of elements</param>
+        /// <param name="written">elements written; may be null.</param>
+        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/> (dst may be null only when nothing is to
+        /// be written), <see cref="Status.StaleBatch"/>, <see cref="Status.InvalidArgument"/>.</returns>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_batch_write_velocities(IntPtr world, BatchId batch, void* dst, ulong stride, uint count, uint* written);
     }
 }

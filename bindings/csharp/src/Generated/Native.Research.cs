@@ -83,5 +83,21 @@ namespace LangevinRigid
         /// <see cref="Status.OutOfMemory"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_batch_set_turbulence_table(IntPtr world, BatchId batch, TurbulenceTable* table);
+
+        /// <summary>Reads a batch's turbulence table: the one that was set, bit for bit, or the asset's, rounded to
+        /// float.</summary>
+        /// <param name="world">the world</param>
+        /// <param name="batch">handle of a batch of the world</param>
+        /// <param name="table">initialised, or with struct_size set; its own chi and epsilon receive null.</param>
+        /// <param name="chi">receive <c>table-&gt;count</c> values each, up to <paramref name="capacity"/>; either may
+        /// be null, and capacity is then not read for it.</param>
+        /// <param name="epsilon">receive <c>table-&gt;count</c> values each, up to <paramref name="capacity"/>; either
+        /// may be null, and capacity is then not read for it.</param>
+        /// <param name="capacity">number of elements that fit</param>
+        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/> (world, table),
+        /// <see cref="Status.StaleBatch"/>, <see cref="Status.StructSize"/>, <see cref="Status.BufferTooSmall"/> (table
+        /// is set, chi and epsilon are not).</returns>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_batch_get_turbulence_table(IntPtr world, BatchId batch, TurbulenceTable* table, float* chi, float* epsilon, uint capacity);
     }
 }

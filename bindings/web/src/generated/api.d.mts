@@ -658,7 +658,7 @@ export interface BatchPace {
 /**
  * Read access to a batch's state without a copy: arrays of `count` values, one per body, 64-byte aligned. Awake bodies
  * come first, then sleeping ones, without gaps. A body that leaves either part is replaced by the last one of that
- * part. Pointers are valid until the next call that is not a query.
+ * part. Pointers are valid until the next call that is not a query. Velocities: lr_batch_write_velocities.
  */
 export interface BatchView {
   /** bodies */
@@ -667,10 +667,6 @@ export interface BatchView {
   position: Float32Array[];
   /** 4 elements. unit quaternion x, y, z, w, body to world */
   orientation: Float32Array[];
-  /** 3 elements. m/s, of the centre of mass, in the BODY frame: rotate by `orientation` for world */
-  velocity: Float32Array[];
-  /** 3 elements. rad/s, angular velocity, in the BODY frame */
-  spin: Float32Array[];
   /** uniform scale */
   scale: Float32Array;
   /** s; outdated for sleeping bodies: lr_body_get_state gives their exact age */
@@ -1495,6 +1491,15 @@ export interface RawFunctions {
    * LR_ERROR_INVALID_ARGUMENT.
    */
   lr_batch_write_transforms(world: number, batch: number, format: number, dst: number, stride: bigint, count: number, written: number): number;
+  /**
+   * Writes the velocities of a batch's first `count` bodies, or of all if there are fewer, in the order of its view. An
+   * element is 6 floats, world frame: the linear velocity of the centre of mass, m/s, and the angular velocity, rad/s; bit
+   * for bit those of lr_body_get_state. Sleeping bodies have 0, bodies of a waiting batch (lr_batch_set_rate) the
+   * velocities of their last step.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT (dst may be null only when nothing is to be written), LR_ERROR_STALE_BATCH,
+   * LR_ERROR_INVALID_ARGUMENT.
+   */
+  lr_batch_write_velocities(world: number, batch: number, dst: number, stride: bigint, count: number, written: number): number;
   lr_body_desc_init(desc: number, struct_size: number): number;
   /**
    * Creates `count` bodies, all or none.
@@ -1785,4 +1790,10 @@ export interface RawFunctions {
    * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY.
    */
   lr_batch_set_turbulence_table(world: number, batch: number, table: number): number;
+  /**
+   * Reads a batch's turbulence table: the one that was set, bit for bit, or the asset's, rounded to float.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT (world, table), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_BUFFER_TOO_SMALL
+   * (table is set, chi and epsilon are not).
+   */
+  lr_batch_get_turbulence_table(world: number, batch: number, table: number, chi: number, epsilon: number, capacity: number): number;
 }

@@ -59,16 +59,19 @@ void ULangevinBatchComponent::WriteInstances(double AheadSeconds) {
                              TEXT("Transforms"))) {
         return;
     }
+    const int32 Ahead = AheadSeconds > 0.0 ? Awake : 0; // bodies [0, Ahead) are advanced
+    Moving.SetNumUninitialized(Ahead * 6);
+    if (!LangevinHost::Check(
+            lr_batch_write_velocities(World, Batch, Moving.GetData(), 0, static_cast<uint32>(Ahead), nullptr),
+            TEXT("Velocities"))) {
+        return;
+    }
     const LangevinConversion::FVec Offset = From(MeshOrigin);
     const LangevinConversion::FVec Origin = From(Subsystem->GetOrigin());
-    InChunks(Written, [this, &View, &Offset, &Origin, Awake, AheadSeconds](int32 Begin, int32 End) {
+    InChunks(Written, [this, &Offset, &Origin, Ahead, AheadSeconds](int32 Begin, int32 End) {
         for (int32 Index = Begin; Index < End; ++Index) {
             float* Record = &Records[Index * RecordFloats];
-            if (AheadSeconds > 0.0 && Index < Awake) {
-                LangevinConversion::AdvanceRecord(
-                    Record, {View.velocity[0][Index], View.velocity[1][Index], View.velocity[2][Index]},
-                    {View.spin[0][Index], View.spin[1][Index], View.spin[2][Index]}, AheadSeconds);
-            }
+            if (Index < Ahead) LangevinConversion::AdvanceRecord(Record, &Moving[Index * 6], AheadSeconds);
             const LangevinConversion::FPose Pose = LangevinConversion::InstancePose(Record, Offset, Origin);
             Transforms[Index] = FTransform(To(Pose.Rotation), To(Pose.Location), FVector(Pose.Scale));
         }
@@ -132,21 +135,20 @@ TSharedPtr<const FLangevinSnapshot, ESPMode::ThreadSafe> ULangevinBatchComponent
     Taken->Spins.SetNumUninitialized(Count);
     Taken->Ages.Append(View.age, Count);
     Taken->Scales.Append(View.scale, Count);
+    TArray<float> Velocities;
+    Velocities.SetNumUninitialized(Count * 6);
+    lr_batch_write_velocities(LibraryWorld(), Batch, Velocities.GetData(), 0, View.count, nullptr);
     const LangevinConversion::FVec Origin = From(Subsystem->GetOrigin());
-    InChunks(Count, [&View, &Taken, &Origin](int32 Begin, int32 End) {
+    InChunks(Count, [&View, &Velocities, &Taken, &Origin](int32 Begin, int32 End) {
         for (int32 Index = Begin; Index < End; ++Index) {
             const LangevinConversion::FRotation Rotation{View.orientation[0][Index], View.orientation[1][Index],
                                                          View.orientation[2][Index], View.orientation[3][Index]};
             Taken->Locations[Index] = To(LangevinConversion::PositionToUnreal(
                 {View.position[0][Index], View.position[1][Index], View.position[2][Index]}, Origin));
             Taken->Rotations[Index] = FQuat4f(To(LangevinConversion::MirrorRotation(Rotation)));
-            // The view's velocities are in the body frame.
-            const LangevinConversion::FVec Velocity = LangevinConversion::Rotate(
-                Rotation, {View.velocity[0][Index], View.velocity[1][Index], View.velocity[2][Index]});
-            const LangevinConversion::FVec Spin =
-                LangevinConversion::Rotate(Rotation, {View.spin[0][Index], View.spin[1][Index], View.spin[2][Index]});
-            Taken->Velocities[Index] = FVector3f(To(LangevinConversion::VectorToUnreal(Velocity)));
-            Taken->Spins[Index] = FVector3f(To(LangevinConversion::MirrorSpin(Spin)));
+            const float* V = &Velocities[Index * 6];
+            Taken->Velocities[Index] = FVector3f(To(LangevinConversion::VectorToUnreal({V[0], V[1], V[2]})));
+            Taken->Spins[Index] = FVector3f(To(LangevinConversion::MirrorSpin({V[3], V[4], V[5]})));
         }
     });
     Snapshot = Taken;

@@ -218,7 +218,7 @@ private:
     lr_batch Batch = {};
     FTransform EmitterPlace;
     FVector MeshOrigin = FVector::ZeroVector;
-    TArray<float> Records;
+    TArray<float> Records, Moving; // Moving: of lr_batch_write_velocities
     TArray<FTransform> Transforms;
     FTransform WrittenFrame;
     uint64 WrittenRevision = 0;

@@ -125,19 +125,17 @@ inline FPose InstancePose(const float* Record, const FVec& MeshOrigin, const FVe
     return Pose;
 }
 
-/** Advances a record by Seconds with the body's velocity and spin, both in the body frame as in lr_batch_view. For frames
- * between fixed steps: angles stay small there. */
-inline void AdvanceRecord(float* Record, const FVec& BodyVelocity, const FVec& BodySpin, double Seconds) {
-    const FRotation Q{Record[3], Record[4], Record[5], Record[6]};
-    const FVec V = Rotate(Q, BodyVelocity);
-    Record[0] += static_cast<float>(V.X * Seconds);
-    Record[1] += static_cast<float>(V.Y * Seconds);
-    Record[2] += static_cast<float>(V.Z * Seconds);
-    const double Speed = std::sqrt(BodySpin.X * BodySpin.X + BodySpin.Y * BodySpin.Y + BodySpin.Z * BodySpin.Z);
+/** Advances a record by Seconds with the body's Velocities, 6 floats of lr_batch_write_velocities. For frames between fixed
+ * steps: angles stay small there. */
+inline void AdvanceRecord(float* Record, const float* Velocities, double Seconds) {
+    for (int Axis = 0; Axis < 3; ++Axis) Record[Axis] += static_cast<float>(Velocities[Axis] * Seconds);
+    const FVec Spin{Velocities[3], Velocities[4], Velocities[5]};
+    const double Speed = std::sqrt(Spin.X * Spin.X + Spin.Y * Spin.Y + Spin.Z * Spin.Z);
     if (Speed * Seconds < 1e-9) return;
     const double Angle = 0.5 * Speed * Seconds;
     const double S = std::sin(Angle) / Speed;
-    const FRotation Turned = Multiply(Q, {BodySpin.X * S, BodySpin.Y * S, BodySpin.Z * S, std::cos(Angle)});
+    const FRotation Turned =
+        Multiply({Spin.X * S, Spin.Y * S, Spin.Z * S, std::cos(Angle)}, {Record[3], Record[4], Record[5], Record[6]});
     Record[3] = static_cast<float>(Turned.X);
     Record[4] = static_cast<float>(Turned.Y);
     Record[5] = static_cast<float>(Turned.Z);
