@@ -36,7 +36,7 @@ export async function wrong(lr: LangevinRigid, world: World, leaf: Asset): Promi
   world.bodyState(1);
   // @ts-expect-error constants are constant
   LR.OK = 1;
-  // only loadAsset and similar functions create assets
+  // @ts-expect-error only loadAsset and similar functions create assets
   new Asset();
   // @ts-expect-error read only
   leaf.info = leaf.info;
