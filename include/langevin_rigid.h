@@ -1382,7 +1382,7 @@ LR_API lr_status lr_batch_get_body_contact(const lr_world* world, lr_batch a, lr
 /* Kinds of events. */
 typedef int32_t lr_event_kind;
 enum {
-    LR_EVENT_SPAWNED = 1,   /* an emitter or lr_batch_spawn added it since the previous step; not lr_body_create */
+    LR_EVENT_SPAWNED = 1,   /* an emitter, lr_batch_spawn or lr_batch_spawn_box added it since the previous step */
     LR_EVENT_HIT = 2,       /* the body touches a collider that it did not touch at the end of the step before */
     LR_EVENT_LIFTED = 3,    /* it no longer touches the collider, or the collider was destroyed: its id is stale */
     LR_EVENT_LANDED = 4,    /* it fell asleep by itself */
@@ -1671,6 +1671,16 @@ LR_API lr_status lr_batch_get_emitter(const lr_world* world, lr_batch batch, lr_
  * LR_ERROR_CAPACITY. */
 LR_API lr_status lr_batch_spawn(lr_world* world, lr_batch batch, uint32_t count, lr_body* out_ids);
 
+/* Spawns `count` bodies in a box now, all or none, without an emitter: awake, evenly distributed, each orientation
+ * equally likely, at rest, scale 1, age 0, with the world's next noise seeds. Random values depend only on the world's
+ * seed and the body's noise seed, as with an LR_EMIT_BOX emitter. Causes LR_EVENT_SPAWNED. Allocates nothing, and so
+ * counts in lr_batch_counts only while the batch has rules or an emitter. low, high: x, y, z of the corners, m, each up
+ * to 1e9 in magnitude, low <= high. out_ids: receives `count` ids; may be null.
+ * LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_NOT_FINITE,
+ * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_CAPACITY. */
+LR_API lr_status lr_batch_spawn_box(lr_world* world, lr_batch batch, const float* low, const float* high,
+                                    uint32_t count, lr_body* out_ids);
+
 /* Numbers of bodies that rules ended and the emitter spawned in the last step, and totals since the batch was created.
  * lr_world_get_events names the bodies. */
 typedef struct lr_batch_counts {
@@ -1684,7 +1694,7 @@ typedef struct lr_batch_counts {
     uint32_t by_age;
     uint32_t by_volume[LR_MAX_KILL_VOLUMES];
     uint32_t diverged;      /* bodies that diverged in the last step, held or ended */
-    uint64_t total_spawned; /* including lr_batch_spawn */
+    uint64_t total_spawned; /* including lr_batch_spawn, lr_batch_spawn_box */
     uint64_t total_destroyed;
     uint64_t total_respawned;
     uint64_t total_missed;

@@ -46,11 +46,11 @@ prefix=$PWD
 check "checksums" sha256sum --quiet --strict -c SHA256SUMS
 all_summed() { diff <(find . -type f ! -name SHA256SUMS -printf '%P\n' | sort) <(sed 's/^[0-9a-f]*  //' SHA256SUMS | sort); }
 check "every file has a checksum" all_summed
-expected=(README.md LICENSE THIRD_PARTY.md include/langevin_rigid.h include/langevin_rigid_research.h "$library" "bin/lr_bake$exe" "bin/lr_replay$exe" samples/hello.c
+expected=(README.md LICENSE THIRD_PARTY.md include/langevin_rigid.h include/langevin_rigid.hpp include/langevin_rigid_research.h "$library" "bin/lr_bake$exe" "bin/lr_replay$exe" samples/hello.c
     lib/cmake/langevin_rigid/langevin_rigid-config.cmake lib/pkgconfig/langevin_rigid.pc assets/leaf.lrb assets/leaf.obj)
 [ "$platform" != windows-x64 ] || expected+=(lib/langevin_rigid.lib lib/langevin_rigid.def lib/liblangevin_rigid.dll.a)
 for file in "${expected[@]}"; do check "has $file" test -s "$file"; done
-for header in langevin_rigid langevin_rigid_research; do check "$header.h is the tree's" cmp "include/$header.h" "$root/include/$header.h"; done
+for header in langevin_rigid.h langevin_rigid.hpp langevin_rigid_research.h; do check "$header is the tree's" cmp "include/$header" "$root/include/$header"; done
 licences() { # every file in the table exists and has terms; licences named by others exist
     local file
     grep -o 'licences/[a-z0-9-]*\.txt' THIRD_PARTY.md | sort -u >"$work/named"

@@ -35,6 +35,7 @@ def read_me(options) -> str:
     run = ("Put `langevin_rigid.dll` beside the program, or in a folder of PATH."
            if windows else "Ship `liblangevin_rigid.so.0` beside your program and link that with `-Wl,-rpath,'$ORIGIN'`.")
     rows = [("include/langevin_rigid.h", "the API: units, ownership, errors and threads of every function"),
+            ("include/langevin_rigid.hpp", "the same for C++17: worlds and assets that destroy themselves, exceptions"),
             ("include/langevin_rigid_research.h", "bodies from given matrices, coefficients of the loads, turbulence tables"),
             (library, "the library; it exports the functions of these headers and nothing else")]
     if windows:

@@ -157,6 +157,8 @@ export declare class Batch extends BatchPlain {
   createBodies(descs: Input<api.BodyDesc>[] | ManyBodies): BigUint64Array;
   /** Spawns bodies from the emitter now. */
   emit(count: number): BigUint64Array;
+  /** Spawns bodies at rest, evenly in a box and turned at random, without an emitter. */
+  spawnBox(low: ArrayLike<number>, high: ArrayLike<number>, count: number): BigUint64Array;
   /** The bodies' arrays, without a copy. Valid until the world changes; empty after the memory grew. Call it again each frame. */
   view(): api.BatchView;
   /** A copy of all velocities, world frame, in the order of the view: for each body x, y, z of the linear one, m/s, and of the angular one, rad/s. */

@@ -352,6 +352,19 @@ lr_status lr_batch_spawn(lr_world* world, lr_batch batch, uint32_t count, lr_bod
     return change(world, __func__, args(batch, count, Out{out_ids, count}), emit);
 }
 
+lr_status lr_batch_spawn_box(lr_world* world, lr_batch batch, const float* low, const float* high, uint32_t count,
+                             lr_body* out_ids) {
+    const auto fill = [](lr_world& w, Batch& b, Triple from, Triple to, uint32_t n, Out<lr_body> ids) -> Outcome {
+        if (!within(from, most_place) || !within(to, most_place)) return invalid("a corner is over 1e9 m away");
+        if (from[0] > to[0] || from[1] > to[1] || from[2] > to[2]) return invalid("low is above high");
+        if (n > b.capacity() - b.count()) return LR_ERROR_CAPACITY;
+        if (!accepted(w)) return LR_ERROR_OUT_OF_MEMORY;
+        spawn_in({vector_of(from), vector_of(to)}, b, w, n, ids.first);
+        return {};
+    };
+    return change(world, __func__, args(batch, low, high, count, Out{out_ids, count}), fill);
+}
+
 lr_status lr_batch_get_counts(const lr_world* world, lr_batch batch, lr_batch_counts* counts) {
     const auto get = [](const lr_world&, const Batch& b, lr_batch_counts& out) {
         if (b.lifecycle()) b.lifecycle()->report(out);

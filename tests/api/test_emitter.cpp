@@ -5,7 +5,9 @@
 #include "support/vector.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <limits>
 #include <numbers>
@@ -251,6 +253,52 @@ TEST_CASE("emitting by hand is all or none") {
     CHECK(lr_batch_spawn(s.world.get(), s.batch, 1, nullptr) == LR_ERROR_CAPACITY);
     CHECK(lr_batch_spawn(s.world.get(), {}, 1, nullptr) == LR_ERROR_STALE_BATCH);
     CHECK(info_of(s.world).body_count == 10);
+}
+
+TEST_CASE("a box is filled without an emitter, as an emitter would") {
+    const float low[3] = {-1.5f, 0.1f, 2.0f}, high[3] = {2.5f, 0.3f, 2.0f};
+    const Source box, source;
+    keep_events(box.world, 2 * many);
+    const uint64_t bytes = info_of(box.world).memory_bytes;
+    std::vector<lr_body> ids(many);
+    REQUIRE(lr_batch_spawn_box(box.world.get(), box.batch, low, high, many, ids.data()) == LR_OK);
+    CHECK(info_of(box.world).memory_bytes == bytes);
+    CHECK(counts_of(box.world, box.batch).total_spawned == 0);
+    std::vector<lr_body_state> bodies;
+    for (lr_body id : ids) bodies.push_back(state_of(box.world, id));
+    for (size_t i = 0; i < 2; ++i)
+        check_even(values_of(bodies, [&](const lr_body_state& s) { return wide(s.position[i]); }), wide(low[i]),
+                   wide(high[i]));
+    lr_emitter_desc d = emitter_desc();
+    d.shape = LR_EMIT_BOX;
+    for (size_t i = 0; i < 3; ++i) d.position[i] = 0.5f * (low[i] + high[i]), d.size[i] = 0.5f * (high[i] - low[i]);
+    const std::vector<lr_body_state> emitted = source.bodies(d, many);
+    CHECK(std::memcmp(bodies.data(), emitted.data(), many * sizeof(lr_body_state)) == 0);
+    steps(box.world, 1, 0.01f);
+    CHECK(count_of(events_of(box.world), LR_EVENT_SPAWNED) == many);
+}
+
+TEST_CASE("a box is filled all or none") {
+    const Source s(10);
+    const auto fill = [&](std::array<float, 3> low, std::array<float, 3> high, uint32_t count) {
+        return lr_batch_spawn_box(s.world.get(), s.batch, low.data(), high.data(), count, nullptr);
+    };
+    CHECK(fill({}, {}, 11) == LR_ERROR_CAPACITY);
+    CHECK(fill({}, {}, 0xffffffffu) == LR_ERROR_CAPACITY);
+    CHECK(fill({0.0f, 0.1f, 0.0f}, {}, 1) == LR_ERROR_INVALID_ARGUMENT);
+    CHECK(fill({-1.1e9f, 0.0f, 0.0f}, {}, 1) == LR_ERROR_INVALID_ARGUMENT);
+    CHECK(fill({}, {0.0f, 0.0f, 1.1e9f}, 1) == LR_ERROR_INVALID_ARGUMENT);
+    CHECK(fill({std::numeric_limits<float>::quiet_NaN(), 0.0f, 0.0f}, {}, 0) == LR_ERROR_NOT_FINITE);
+    CHECK(fill({}, {0.0f, std::numeric_limits<float>::infinity(), 0.0f}, 1) == LR_ERROR_NOT_FINITE);
+    CHECK(fill({}, {}, 0) == LR_OK);
+    CHECK(info_of(s.world).body_count == 0);
+    const float corner[3] = {};
+    CHECK(lr_batch_spawn_box(s.world.get(), {}, corner, corner, 1, nullptr) == LR_ERROR_STALE_BATCH);
+    CHECK(fill({-1e9f, -1e9f, -1e9f}, {1e9f, 1e9f, 1e9f}, 7) == LR_OK);
+    set_emitter(s.world, s.batch, emitter_desc());
+    CHECK(fill({}, {}, 3) == LR_OK);
+    CHECK(counts_of(s.world, s.batch).total_spawned == 3); // with an emitter they count
+    CHECK(fill({}, {}, 1) == LR_ERROR_CAPACITY);
 }
 
 TEST_CASE("impossible emitters are refused and change nothing") {

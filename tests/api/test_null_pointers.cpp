@@ -32,6 +32,9 @@ TEST_CASE("a refused call returns no handle") {
     const float corner[3] = {};
     CHECK(lr_world_wake_box(w, nullptr, corner, &woken) == LR_ERROR_NULL_ARGUMENT);
     CHECK(woken == 0);
+    const lr_batch box = add_batch(world, asset, 1);
+    CHECK(lr_batch_spawn_box(w, box, nullptr, corner, 0, nullptr) == LR_ERROR_NULL_ARGUMENT);
+    CHECK(lr_batch_spawn_box(w, box, corner, nullptr, 0, nullptr) == LR_ERROR_NULL_ARGUMENT);
     int32_t policy = 9;
     CHECK(lr_batch_get_divergence_policy(nullptr, {1}, &policy) == LR_ERROR_NULL_ARGUMENT);
     CHECK(policy == 9);

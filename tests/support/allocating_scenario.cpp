@@ -148,6 +148,10 @@ void WholeScenario::add_settings() {
             return lr_batch_set_rules(world_[0], batch_[0][b], &r);
         });
     add("lr_batch_spawn", [this] { return lr_batch_spawn(world_[0], batch_[0][4], 3, nullptr); });
+    add("lr_batch_spawn_box", [this] {
+        const float low[3] = {-1.0f, 1.0f, -1.0f}, high[3] = {1.0f, 2.0f, 1.0f};
+        return lr_batch_spawn_box(world_[0], batch_[0][1], low, high, 2, nullptr);
+    });
     add("lr_batch_set_rate", [this] { return lr_batch_set_rate(world_[0], batch_[0][3], 3); });
     add("lr_world_set_budget", [this] { return lr_world_set_budget(world_[0], 1000); });
     add("lr_batch_set_force", [this] {

@@ -74,6 +74,16 @@ namespace LangevinRigid
             Leave(Native.lr_batch_spawn(EnterChange(), _id, number, ids), "lr_batch_spawn");
         }
 
+        /// <summary>Spawns bodies at rest, evenly in a box and turned at random, without an emitter, all or none; returns their
+        /// ids.</summary>
+        public BodyId[] SpawnBox(Float3 low, Float3 high, int count)
+        {
+            var ids = new BodyId[Counts.Of(count)];
+            fixed (BodyId* to = ids)
+                Leave(Native.lr_batch_spawn_box(EnterChange(), _id, &low.X, &high.X, (uint)count, to), "lr_batch_spawn_box");
+            return ids;
+        }
+
         /// <summary>The number of bodies.</summary>
         public int Count { get { return (int)RawView().Count; } }
 

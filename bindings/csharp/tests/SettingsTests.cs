@@ -208,7 +208,9 @@ static unsafe class SettingsTests
             batch.SetEmitter(emitter);
             Check.True(batch.TryGetEmitter(out kept) && kept.Rate == 600.0f, "as set");
             world.SetEvents(100, EventKinds.Spawned | EventKinds.Killed);
-            Check.Equal(5, batch.Emit(5).Length, "now");
+            Check.Equal(4, batch.Emit(4).Length, "now");
+            Check.Equal(1, batch.SpawnBox(new Float3(0, -2, 0), new Float3(0, -1, 0), 1).Length, "in a box");
+            Check.Status(Status.InvalidArgument, () => batch.SpawnBox(new Float3(0, 1, 0), new Float3(0, 0, 0), 1));
             world.Step(Scene.Frame, 1);
             BatchCounts counts = batch.GetCounts();
             Check.Equal(10u, counts.Spawned, "spawned");

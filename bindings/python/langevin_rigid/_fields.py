@@ -650,7 +650,7 @@ class BatchCounts(Record):
     by_age
     by_volume
     diverged: bodies that diverged in the last step, held or ended
-    total_spawned: including lr_batch_spawn
+    total_spawned: including lr_batch_spawn, lr_batch_spawn_box
     total_destroyed
     total_respawned
     total_missed

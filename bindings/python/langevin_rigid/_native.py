@@ -1341,7 +1341,7 @@ FIELD_DOCS = {
         'by_age': '',
         'by_volume': '',
         'diverged': 'bodies that diverged in the last step, held or ended',
-        'total_spawned': 'including lr_batch_spawn',
+        'total_spawned': 'including lr_batch_spawn, lr_batch_spawn_box',
         'total_destroyed': '',
         'total_respawned': '',
         'total_missed': '',
@@ -3240,6 +3240,27 @@ PROTOTYPES = {
         out_ids: receives `count` ids; may be null.
 
         Returns LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_INVALID_ARGUMENT (no emitter), LR_ERROR_CAPACITY.
+        """,
+    ),
+    'lr_batch_spawn_box': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.c_uint32, ctypes.POINTER(ctypes.c_float), ctypes.POINTER(ctypes.c_float), ctypes.c_uint32, ctypes.POINTER(ctypes.c_uint64)],
+        ('world', 'batch', 'low', 'high', 'count', 'out_ids'),
+        """lr_status lr_batch_spawn_box(lr_world* world, lr_batch batch, const float* low, const float* high, uint32_t count, lr_body* out_ids)
+
+        Spawns `count` bodies in a box now, all or none, without an emitter: awake, evenly distributed, each orientation
+        equally likely, at rest, scale 1, age 0, with the world's next noise seeds. Random values depend only on the world's
+        seed and the body's noise seed, as with an LR_EMIT_BOX emitter. Causes LR_EVENT_SPAWNED. Allocates nothing, and so
+        counts in lr_batch_counts only while the batch has rules or an emitter.
+
+        world: the world
+        batch: handle of a batch of the world
+        low: x, y, z of the corners, m, each up to 1e9 in magnitude, low <= high.
+        high: x, y, z of the corners, m, each up to 1e9 in magnitude, low <= high.
+        count: number of elements
+        out_ids: receives `count` ids; may be null.
+
+        Returns LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_CAPACITY.
         """,
     ),
     'lr_batch_counts_init': (

@@ -16,6 +16,7 @@ from .enums import ForceFrame, ForceMode, TransformFormat
 from .view import View
 
 if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
     from typing_extensions import Unpack
 
     from ._fields import AerodynamicsOptions, TurbulenceTableOptions
@@ -231,6 +232,13 @@ class Batch(BatchPlain):
         self._change("lr_batch_spawn", count, address(ids, ctypes.c_uint64))
         return ids
 
+    def spawn_box(self, low: ArrayLike, high: ArrayLike, count: int) -> np.ndarray:
+        """Spawns bodies at rest, evenly in a box and turned at random, without an emitter, all or none; returns their ids."""
+        corners = np.array([low, high], np.float32).reshape(2, 3)
+        ids = np.zeros(count, np.uint64)
+        self._change("lr_batch_spawn_box", address(corners[0], ctypes.c_float), address(corners[1], ctypes.c_float), count,
+                     address(ids, ctypes.c_uint64))
+        return ids
 
 
 def components(values: Any, name: str) -> Optional[Tuple[List[np.ndarray], int]]:

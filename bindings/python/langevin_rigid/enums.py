@@ -243,7 +243,7 @@ class ContactFlags(IntFlag):
 
 class EventKind(IntEnum):
     """Kinds of events."""
-    SPAWNED = 1  # an emitter or lr_batch_spawn added it since the previous step; not lr_body_create
+    SPAWNED = 1  # an emitter, lr_batch_spawn or lr_batch_spawn_box added it since the previous step
     HIT = 2  # the body touches a collider that it did not touch at the end of the step before
     LIFTED = 3  # it no longer touches the collider, or the collider was destroyed: its id is stale
     LANDED = 4  # it fell asleep by itself

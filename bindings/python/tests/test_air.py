@@ -284,6 +284,13 @@ class Contact(WorldCase):
 
 
 class Storms(WorldCase):
+    def test_a_box_is_filled_without_an_emitter(self):
+        ids = self.batch.spawn_box((-1, 2, -1), (1, 3, 1), 5)
+        self.assertEqual(sorted(ids.tolist()), sorted(self.batch.ids.tolist())[-5:])
+        self.assertTrue(all(2 <= self.world.state(body).position[1] <= 3 for body in ids))
+        with self.assertRaises(lr.Error):
+            self.batch.spawn_box((0, 1, 0), (0, 0, 0), 1)
+
     def test_births_and_ends(self):
         self.batch.set_rules(max_age=0.2, volumes=[{"shape": lr.VolumeShape.PLANE, "center": (0, -9, 0), "size": (0, 1, 0)}])
         self.assertIsNone(self.batch.emitter)

@@ -3,6 +3,7 @@
 import { LR, structs } from './generated/api.mjs';
 import { BatchPlain } from './generated/plain.mjs';
 import { Asset } from './asset.mjs';
+import { three } from './heap.mjs';
 
 const arrayTypes = { f32: Float32Array, u32: Uint32Array, big: BigUint64Array };
 const floats = [7, 8, 12, 12, 16, 16]; // per body, by LR.TRANSFORM_*
@@ -85,6 +86,15 @@ export class Batch extends BatchPlain {
     return this.#host.scratch((scratch) => {
       const out = scratch.bytes(8 * count);
       this.#call('lr_batch_spawn', count, out);
+      return this.#host.heap.array(BigUint64Array, out, count).slice();
+    });
+  }
+
+  /** Spawns bodies at rest, evenly in a box and turned at random, without an emitter. */
+  spawnBox(low, high, count) {
+    return this.#host.scratch((scratch) => {
+      const out = scratch.bytes(8 * count);
+      this.#call('lr_batch_spawn_box', scratch.copy(Float32Array, three(low, 'low')), scratch.copy(Float32Array, three(high, 'high')), count, out);
       return this.#host.heap.array(BigUint64Array, out, count).slice();
     });
   }

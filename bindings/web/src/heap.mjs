@@ -178,3 +178,9 @@ export class Scratch {
     while (this.#taken.length) this.#heap.free(this.#taken.pop());
   }
 }
+
+/** The argument `name`, a vector. */
+export function three(values, name) {
+  if (values?.length !== 3) throw new RangeError(`${name} must have 3 elements, not ${values?.length}`);
+  return values;
+}

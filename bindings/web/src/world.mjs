@@ -3,6 +3,7 @@
 import { Batch } from './batch.mjs';
 import { LR, structs } from './generated/api.mjs';
 import { WorldPlain } from './generated/plain.mjs';
+import { three } from './heap.mjs';
 
 const leaked = new FinalizationRegistry(end);
 
@@ -395,11 +396,6 @@ const logTo = (world, log) => (level, message) => {
 };
 
 const withBatch = ({ batch, ...desc }) => (batch ? { ...desc, batch: batch.handle ?? batch } : desc);
-
-function three(values, name) {
-  if (values?.length !== 3) throw new RangeError(`${name} must have 3 elements, not ${values?.length}`);
-  return values;
-}
 
 function checkedHeights(heights, counts) {
   if (counts && heights.length !== counts[0] * counts[1])

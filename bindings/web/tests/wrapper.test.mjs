@@ -281,7 +281,9 @@ test('rules, emitters, rates, budgets, gains, tables', () => {
   batch.setEmitter({ shape: LR.EMIT_BOX, position: [0, 10, 0], size: [5, 0, 5], rate: 60 });
   batch.setRules({ action: LR.END_RESPAWN, maxAge: 0.5, volumes: [{ shape: LR.VOLUME_PLANE, side: LR.KILL_INSIDE, center: [0, -50, 0], size: [0, 1, 0] }] });
   world.setEvents(1000);
-  assert.equal(batch.emit(3).length, 3);
+  assert.equal(batch.emit(2).length, 2);
+  assert.equal(batch.spawnBox([-1, 9, -1], [1, 10, 1], 1).length, 1);
+  assert.throws(() => batch.spawnBox([0, 1, 0], [0, 0, 0], 1), refused('INVALID_ARGUMENT'));
   let spawned = 3;
   let ended = 0;
   for (let i = 0; i < 60; ++i) {

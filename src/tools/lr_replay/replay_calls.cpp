@@ -164,15 +164,31 @@ lr_status batch_add_forces(Arguments& from, const Scene& scene, uint64_t&) {
     return lr_batch_add_forces(scene.world, batch, &a);
 }
 
+// Room for the ids of `count` new bodies; none if the call is refused.
+std::vector<lr_body> room_for_ids(const Scene& scene, lr_batch batch, uint32_t count) {
+    lr_batch_view view = LR_BATCH_VIEW_INIT;
+    const bool fits = lr_batch_get_view(scene.world, batch, &view) == LR_OK && count <= view.capacity - view.count;
+    return std::vector<lr_body>(fits ? count : 0);
+}
+
 lr_status batch_spawn(Arguments& from, const Scene& scene, uint64_t& output) {
     const auto batch = from.value<lr_batch>();
     const auto count = from.value<uint32_t>();
     from.end();
-    lr_batch_view view;
-    lr_batch_view_init(&view, sizeof view);
-    const bool there = lr_batch_get_view(scene.world, batch, &view) == LR_OK && count <= view.capacity - view.count;
-    std::vector<lr_body> ids(there ? count : 0); // otherwise the call is refused
-    const lr_status status = lr_batch_spawn(scene.world, batch, count, there ? ids.data() : nullptr);
+    std::vector<lr_body> ids = room_for_ids(scene, batch, count);
+    const lr_status status = lr_batch_spawn(scene.world, batch, count, ids.data());
+    output = output_of(ids.data(), ids.size());
+    return status;
+}
+
+lr_status batch_spawn_box(Arguments& from, const Scene& scene, uint64_t& output) {
+    const auto batch = from.value<lr_batch>();
+    const Array low = from.array(12), high = from.array(12);
+    const auto count = from.value<uint32_t>();
+    from.end();
+    std::vector<lr_body> ids = room_for_ids(scene, batch, count);
+    const lr_status status =
+        lr_batch_spawn_box(scene.world, batch, low.as<float>(), high.as<float>(), count, ids.data());
     output = output_of(ids.data(), ids.size());
     return status;
 }

@@ -32,6 +32,14 @@ const char* wrong_in(const lr_batch_rules& r) {
     }
     return nullptr;
 }
+
+void spawn(const Emitter& emitter, Batch& batch, lr_world& world, uint32_t count, lr_body* out_ids) {
+    for (uint32_t i = 0; i < count; ++i) {
+        const lr_body id = batch.add(emitter.draw(world.seed, world.take_key(), 0));
+        if (out_ids) out_ids[i] = id;
+        if (batch.events()) batch.events()->note(unpack(id).slot, noted_spawn);
+    }
+}
 } // namespace
 
 Outcome check(const lr_batch_rules& r) {
@@ -168,13 +176,18 @@ void Lifecycle::bear(Batch& batch, lr_world& world, double dt) {
 
 uint32_t Lifecycle::emit(Batch& batch, lr_world& world, uint32_t count, lr_body* out_ids) {
     count = std::min(count, batch.capacity() - batch.count());
-    for (uint32_t i = 0; i < count; ++i) {
-        const lr_body id = batch.add(emitter_.draw(world.seed, world.take_key(), 0));
-        if (out_ids) out_ids[i] = id;
-        if (batch.events()) batch.events()->note(unpack(id).slot, noted_spawn);
-    }
-    state_.spawned += count;
+    spawn(emitter_, batch, world, count, out_ids);
+    count_spawned(count);
     return count;
+}
+
+void spawn_in(const Box& box, Batch& batch, lr_world& world, uint32_t count, lr_body* out_ids) {
+    lr_emitter_desc desc = LR_EMITTER_DESC_INIT;
+    desc.shape = LR_EMIT_BOX;
+    put(0.5f * (box.low + box.high), desc.position);
+    put(0.5f * (box.high - box.low), desc.size);
+    spawn(Emitter(desc), batch, world, count, out_ids);
+    if (Lifecycle* const l = batch.lifecycle(); l && (l->has_rules() || l->has_emitter())) l->count_spawned(count);
 }
 
 void Lifecycle::report(lr_batch_counts& out) const {

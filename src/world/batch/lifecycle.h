@@ -54,6 +54,7 @@ public:
 
     // Spawns at most `count` bodies; returns how many had room.
     uint32_t emit(Batch& batch, lr_world& world, uint32_t count, lr_body* out_ids);
+    void count_spawned(uint32_t count) { state_.spawned += count; } // by spawn_in()
 
     void report(lr_batch_counts& out) const;
     // The kind of event of bodies that the rules ended in the step.
@@ -93,6 +94,9 @@ private:
     bool ended_respawned_ = false;
     uint32_t by_cause_[cause_count] = {};
 };
+
+// Spawns `count` bodies in a box, as an emitter of that shape would. There is room.
+void spawn_in(const Box& box, Batch& batch, lr_world& world, uint32_t count, lr_body* out_ids);
 
 // Bodies of all batches that diverged in a step (BodyFaults), for the log.
 struct FaultReport {

@@ -94,28 +94,46 @@ void emitter(Fuzzer& f) {
         defect("lr_batch_get_emitter", "not what was set", present);
 }
 
-void emit(Fuzzer& f) {
+// function(world, batch, count, ids)
+template <class Function> void spawned(Fuzzer& f, const char* name, bool box, Expected e, Function&& function) {
     World& w = f.world();
     const lr_batch id = f.pick_batch(w, f.in.handle(0));
     Batch* const b = w.find(id);
     const uint32_t count = f.in.handle(1) < 224 ? f.in.handle(1) % 5 : f.in.integer(f.in.handle(1));
-    Expected e;
     e.add_if(!b, LR_ERROR_STALE_BATCH);
-    e.add_if(b && count != 0 && !b->emitter, LR_ERROR_INVALID_ARGUMENT);
+    e.add_if(b && !box && count != 0 && !b->emitter, LR_ERROR_INVALID_ARGUMENT);
     e.add_if(b && count > b->desc.capacity - b->bodies.size(), LR_ERROR_CAPACITY);
-    Call call(f, w, "lr_batch_spawn", e);
+    Call call(f, w, name, e);
     std::vector<lr_body> ids(std::min(count, 64u));
     const bool wild = w.state.wild;
-    const bool ok = call.ended(LR_CALL(lr_batch_spawn)(call.world(), id, count, f.in.null(2) ? nullptr : ids.data()));
+    const bool ok = call.ended(function(call.world(), id, count, f.in.null(2) ? nullptr : ids.data()));
     w.state.wild = wild;
     if (!ok || !b || count == 0) return;
     const lr_batch_view view = view_of(w, id);
-    if (!w.state.loose && view.count != b->bodies.size() + count) defect("lr_batch_spawn", "count", view.count);
+    if (!w.state.loose && view.count != b->bodies.size() + count) defect(name, "count", view.count);
     if (!f.in.null(2))
         for (lr_body body : ids)
-            if (std::find(view.ids, view.ids + view.count, body) == view.ids + view.count)
-                defect("lr_batch_spawn", "a stale id");
+            if (std::find(view.ids, view.ids + view.count, body) == view.ids + view.count) defect(name, "a stale id");
     b->bodies.assign(view.ids, view.ids + view.count);
+}
+
+void spawn_box(Fuzzer& f) {
+    float low[3] = {-1.0f, 0.0f, -1.0f}, high[3] = {1.0f, 2.0f, 1.0f};
+    f.in.change(low, high);
+    Expected e;
+    e.range(low, -1e9, 1e9);
+    e.range(high, -1e9, 1e9);
+    for (size_t k = 0; k < 3; ++k) e.add_if(low[k] > high[k], LR_ERROR_INVALID_ARGUMENT);
+    e.add_if(f.in.null(1) || f.in.null(3), LR_ERROR_NULL_ARGUMENT);
+    spawned(f, "lr_batch_spawn_box", true, e, [&](lr_world* w, lr_batch id, uint32_t count, lr_body* ids) {
+        return LR_CALL(lr_batch_spawn_box)(w, id, f.in.null(1) ? nullptr : low, f.in.null(3) ? nullptr : high, count,
+                                           ids);
+    });
+}
+
+void spawn(Fuzzer& f) {
+    if (f.in.handle(2) % 4 == 3) return spawn_box(f);
+    spawned(f, "lr_batch_spawn", false, {}, LR_CALL(lr_batch_spawn));
 }
 
 void divergence_policy(Fuzzer& f) {
@@ -141,7 +159,7 @@ void divergence_policy(Fuzzer& f) {
 } // namespace
 
 std::vector<Named> lifecycle_operations() {
-    return {{"rules", rules}, {"emitter", emitter}, {"emit", emit}, {"divergence_policy", divergence_policy}};
+    return {{"rules", rules}, {"emitter", emitter}, {"spawn", spawn}, {"divergence_policy", divergence_policy}};
 }
 
 } // namespace fuzz

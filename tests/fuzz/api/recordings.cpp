@@ -28,7 +28,7 @@ void start(Fuzzer& f) {
     Expected e;
     if (!in.null(1)) {
         e.add_if(!writes, LR_ERROR_NULL_ARGUMENT);
-        e.add_if((d.flags & ~LR_RECORD_CALLBACKS) != 0 || d.reserved != 0, LR_ERROR_INVALID_ARGUMENT);
+        e.add_if((d.flags & ~lr_record_flags{LR_RECORD_CALLBACKS}) != 0 || d.reserved != 0, LR_ERROR_INVALID_ARGUMENT);
     }
     e.add_if(on, LR_ERROR_INVALID_ARGUMENT);
     e.may_if(left != 0, LR_ERROR_INVALID_ARGUMENT); // `write` refuses at once

@@ -133,7 +133,7 @@ void events(Fuzzer& f) {
              kinds = f.in.handle(1) < 192 ? f.in.handle(1) * 2 % 256 : 1u << f.in.handle(1) % 32;
     f.in.change(capacity);
     Expected e;
-    e.add_if((kinds & ~LR_EVENTS_ALL) != 0 || (capacity != 0 && kinds == 0), LR_ERROR_INVALID_ARGUMENT);
+    e.add_if((kinds & ~lr_event_kinds{LR_EVENTS_ALL}) != 0 || (capacity != 0 && kinds == 0), LR_ERROR_INVALID_ARGUMENT);
     Call call(f, w, "lr_world_set_events", e);
     const bool wild = w.state.wild;
     if (call.ended(LR_CALL(lr_world_set_events)(call.world(), capacity, kinds))) w.event_capacity = capacity;

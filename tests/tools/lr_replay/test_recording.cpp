@@ -166,6 +166,11 @@ void do_everything(const World& world, const Asset& flat, const Asset& plate, Re
     REQUIRE(lr_batch_spawn(w, a, 3, spawned) == LR_OK);
     REQUIRE(lr_batch_spawn(w, a, 1, nullptr) == LR_OK);
     CHECK(lr_batch_spawn(w, a, 4000000000u, nullptr) == LR_ERROR_CAPACITY);
+    const float corner[3] = {-1.0f, 0.5f, 0.0f}, opposite[3] = {1.0f, 1.0f, 0.0f};
+    REQUIRE(lr_batch_spawn_box(w, b, corner, opposite, 2, spawned) == LR_OK);
+    REQUIRE(lr_batch_spawn_box(w, b, corner, opposite, 1, nullptr) == LR_OK);
+    CHECK(lr_batch_spawn_box(w, b, opposite, corner, 1, spawned) == LR_ERROR_INVALID_ARGUMENT);
+    CHECK(lr_batch_spawn_box(w, b, corner, opposite, 4000000000u, nullptr) == LR_ERROR_CAPACITY);
 
     const Triangles sheet = bumpy_sheet(6, 3);
     const std::vector<float> heights(25, -1.5f);

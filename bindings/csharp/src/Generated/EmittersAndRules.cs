@@ -212,7 +212,7 @@ namespace LangevinRigid
         public fixed uint ByVolume[8];
         /// <summary>bodies that diverged in the last step, held or ended</summary>
         public uint Diverged;
-        /// <summary>including <see cref="Native.lr_batch_spawn"/></summary>
+        /// <summary>including <see cref="Native.lr_batch_spawn"/>, <see cref="Native.lr_batch_spawn_box"/></summary>
         public ulong TotalSpawned;
         /// <summary>Total destroyed.</summary>
         public ulong TotalDestroyed;

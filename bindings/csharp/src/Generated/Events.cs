@@ -8,8 +8,8 @@ namespace LangevinRigid
     /// <summary>Kinds of events.</summary>
     public enum EventKind : int
     {
-        /// <summary>An emitter or <see cref="Native.lr_batch_spawn"/> added it since the previous step; not
-        /// <see cref="Native.lr_body_create"/>.</summary>
+        /// <summary>An emitter, <see cref="Native.lr_batch_spawn"/> or <see cref="Native.lr_batch_spawn_box"/> added it
+        /// since the previous step.</summary>
         Spawned = 1,
         /// <summary>The body touches a collider that it did not touch at the end of the step before.</summary>
         Hit = 2,

@@ -108,6 +108,23 @@ namespace LangevinRigid
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_batch_spawn(IntPtr world, BatchId batch, uint count, BodyId* outIds);
 
+        /// <summary>Spawns <paramref name="count"/> bodies in a box now, all or none, without an emitter: awake, evenly
+        /// distributed, each orientation equally likely, at rest, scale 1, age 0, with the world's next noise seeds.
+        /// Random values depend only on the world's seed and the body's noise seed, as with an
+        /// <see cref="EmitterShape.Box"/> emitter. Causes <see cref="EventKind.Spawned"/>. Allocates nothing, and so
+        /// counts in <see cref="BatchCounts"/> only while the batch has rules or an emitter.</summary>
+        /// <param name="world">the world</param>
+        /// <param name="batch">handle of a batch of the world</param>
+        /// <param name="low">x, y, z of the corners, m, each up to 1e9 in magnitude, low &lt;= high.</param>
+        /// <param name="high">x, y, z of the corners, m, each up to 1e9 in magnitude, low &lt;= high.</param>
+        /// <param name="count">number of elements</param>
+        /// <param name="outIds">receives <paramref name="count"/> ids; may be null.</param>
+        /// <returns><see cref="Status.Ok"/> (also for count 0), <see cref="Status.NullArgument"/>,
+        /// <see cref="Status.StaleBatch"/>, <see cref="Status.NotFinite"/>, <see cref="Status.InvalidArgument"/>,
+        /// <see cref="Status.Capacity"/>.</returns>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_batch_spawn_box(IntPtr world, BatchId batch, float* low, float* high, uint count, BodyId* outIds);
+
         /// <summary>Fills a struct with its initial values; <c>BatchCounts.Create()</c> does it with the right size.</summary>
         /// <param name="counts">counts</param>
         /// <param name="structSize">sizeof the struct in the caller's header</param>

@@ -172,7 +172,7 @@ export declare const LR: {
   readonly MOVE_VELOCITY: 3;
   /** bodies never fall asleep by themselves, only by lr_body_set_sleep */
   readonly CONTACT_NEVER_SLEEP: 1;
-  /** an emitter or lr_batch_spawn added it since the previous step; not lr_body_create */
+  /** an emitter, lr_batch_spawn or lr_batch_spawn_box added it since the previous step */
   readonly EVENT_SPAWNED: 1;
   /** the body touches a collider that it did not touch at the end of the step before */
   readonly EVENT_HIT: 2;
@@ -1049,7 +1049,7 @@ export interface BatchCounts {
   byVolume: number[];
   /** bodies that diverged in the last step, held or ended */
   diverged: number;
-  /** including lr_batch_spawn */
+  /** including lr_batch_spawn, lr_batch_spawn_box */
   totalSpawned: number;
   totalDestroyed: number;
   totalRespawned: number;
@@ -1747,6 +1747,15 @@ export interface RawFunctions {
    * LR_ERROR_CAPACITY.
    */
   lr_batch_spawn(world: number, batch: number, count: number, out_ids: number): number;
+  /**
+   * Spawns `count` bodies in a box now, all or none, without an emitter: awake, evenly distributed, each orientation
+   * equally likely, at rest, scale 1, age 0, with the world's next noise seeds. Random values depend only on the world's
+   * seed and the body's noise seed, as with an LR_EMIT_BOX emitter. Causes LR_EVENT_SPAWNED. Allocates nothing, and so
+   * counts in lr_batch_counts only while the batch has rules or an emitter.
+   * LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_NOT_FINITE,
+   * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_CAPACITY.
+   */
+  lr_batch_spawn_box(world: number, batch: number, low: number, high: number, count: number, out_ids: number): number;
   lr_batch_counts_init(counts: number, struct_size: number): number;
   /**
    * Reads the counts of a batch. One that never had rules or an emitter counts only diverged bodies; the rest is 0.

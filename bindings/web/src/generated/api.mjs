@@ -861,6 +861,7 @@ export const functions = [
   'lr_batch_set_emitter',
   'lr_batch_get_emitter',
   'lr_batch_spawn',
+  'lr_batch_spawn_box',
   'lr_batch_counts_init',
   'lr_batch_get_counts',
   'lr_aerodynamics_init',

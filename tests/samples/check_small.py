@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+"""Runs the programs of samples/small, checks that they print what nature would, and that docs/guide/recipes.md quotes them.
+usage: check_small.py BUILD_DIR ROOT        BUILD_DIR: of the samples; ROOT: of the project
+SPDX-License-Identifier: MIT"""
+import pathlib
+import re
+import subprocess
+import sys
+
+
+def numbers(name, *arguments):
+    """The numbers of each line that the program prints."""
+    done = subprocess.run([BUILD / name, *arguments], capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, f"{name}: exit code {done.returncode}\n{done.stdout}{done.stderr}"
+    print(f"{name}:", *done.stdout.splitlines(), sep="\n    ")
+    return [[float(n) for n in re.findall(r"-?\d+\.?\d*", line)] for line in done.stdout.splitlines()]
+
+
+def leaves():
+    rows = numbers("leaves")
+    seconds, hits, landings = zip(*rows)
+    assert seconds == (5, 10, 15, 20, 25, 30)
+    assert hits[0] == 0 and hits[1] > 100, "leaves fall about 1 m/s, from 6 m and more"
+    assert hits[-1] >= 1000 and 980 <= landings[-1] <= 1100, "all come down, and lie where the wind does not reach"
+    assert landings[-1] == landings[-2], "at rest"
+
+
+def dart():
+    rows = numbers("dart", BUILD / "viewer_assets/paper_plane.lrb")
+    seconds, far, high = zip(*rows)
+    assert all(a < b for a, b in zip(far, far[1:])) and max(high) < 1.8, "it flies on, without a loop"
+    assert 2.5 < far[-1] < 6, "metres, as a dart of 8 cm does"
+    assert 0.8 < seconds[-1] < 2, "it glides: a stone falls 1.6 m in 0.57 s"
+
+
+def confetti():
+    rows = numbers("confetti")
+    seconds, high, wide = zip(*rows)
+    peak = high.index(max(high))
+    assert 2 < high[peak] < 5 and seconds[peak] <= 1, "the air carries it up, and leaves it there"
+    sinks = (high[-5] - high[-1]) / (seconds[-1] - seconds[-5])
+    assert 0.3 < sinks < 1.2, f"paper of 80 g/m^2 flutters down, not at {sinks} m/s"
+    assert wide[0] < 1 and 2 < wide[-1] < 5, "it spreads while it flutters"
+
+
+def coin():
+    *rows, (seconds, depth) = numbers("coin")
+    assert rows[0] == [0, -0.3]
+    sinks = (rows[-1][1] - rows[3][1]) / (rows[-1][0] - rows[3][0])
+    assert 0.25 < sinks < 0.7, f"a coin flutters down, not at {sinks} m/s"  # on edge it would fall at about 1 m/s
+    assert 1.99 < depth < 2 and 3 < seconds < 8, "it lies flat on the bottom"
+
+
+def texts():
+    sources = {path.name: path.read_text(encoding="utf-8") for path in (ROOT / "samples/small").glob("*.cpp")}
+    assert sorted(sources) == ["coin.cpp", "confetti.cpp", "dart.cpp", "leaves.cpp"]
+    for name, text in sources.items():
+        lines = text.splitlines()
+        assert len(lines) <= 20 and max(map(len, lines)) <= 120, f"{name} is too large"
+    recipes = (ROOT / "docs/guide/recipes.md").read_text(encoding="utf-8")
+    quotes = re.findall(r"^```cpp\n(.*?)^```$", recipes, re.M | re.S)
+    for name, text in sources.items():
+        assert any(quote in text for quote in quotes), f"recipes.md does not quote {name}"
+    for quote in quotes:
+        assert any(quote in text for text in sources.values()), f"recipes.md quotes what is in no program:\n{quote}"
+
+
+BUILD, ROOT = map(pathlib.Path, sys.argv[1:])
+texts()
+leaves()
+dart()
+confetti()
+coin()
