@@ -63,9 +63,9 @@ LR_API uint32_t lr_version(void);
 /* LR_OK, or a negative error. Values never change. */
 typedef int32_t lr_status;
 enum {
-    LR_OK = 0,
+    LR_OK = 0,                          /* success */
     LR_ERROR_NULL_ARGUMENT = -1,        /* a required pointer is null */
-    LR_ERROR_STRUCT_SIZE = -2,          /* struct_size is below every released size, or an unknown tail is not 0 */
+    LR_ERROR_STRUCT_SIZE = -2,          /* struct_size is of no release, or an unknown tail is not 0: see LR_..._INIT */
     LR_ERROR_INVALID_ARGUMENT = -3,     /* a value is out of range */
     LR_ERROR_NOT_FINITE = -4,           /* a number is NaN or infinite */
     LR_ERROR_OUT_OF_MEMORY = -5,        /* the allocator returned null */

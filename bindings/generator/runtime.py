@@ -3,6 +3,7 @@
 """Writes the lists that the library, lr_replay and the tests take from the public header:
 
     src/api/structs.inc              structs with an init function
+    src/api/status_texts.inc         texts of statuses
     src/tools/lr_replay/calls.inc       recorded calls, and whether lr_replay can repeat them by their types alone
     tests/api/calls.inc              every call, with valid arguments
     tests/api/exports.txt            symbols of the shared library
@@ -24,11 +25,15 @@ OWN = {"lr_world_set_simd_target"}
 
 
 def rows(words):
-    return textwrap.wrap(" ".join(words), 118, break_long_words=False, break_on_hyphens=False)
+    return textwrap.wrap(" ".join(words), 148, break_long_words=False, break_on_hyphens=False)
 
 
 def structs(model):
     return HEAD + "\n".join(rows([f"LR_STRUCT({s['name']},\0{s['name'].upper()}_INIT)" for s in model["structs"] if s["init"]])).replace("\0", " ") + "\n"
+
+
+def status_texts(model):
+    return HEAD + "".join(f'{{{c["name"]}, "{" ".join(c["doc"].split())}"}},\n' for c in model["constants"] if c.get("enum") == "lr_status")
 
 
 def recorded(model):
@@ -109,7 +114,7 @@ def exports(model):
 
 
 def main():
-    return output.run(__doc__, lambda model: {"src/api/structs.inc": structs(model), "src/tools/lr_replay/calls.inc": replay_calls(model),
+    return output.run(__doc__, lambda model: {"src/api/structs.inc": structs(model), "src/api/status_texts.inc": status_texts(model), "src/tools/lr_replay/calls.inc": replay_calls(model),
                                               "tests/api/calls.inc": test_calls(model), "tests/api/exports.txt": exports(model)})
 
 

@@ -160,7 +160,6 @@ lr_asset_info info_of(const lr_asset& asset) {
     out.content_hash = asset.content_hash;
     return out;
 }
-
 } // namespace
 } // namespace lr::api
 

@@ -54,7 +54,6 @@ Outcome check(const lr_turbulence_table& t) {
     }
     return {};
 }
-
 } // namespace
 
 static void tell(Call& call, const lr_turbulence_table* table) {
@@ -67,7 +66,6 @@ static void tell(Call& call, const lr_turbulence_table* table) {
     call.shared_array(t.chi, sizeof(float) * uint64_t{t.count});
     call.shared_array(t.epsilon, sizeof(float) * uint64_t{t.count});
 }
-
 } // namespace lr::api
 
 using namespace lr;
@@ -304,7 +302,7 @@ lr_status lr_batch_set_rules(lr_world* world, lr_batch batch, const lr_batch_rul
             return invalid("LR_END_RESPAWN needs an emitter: set it first");
         if (!b.reserve_lifecycle()) return LR_ERROR_OUT_OF_MEMORY;
         b.lifecycle()->set_rules(r);
-        if (b.resting()) b.resting()->ask_again();
+        if (b.sleeping()) b.sleeping()->ask_again();
         return {};
     };
     return change(world, __func__, args(batch, rules), set);

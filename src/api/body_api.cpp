@@ -96,7 +96,7 @@ const char* too_large(const Batch& batch, uint32_t index, const Push& p) {
 
 // Wakes the body unless force and torque are zero. A body that wakes moves to a lower index.
 void apply(Batch& batch, uint32_t index, const Push& p) {
-    if (batch.rests(index)) {
+    if (batch.asleep(index)) {
         if (dot(p.force, p.force) == 0.0 && dot(p.torque, p.torque) == 0.0) return;
         index = batch.wake(index);
     }
@@ -173,7 +173,6 @@ template <class Force, class Each> void each_force(Force& f, const Each& each) {
     each(f.body_acceleration, force_component(LR_FRAME_BODY, force_acceleration));
     each(f.body_angular_acceleration, force_component(LR_FRAME_BODY, force_spin));
 }
-
 } // namespace
 
 // For arrays without gaps.
@@ -188,7 +187,6 @@ static void tell(Call& call, const lr_force_arrays* arrays) {
         }
     }
 }
-
 } // namespace lr::api
 
 using namespace lr;
@@ -237,7 +235,7 @@ lr_status lr_body_get_state(const lr_world* world, lr_body body, lr_body_state* 
         out.age = s.value[field_age];
         out.noise_seed = s.noise_seed;
         out.user = s.user;
-        out.sleep_state = at.batch.rests(at.index)  ? LR_SLEEP_ASLEEP
+        out.sleep_state = at.batch.asleep(at.index) ? LR_SLEEP_ASLEEP
                           : at.batch.held(at.index) ? LR_SLEEP_HELD
                                                     : LR_SLEEP_AWAKE;
     };
@@ -248,7 +246,7 @@ lr_status lr_body_set_state(lr_world* world, lr_body body, const lr_body_state* 
     const auto set = [](lr_world& w, Body at, const lr_body_state& s) -> Outcome {
         if (const Outcome outcome = check(s); outcome.refused()) return outcome;
         if (s.user != 0 && !at.batch.reserve_users()) return LR_ERROR_OUT_OF_MEMORY;
-        const uint32_t index = at.batch.rests(at.index) ? at.batch.wake(at.index) : at.index;
+        const uint32_t index = at.batch.asleep(at.index) ? at.batch.wake(at.index) : at.index;
         w.leave(at.batch, index);
         at.batch.write(index, to_storage(s));
         at.batch.set_user(index, s.user);
@@ -258,13 +256,13 @@ lr_status lr_body_set_state(lr_world* world, lr_body body, const lr_body_state* 
     return change(world, __func__, args(body, state), set);
 }
 
-lr_status lr_body_set_sleep(lr_world* world, const lr_body* bodies, uint32_t count, int32_t rest) {
+lr_status lr_body_set_sleep(lr_world* world, const lr_body* bodies, uint32_t count, int32_t sleep_state) {
     const auto set = [](lr_world& w, int32_t to, const Handles<lr_body>& all) -> Outcome {
         if (to != LR_SLEEP_AWAKE && to != LR_SLEEP_ASLEEP)
             return invalid("sleep_state is neither LR_SLEEP_AWAKE nor LR_SLEEP_ASLEEP");
-        return w.set_rest(all.first, all.count, to == LR_SLEEP_ASLEEP);
+        return w.set_sleep(all.first, all.count, to == LR_SLEEP_ASLEEP);
     };
-    return change(world, __func__, args(rest, Handles{bodies, count}), set);
+    return change(world, __func__, args(sleep_state, Handles{bodies, count}), set);
 }
 
 lr_status lr_world_wake_box(lr_world* world, const float* low, const float* high, uint32_t* woken) {

@@ -8,11 +8,9 @@
 #include "kernel/limits.h"
 #include "langevin_rigid.h"
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <new>
 
 namespace lr::api {
 
@@ -103,5 +101,4 @@ template <class F> lr_status guarded(F&& body) noexcept {
     return unless_out_of_memory(body);
 #endif
 }
-
 } // namespace lr::api

@@ -220,5 +220,4 @@ lr_status change(lr_world* world, const char* function, const std::tuple<A...>& 
     if (recorder->failed()) end_recording(*world, "the recording has ended: its `write` returned an error");
     return status;
 }
-
 } // namespace lr::api

@@ -93,7 +93,6 @@ Outcome check_motion(const lr_collider_motion& m) {
         if (const char* why = wrong_pose(m.position, m.orientation)) return invalid(why);
     return m.mode == LR_MOVE_TO ? Outcome{} : invalid(wrong_velocity(m.linear_velocity, m.angular_velocity));
 }
-
 } // namespace
 } // namespace lr::api
 
@@ -133,8 +132,8 @@ lr_status lr_collider_destroy(lr_world* world, const lr_collider* colliders, uin
         if (!w.colliders.can_destroy(all.first, all.count)) return LR_ERROR_STALE_COLLIDER;
         // Sleeping bodies on them would hang in the air.
         uint32_t slot = 0;
-        const bool resting = w.any_resting();
-        for (uint32_t i = 0; i < all.count && resting; ++i)
+        const bool sleeping = w.any_asleep();
+        for (uint32_t i = 0; i < all.count && sleeping; ++i)
             if (w.colliders.find(all.first[i], slot)) w.wake_at(slot);
         w.colliders.destroy(all.first, all.count);
         w.recheck_contacts();
@@ -159,11 +158,11 @@ lr_status lr_collider_move(lr_world* world, const lr_collider_motion* motions, u
             return one;
         });
         if (outcome.refused()) return outcome;
-        const bool resting = w.any_resting();
+        const bool sleeping = w.any_asleep();
         if (!accepted(w) || !w.colliders.finish_reserve()) return LR_ERROR_OUT_OF_MEMORY;
         all.visit([&](const lr_collider_motion& m) {
             w.colliders.find(m.collider, slot);
-            if (resting && m.mode == LR_MOVE_PLACE) w.wake_at(slot);
+            if (sleeping && m.mode == LR_MOVE_PLACE) w.wake_at(slot);
             w.colliders.move(slot, m);
         });
         return {};

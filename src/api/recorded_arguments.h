@@ -115,5 +115,4 @@ inline void tell(Call& call, const Structs<lr_collider_desc>& all) {
 inline void tell(Call& call, const Snapshot& snapshot) {
     if (call.reads(snapshot.memory)) call.array(snapshot.memory, snapshot_bytes(snapshot.memory));
 }
-
 } // namespace lr::api

@@ -162,5 +162,4 @@ private:
     uint64_t blobs_[most_blobs] = {};
     uint32_t blob_count_ = 0, blobs_written_ = 0;
 };
-
 } // namespace lr::api

@@ -63,5 +63,4 @@ template <Sized S> void read_back(const S* from, lr_status (*init)(S*, uint32_t)
     else
         init(&out, sizeof out);
 }
-
 } // namespace lr::api

@@ -1,8 +1,6 @@
 // The _init functions.
 #include "api/struct_conversion.h"
 
-#include <cstring>
-
 namespace lr::api {
 namespace {
 
@@ -15,7 +13,6 @@ template <Sized T> lr_status init(T* s, uint32_t struct_size, const T& initial) 
     s->struct_size = struct_size;
     return LR_OK;
 }
-
 } // namespace
 } // namespace lr::api
 

@@ -64,7 +64,6 @@ lr_status set_callback(lr_world* world, const char* function, Function callback,
     };
     return change(world, function, args(callback ? 1u : 0u), set);
 }
-
 } // namespace
 } // namespace lr::api
 

@@ -111,7 +111,6 @@ lr_status begin_recording(recording::Recorder& recorder, lr_world& world) {
     recorder.listen(world);
     return LR_OK;
 }
-
 } // namespace
 
 void end_recording(lr_world& world, const char* why) {
@@ -120,7 +119,6 @@ void end_recording(lr_world& world, const char* why) {
     world.recorder = nullptr;
     if (why) world.log(LR_LOG_WARNING, "lr_world_record_start", why);
 }
-
 } // namespace lr::api
 
 using namespace lr;

@@ -24,7 +24,7 @@ lr::AssetData&& settled(lr::AssetData&& d) {
 lr_asset::lr_asset(lr::AssetData&& from, uint32_t version, const std::array<double, 3>& size)
     : data(settled(std::move(from))), content_hash(lr::content_hash(data)), diagonal(lr::is_diagonal(data)),
       format_version(version), extents(size), shape(lr::make_body_shape(data, extents)),
-      meeting(lr::make_pair_hull(shape)) {}
+      pair_hull(lr::make_pair_hull(shape)) {}
 
 namespace lr {
 

@@ -19,7 +19,7 @@ struct lr_asset {
     const uint32_t format_version;       // of the file; 0 without one
     const std::array<double, 3> extents; // m, along the body axes, of a rigid without a hull; else zero
     const lr::BodyShape shape;           // contact shape against colliders
-    const lr::PairHull meeting;          // and against other bodies
+    const lr::PairHull pair_hull;        // and against other bodies
     mutable std::atomic<uint32_t> references{1};
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstddef>
-#include <cstdint>
 
 #if defined(_WIN32) || defined(__wasm__)
 #include <cstdio>
@@ -14,7 +13,6 @@
 #include <unistd.h>
 #endif
 #if defined(_WIN32)
-#include <string>
 #define WIN32_LEAN_AND_MEAN
 #include <windows.h>
 #endif

@@ -104,7 +104,6 @@ __attribute__((format(LR_PRINTF, 2, 3))) void line(std::string& text, const char
     text += buffer;
     text += '\n';
 }
-
 } // namespace
 
 std::string hash_text(uint64_t value) {
@@ -180,5 +179,4 @@ std::string summary(const BakeTimings& timings) {
     line(text, " total %.2f s", total);
     return text;
 }
-
 } // namespace lr::baker

@@ -24,5 +24,4 @@ std::string hash_text(uint64_t hash);
 // A few lines for a terminal.
 std::string summary(const AssetData& asset);
 std::string summary(const BakeTimings& timings);
-
 } // namespace lr::baker

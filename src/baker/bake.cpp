@@ -392,7 +392,6 @@ private:
     MassProperties solid_;
     Eigen::Vector3d center_ = Eigen::Vector3d::Zero();
 };
-
 } // namespace
 
 double units_per_metre(Unit unit) {
@@ -459,5 +458,4 @@ bool bake(const BakeOptions& options, AssetData& out, Faults& faults, BakeTiming
                     "Decimate the mesh, or use a coarser --grid.");
     }
 }
-
 } // namespace lr::baker

@@ -94,5 +94,4 @@ std::string source_name(const BakeOptions& options);
 
 // "0.1.0+1a2b3c4d": the release and a hash of the sources that affect results.
 const char* baker_version();
-
 } // namespace lr::baker

@@ -60,7 +60,6 @@ bool trace_card(const BakeOptions& o, Mesh& mesh, InputFiles& input, Faults& fau
     input.forget_bytes();
     return good;
 }
-
 } // namespace
 
 bool read_input(const BakeOptions& o, Mesh& mesh, InputFiles& input, Faults& faults) {
@@ -127,5 +126,4 @@ std::optional<uint64_t> find_input_hash(const BakeOptions& options) {
         return {};
     }
 }
-
 } // namespace lr::baker

@@ -20,5 +20,4 @@ std::string mass_name(const BakeOptions& options);
 
 // The hash stored in the asset. options: canonical_options().
 uint64_t input_hash(const InputFiles& input, const std::string& options);
-
 } // namespace lr::baker

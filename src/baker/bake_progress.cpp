@@ -18,5 +18,4 @@ double overall_progress(const char* phase, double fraction) {
         if (phase == p.phase) return p.begin + part * (p.end - p.begin);
     return 0.0;
 }
-
 } // namespace lr::baker

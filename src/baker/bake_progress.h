@@ -5,5 +5,4 @@ namespace lr::baker {
 
 // Fraction of the whole bake, from a phase and its finished fraction.
 double overall_progress(const char* phase, double fraction);
-
 } // namespace lr::baker

@@ -177,7 +177,6 @@ BakeResult bake_arrays(const Number* positions, std::size_t vertices, const std:
         run(options, false, progress, result);
     });
 }
-
 } // namespace
 
 std::string to_string(const BakeFault& f) {
@@ -230,5 +229,4 @@ BakeResult bake_ellipsoid(const std::array<double, 3>& semi_axes, const BakeOpti
 const char* baker_version() noexcept {
     return core::baker_version();
 }
-
 } // namespace langevin_rigid

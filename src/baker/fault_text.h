@@ -20,5 +20,4 @@ inline std::string to_string(const Fault& fault) {
     if (!fault.remedy.empty()) text += " " + fault.remedy;
     return text;
 }
-
 } // namespace lr

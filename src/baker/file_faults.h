@@ -50,5 +50,4 @@ inline bool too_large(Faults& faults, const std::string& path, std::size_t max_b
 inline bool not_a_folder(Faults& faults, const std::string& path) {
     return fail(faults, FaultId::file_write, path, "It is a file, not a folder.", "Give a folder name.");
 }
-
 } // namespace lr::baker

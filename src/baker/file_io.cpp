@@ -179,7 +179,6 @@ bool write_directly(const OutputFile& file, Faults& faults) {
                       write_all(out.get(), file.bytes) && out.close();
     return good || cannot_write(faults, file.path_utf8, errno);
 }
-
 } // namespace
 
 bool read_file(const std::string& path, std::size_t max_bytes, std::vector<uint8_t>& out, Faults& faults) {
@@ -298,5 +297,4 @@ bool write_files(const std::vector<OutputFile>& files, Faults& faults) {
         if (!file.commit(faults)) return false;
     return true;
 }
-
 } // namespace lr::baker

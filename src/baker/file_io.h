@@ -35,5 +35,4 @@ void clear_abandoned(const std::string& path_utf8);
 // Writes all files or none: each is written to a temporary file in its target's folder, flushed to disk, then renamed to
 // the target. Signals are blocked meanwhile. Devices and pipes are written directly. Fault 103.
 bool write_files(const std::vector<OutputFile>& files, Faults& faults);
-
 } // namespace lr::baker

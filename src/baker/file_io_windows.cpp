@@ -191,7 +191,6 @@ std::optional<BY_HANDLE_FILE_INFORMATION> information(const std::string& path) {
         return {};
     return info;
 }
-
 } // namespace
 
 bool read_file(const std::string& path, std::size_t max_bytes, std::vector<uint8_t>& out, Faults& faults) {
@@ -300,5 +299,4 @@ bool write_files(const std::vector<OutputFile>& files, Faults& faults) {
         if (!file.commit(faults)) return false;
     return true;
 }
-
 } // namespace lr::baker

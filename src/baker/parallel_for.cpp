@@ -41,5 +41,4 @@ void parallel_for(std::size_t count, unsigned threads, const std::function<void(
     for (std::thread& thread : others) thread.join();
     if (failure) std::rethrow_exception(failure);
 }
-
 } // namespace lr::baker

@@ -12,5 +12,4 @@ unsigned thread_count(unsigned wanted);
 // Calls work(index, thread) for each index below `count`, in any order; thread is below `threads`. Rethrows an exception
 // of a call after all threads have ended.
 void parallel_for(std::size_t count, unsigned threads, const std::function<void(std::size_t, unsigned)>& work);
-
 } // namespace lr::baker

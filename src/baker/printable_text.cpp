@@ -37,7 +37,6 @@ template <class Keep> std::string filter(std::string_view text, const char* inst
     }
     return result;
 }
-
 } // namespace
 
 std::string valid_utf8(std::string_view text) {
@@ -51,5 +50,4 @@ std::string printable(std::string_view text) {
         return first >= 0x20 && first != 0x7f && !c1;
     });
 }
-
 } // namespace lr::baker

@@ -16,5 +16,4 @@ std::string printable(std::string_view text);
 inline std::filesystem::path to_path(std::string_view utf8) {
     return std::u8string(utf8.begin(), utf8.end());
 }
-
 } // namespace lr::baker

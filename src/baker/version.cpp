@@ -7,5 +7,4 @@ namespace lr::baker {
 const char* baker_version() {
     return LR_VERSION_STRING "+" LR_BAKER_BUILD;
 }
-
 } // namespace lr::baker

@@ -28,5 +28,4 @@ inline std::string to_utf8(std::wstring_view wide) {
     WideCharToMultiByte(CP_UTF8, 0, wide.data(), units, utf8.data(), length, nullptr, nullptr);
     return utf8;
 }
-
 } // namespace lr::baker

@@ -2,7 +2,6 @@
 // (seed, seed of the source). Philox4x32-7 as in kernel/math/gaussian_noise-inl.h, with counters that the noise does not use; + - x / sqrt only.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 
 namespace lr {

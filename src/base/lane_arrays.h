@@ -24,8 +24,8 @@ enum Field : size_t {
     field_wy,
     field_wz, // rad/s, body frame
     field_scale,
-    field_age,      // s
-    field_age_rest, // s, what rounding has added to the age so far
+    field_age,           // s
+    field_age_remainder, // s, what rounding has added to the age so far
     field_gust_x,
     field_gust_y,
     field_gust_z, // m/s, world: the body's own gust, AERODYNAMIC loads only

@@ -4,7 +4,6 @@
 #include "base/lane_arrays.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

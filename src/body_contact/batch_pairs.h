@@ -14,7 +14,7 @@ public:
     bool any() const { return used_ != 0; }
     bool has(uint32_t a, uint32_t b) const; // in either order
     uint32_t partners(uint32_t slot) const; // how many batches it is paired with, itself included
-    bool meets(uint32_t slot) const { return partners(slot) != 0; }
+    bool has_contact(uint32_t slot) const { return partners(slot) != 0; }
 
     // False when out of memory, and then nothing has changed.
     bool set(Allocator& allocator, uint32_t a, uint32_t b, bool on);

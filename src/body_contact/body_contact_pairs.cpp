@@ -6,7 +6,6 @@
 #include "world/world.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace lr {
 namespace {
@@ -30,9 +29,10 @@ void BodyContactStep::set_box(const BodyContactBatch& member, uint32_t index) {
     const uint32_t body = member.first + index;
     const float scale = batch.arrays().field[field_scale][index], margin = margin_of(member, index);
     const Pose began_at = began(body), now = pose_of(batch.arrays(), index);
-    buffers_->moved[body] = {pair_body(batch.asset().meeting, scale, began_at, now), margin,
+    buffers_->moved[body] = {pair_body(batch.asset().pair_hull, scale, began_at, now), margin,
                              static_cast<uint32_t>(&member - buffers_->members.data())};
-    const Box way = around(bounds(batch.asset().meeting, scale, began_at), bounds(batch.asset().meeting, scale, now));
+    const Box way =
+        around(bounds(batch.asset().pair_hull, scale, began_at), bounds(batch.asset().pair_hull, scale, now));
     buffers_->grid.boxes()[body] = {grown(way, margin), body, 0, 0};
 }
 
@@ -122,7 +122,7 @@ bool BodyContactStep::find_pairs() {
         for (uint32_t body = begin; body < end; ++body) {
             const BodyContactBatch& member = member_of(body);
             const uint32_t index = body - member.first;
-            if (index < member.count && !is_held(member.item.batch->arrays().field[field_age_rest][index])) {
+            if (index < member.count && !is_held(member.item.batch->arrays().field[field_age_remainder][index])) {
                 set_box(member, index);
             } else {
                 // Padding and held bodies touch nothing.

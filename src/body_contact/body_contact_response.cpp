@@ -31,8 +31,8 @@ Pose now(const SolverBody& b) {
 }
 } // namespace
 
-void BodyContactStep::wake(const BodyAfter& body, const ContactGroup::AtRest& at_rest) const {
-    if (body.speed > body.moving) world_->batches[at_rest.batch].batch->note_rest(at_rest.index);
+void BodyContactStep::wake(const BodyAfter& body, const ContactGroup::Asleep& at_rest) const {
+    if (body.speed > body.moving) world_->batches[at_rest.batch].batch->note_sleep(at_rest.index);
 }
 
 void BodyContactStep::hold(uint32_t substep, Held which) {
@@ -76,15 +76,15 @@ void BodyContactStep::hold_group(const BodyContactBatch& member, uint32_t first,
         for (size_t f = 0; f < field_count && from.field[f]; ++f) from.field[f][first + i] = field[f][i];
     }
     for (uint32_t i = 0; i < count; ++i) {
-        if (touches(i) != (which == Held::touching) || is_held(field[field_age_rest][i])) continue;
+        if (touches(i) != (which == Held::touching) || is_held(field[field_age_remainder][i])) continue;
         BodyAfter body = body_after(member.run, group, i, first + i, field, i, began_rows);
         if (std::count(body.now, body.now + most_touches, touching_body) != 0)
             body.speed = lasting_speed(body, vector_in(began_rows, field_vx, i), vector_in(began_rows, field_wx, i),
                                        vector_in(field, field_vx, i), vector_in(field, field_wx, i),
                                        member.run.step.gravity * taken.h);
-        enter_body(member.run.book, body, may_rest(*member.run.step.settings), taken.h, last(substep),
-                   [&](uint32_t collider) { return group.meeting(i, collider, taken); });
-        group.visit_at_rest(i, [&](const ContactGroup::AtRest& other) { wake(body, other); });
+        enter_body(member.run.book, body, may_sleep(*member.run.step.settings), taken.h, last(substep),
+                   [&](uint32_t collider) { return group.touch_with(i, collider, taken); });
+        group.visit_asleep(i, [&](const ContactGroup::Asleep& other) { wake(body, other); });
     }
 }
 
@@ -97,7 +97,7 @@ void BodyContactStep::take_out(ContactGroup& group, uint32_t lane, uint32_t plac
     for (uint32_t k = 0; k < count; ++k) {
         const SlotContact s = group.contact(lane, k);
         const bool solid = s.collider != ContactGroup::a_body;
-        c.held[first + k] = {s.collider, solid ? ContactGroup::AtRest{} : group.at_rest(lane, k)};
+        c.held[first + k] = {s.collider, solid ? ContactGroup::Asleep{} : group.at_rest(lane, k)};
         c.held_contacts[first + k] = {s.arm, {}, s.normal, s.gap, s.surface, s.lag, s.friction, s.restitution, solid};
     }
     group.take_out(lane);
@@ -181,7 +181,7 @@ float BodyContactStep::pressed(uint32_t place, uint32_t k) const {
                                     k % block_contacts);
 }
 
-Touch BodyContactStep::meeting(uint32_t place, uint32_t collider) const {
+Touch BodyContactStep::touch_with(uint32_t place, uint32_t collider) const {
     const BodyContactBuffers& c = *buffers_;
     const SolverBody& body = buffers_->solver.bodies()[place];
     TouchSum sum(collider, now(body), lr::began(body).rotation, vector_of(body.v0), vector_of(body.w0));
@@ -226,7 +226,7 @@ void BodyContactStep::put_back(uint32_t place, uint32_t substep) {
     if (c.touches_body[place] != 0) touched.take(touching_body, 0.0f);
     body.touches = touched.id[0] != 0;
     std::copy_n(touched.id, most_touches, body.now);
-    enter_body(member.run.book, body, may_rest(*member.run.step.settings), static_cast<float>(time_.h), last(substep),
-               [&](uint32_t collider) { return meeting(place, collider); });
+    enter_body(member.run.book, body, may_sleep(*member.run.step.settings), static_cast<float>(time_.h), last(substep),
+               [&](uint32_t collider) { return touch_with(place, collider); });
 }
 } // namespace lr

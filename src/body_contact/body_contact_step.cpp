@@ -37,11 +37,11 @@ bool BodyContactStep::prepare() {
         Batch& batch = *item->batch;
         const auto h = static_cast<float>(time_.h);
         auto* const member = new (&c.members[m++]) BodyContactBatch{
-            *item, slot, first, batch.awake(), 0, world_->pairs.has(slot, slot), {}, RestingNeighbours(*world_, slot),
+            *item, slot, first, batch.awake(), 0, world_->pairs.has(slot, slot), {}, SleepingNeighbours(*world_, slot),
             {}};
         member->run = contact_run(*world_, batch, wet_ ? &surface_ : nullptr, time_, h);
         member->run.book = batch.contact_cache();
-        if (member->resting.any()) member->run.step.resting = &member->resting;
+        if (member->sleeping.any()) member->run.step.sleeping = &member->sleeping;
         member->kind = {&batch.step.body, batch.asset().shape.reach, rolling_of(batch.contact, batch.asset().shape)};
         first += batch.padded_awake();
     }

@@ -20,12 +20,12 @@ namespace lr {
 struct WayContact;
 
 // The sleeping bodies that a batch's bodies can touch: its partners' and perhaps its own.
-class RestingNeighbours final : public RestingBodies {
+class SleepingNeighbours final : public SleepingContacts {
 public:
-    RestingNeighbours(const lr_world& world, uint32_t slot);
+    SleepingNeighbours(const lr_world& world, uint32_t slot);
     bool any() const { return any_; }
     uint32_t touched_by(uint32_t noise_seed, float scale, const Pose& from, const Pose& to, float margin,
-                        RestingTouch (&out)[most_resting]) const override;
+                        SleepingTouch (&out)[most_sleeping]) const override;
 
 private:
     const lr_world* world_;
@@ -40,7 +40,7 @@ struct BodyContactBatch {
     uint32_t first_place;  // of its bodies that touch others
     bool own;              // its bodies can touch each other
     ContactRun run;
-    RestingNeighbours resting;
+    SleepingNeighbours sleeping;
     SolverBodyKind kind;
 };
 
@@ -51,7 +51,7 @@ struct BodyContactBuffers {
     // A body's contact with a collider or a sleeping body.
     struct Held {
         uint32_t collider; // slot, or ContactGroup::a_body
-        ContactGroup::AtRest at_rest;
+        ContactGroup::Asleep at_rest;
     };
     struct Moved {
         PairBody body;
@@ -128,8 +128,8 @@ private:
     void fill_body(uint32_t place);
     uint32_t list_units();
     void put_back(uint32_t place, uint32_t substep);
-    void wake(const BodyAfter& body, const ContactGroup::AtRest& at_rest) const;
-    Touch meeting(uint32_t place, uint32_t collider) const;
+    void wake(const BodyAfter& body, const ContactGroup::Asleep& at_rest) const;
+    Touch touch_with(uint32_t place, uint32_t collider) const;
     float pressed(uint32_t place, uint32_t k) const;
     bool last(uint32_t substep) const { return substep + 1 == time_.substeps; }
 

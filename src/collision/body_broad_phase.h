@@ -5,7 +5,6 @@
 #include "base/float4.h"
 #include "collision/hashed_cells.h"
 
-#include <algorithm>
 #include <cstdint>
 
 namespace lr {

@@ -5,8 +5,6 @@
 #include "collision/hashed_cells.h"
 #include "kernel/contact/collider_contact.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 namespace lr {

@@ -86,8 +86,8 @@ ContactGroup::ContactGroup(const ContactStep& step, const BodyConstants& body, c
         Near& near = near_[i];
         const Box box = vicinity(step, arrays, i, step.dt);
         const uint32_t layers = step.settings->layers;
-        near.count = step.colliders->candidates(box, layers, nullptr, near.candidate, near.crowded);
-        if (near.crowded) near.count = step.colliders->grounds(box, layers, near.candidate);
+        near.count = step.colliders->candidates(box, layers, nullptr, near.candidate, near.overflowed);
+        if (near.overflowed) near.count = step.colliders->grounds(box, layers, near.candidate);
         for (uint32_t k = 0; k < near.count; ++k) {
             const uint32_t slot = near.candidate[k].slot;
             if (!is_ground(step.colliders->at(slot).geometry.kind)) continue;
@@ -225,11 +225,11 @@ void ContactGroup::touch_others(uint32_t i, const ContactSubstep& substep) {
     finish_mesh();
 }
 
-void ContactGroup::touch_resting(uint32_t i, const ContactSubstep& substep) {
-    RestingTouch touches[most_resting];
+void ContactGroup::touch_sleeping(uint32_t i, const ContactSubstep& substep) {
+    SleepingTouch touches[most_sleeping];
     const uint32_t count =
-        step_->resting->touched_by(arrays_.noise_seed[i], arrays_.field[field_scale][i], pose_in(substep.before, i),
-                                   pose_of(i), margin_of(i, substep.h), touches);
+        step_->sleeping->touched_by(arrays_.noise_seed[i], arrays_.field[field_scale][i], pose_in(substep.before, i),
+                                    pose_of(i), margin_of(i, substep.h), touches);
     for (uint32_t n = 0; n < count; ++n)
         for (uint32_t k = 0; k < touches[n].count; ++k) {
             const PairContact& c = touches[n].contact[k];
@@ -247,7 +247,7 @@ void ContactGroup::collect(const ContactSubstep& substep) {
     std::fill(touches_, touches_ + contact_lanes, false);
     touch_grounds(substep);
     for (uint32_t i = 0; i < count_; ++i) touch_others(i, substep);
-    for (uint32_t i = 0; i < count_ && step_->resting; ++i) touch_resting(i, substep);
+    for (uint32_t i = 0; i < count_ && step_->sleeping; ++i) touch_sleeping(i, substep);
 }
 
 void ContactGroup::take_out(uint32_t i) {
@@ -309,7 +309,7 @@ Touch TouchSum::touch(float unit_mass) const {
     return all;
 }
 
-Touch ContactGroup::meeting(uint32_t i, uint32_t collider, const ContactSubstep& substep) const {
+Touch ContactGroup::touch_with(uint32_t i, uint32_t collider, const ContactSubstep& substep) const {
     const LaneRow* const before = substep.before;
     TouchSum sum(collider, pose_of(i), pose_in(before, i).rotation, vector_in(before, field_vx, i),
                  vector_in(before, field_wx, i));
@@ -333,11 +333,11 @@ NearContacts::NearContacts(const ContactStep& step, const BatchArrays& arrays, u
                           near_ + (from - begin));
         // Results must not depend on when the grids were built: a body that nothing reaches takes the same path as far ones, to the bit.
         for (uint32_t i = from; i < std::min(to, live); ++i) {
-            if (is_held(arrays.field[field_age_rest][i])) {
+            if (is_held(arrays.field[field_age_remainder][i])) {
                 near_[i - begin] = 0; // it touches nothing
                 continue;
             }
-            if (step.resting) near_[i - begin] = 1; // their support is not searched twice
+            if (step.sleeping) near_[i - begin] = 1; // their support is not searched twice
             const uint32_t mark = near_[i - begin];
             if (mark == 0) continue;
             const auto reached = [&] {
@@ -348,7 +348,7 @@ NearContacts::NearContacts(const ContactStep& step, const BatchArrays& arrays, u
                        ((over_ground && all_grounds) || step.colliders->any_finite(box, step.settings->layers) ||
                         (over_ground && step.colliders->any_ground(box, step.settings->layers)));
             };
-            if (step.resting || reached())
+            if (step.sleeping || reached())
                 index_[count_++] = i;
             else
                 near_[i - begin] = 0;

@@ -3,6 +3,7 @@
 
 #include "base/pose.h"
 #include "collision/body_narrow_phase.h"
+#include "collision/collider_narrow_phase.h"
 #include "collision/colliders.h"
 #include "kernel/contact/collider_contact.h"
 #include "kernel/wind/sample_wind.h"
@@ -15,7 +16,7 @@ namespace lr {
 
 // A batch's contact settings until its user sets others.
 inline constexpr lr_batch_contact initial_contact = LR_BATCH_CONTACT_INIT;
-inline bool may_rest(const lr_batch_contact& settings) {
+inline bool may_sleep(const lr_batch_contact& settings) {
     return (settings.flags & LR_CONTACT_NEVER_SLEEP) == 0;
 }
 // Geometric mean of frictions, larger of restitutions, between a batch and a collider or two batches: a pair bounces as its springier material.
@@ -32,26 +33,26 @@ const char* wrong_in(const lr_batch_contact& settings);
 float rolling_of(const lr_batch_contact& settings, const BodyShape& shape);
 
 // Sleeping bodies as awake ones see them: still and immovable.
-inline constexpr uint32_t most_resting = 32; // near one body, by batch and noise seed
+inline constexpr uint32_t most_sleeping = 32; // near one body, by batch and noise seed
 
-struct RestingTouch {
+struct SleepingTouch {
     uint32_t batch, index; // of the sleeping body: batch slot and dense index
     float friction, restitution;
     uint32_t count;
     PairContact contact[most_pair_contacts]; // a: the awake body; gaps at the end of its way
 };
 
-class RestingBodies {
+class SleepingContacts {
 public:
     // Sleeping bodies that the body with this noise seed touches at `to`, or is nearer to than `margin` (m). Returns how many. Any thread.
     virtual uint32_t touched_by(uint32_t noise_seed, float scale, const Pose& from, const Pose& to, float margin,
-                                RestingTouch (&out)[most_resting]) const = 0;
+                                SleepingTouch (&out)[most_sleeping]) const = 0;
 
 protected:
-    RestingBodies() = default;
-    RestingBodies(const RestingBodies&) = default;
-    RestingBodies& operator=(const RestingBodies&) = default;
-    ~RestingBodies() = default;
+    SleepingContacts() = default;
+    SleepingContacts(const SleepingContacts&) = default;
+    SleepingContacts& operator=(const SleepingContacts&) = default;
+    ~SleepingContacts() = default;
 };
 
 struct ContactStep {
@@ -59,11 +60,11 @@ struct ContactStep {
     const Colliders* colliders;
     const BodyShape* shape;
     const lr_batch_contact* settings;
-    float gravity;                          // m/s^2, magnitude
-    float fluid_density;                    // kg/m^3
-    float dt;                               // s, of the step
-    float gain;                             // m/s that bodies can gain in it
-    const RestingBodies* resting = nullptr; // sleeping ones that they can touch; null: none
+    float gravity;                              // m/s^2, magnitude
+    float fluid_density;                        // kg/m^3
+    float dt;                                   // s, of the step
+    float gain;                                 // m/s that bodies can gain in it
+    const SleepingContacts* sleeping = nullptr; // sleeping ones that they can touch; null: none
 };
 
 static_assert(most_shape_samples == most_ground_points);
@@ -152,13 +153,13 @@ public:
     void take_out(uint32_t lane);
 
     // The sleeping body of a contact, whose collider is then `a_body`.
-    struct AtRest {
+    struct Asleep {
         uint32_t batch, index;
     };
     static constexpr uint32_t a_body = UINT32_MAX - 1;
-    AtRest at_rest(uint32_t lane, uint32_t k) const { return at_rest_[k][lane]; }
+    Asleep at_rest(uint32_t lane, uint32_t k) const { return at_rest_[k][lane]; }
     // Visits the sleeping bodies that the body touched in the last substep.
-    template <class Function> void visit_at_rest(uint32_t lane, Function&& function) const {
+    template <class Function> void visit_asleep(uint32_t lane, Function&& function) const {
         for (uint32_t k = 0; k < filled_[lane] && touches_[lane]; ++k)
             if (slots_.slot[k].collider[lane] == a_body && slots_.slot[k].impulse[lane] >= 0.0f)
                 function(at_rest_[k][lane]);
@@ -167,14 +168,14 @@ public:
     // The colliders of a body's strongest contacts in the last substep: slot + 1 each, strongest first, 0 after the last.
     void touched(uint32_t lane, uint32_t (&out)[4]) const;
     // The touch with one of them in that substep: its strongest contact, and the impulse of all.
-    Touch meeting(uint32_t lane, uint32_t collider, const ContactSubstep& substep) const;
+    Touch touch_with(uint32_t lane, uint32_t collider, const ContactSubstep& substep) const;
     bool touches(uint32_t lane) const { return touches_[lane]; }
 
 private:
     // If there are too many candidates, only grounds are stored: the others are searched again in each substep, a list at a time.
     struct Near {
         uint32_t count;
-        bool crowded;
+        bool overflowed;
         Candidate candidate[most_candidates];
     };
     template <class Found> void each_candidate(uint32_t lane, const Box& around, Found&& found) const;
@@ -184,7 +185,7 @@ private:
     void stop_before_passing_through(const ContactSubstep& substep);
     void touch_grounds(const ContactSubstep& substep);
     void touch_others(uint32_t lane, const ContactSubstep& substep);
-    void touch_resting(uint32_t lane, const ContactSubstep& substep);
+    void touch_sleeping(uint32_t lane, const ContactSubstep& substep);
     uint32_t put(uint32_t lane, const SlotContact& contact);
     void add(uint32_t lane, uint32_t collider, const Contact& contact, const Pose& pose, const SurfaceMotion& motion);
     uint32_t place(uint32_t lane, float gap);
@@ -200,14 +201,14 @@ private:
     uint8_t filled_[contact_lanes];
     bool touches_[contact_lanes];
     Near near_[contact_lanes];
-    AtRest at_rest_[contact_slots][contact_lanes];
+    Asleep at_rest_[contact_slots][contact_lanes];
     ContactSlots slots_;
 };
 
 // Candidates whose boxes, over the whole step, overlap the box, in order of slots and parts; for a body with a complete list all of that list.
 template <class Found> void ContactGroup::each_candidate(uint32_t i, const Box& around, Found&& found) const {
     const Near& near = near_[i];
-    if (!near.crowded) {
+    if (!near.overflowed) {
         for (uint32_t k = 0; k < near.count; ++k) found(near.candidate[k]);
         return;
     }
@@ -222,7 +223,7 @@ template <class Found> void ContactGroup::each_candidate(uint32_t i, const Box& 
 
 // The same in any order: on a long way among very many, sorting would be slow.
 template <class Found> void ContactGroup::any_order(uint32_t i, const Box& around, Found&& found) const {
-    if (near_[i].crowded)
+    if (near_[i].overflowed)
         step_->colliders->visit(around, step_->settings->layers, found);
     else
         each_candidate(i, around, found);

@@ -2,7 +2,6 @@
 
 #include "kernel/divergence.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace lr {
@@ -111,14 +110,14 @@ Rotation nearer_to(const Rotation& to, const Rotation& q) {
     return dot(to_double(to), to_double(q)) < 0.0 ? -1.0f * q : q;
 }
 
-Pose advanced(const Pose& from, Vector linear, Vector angular, double dt, Vector& rest) {
+Pose advanced(const Pose& from, Vector linear, Vector angular, double dt, Vector& remainder) {
     Pose to = from;
     constexpr auto most = static_cast<double>(farthest_place); // bodies never get there
     const Double3 w = to_double(angular);
-    const Double3 next =
-        high_of(low_of(to_double(from.position) + to_double(rest) + dt * to_double(linear), all(most)), all(-most));
+    const Double3 next = high_of(
+        low_of(to_double(from.position) + to_double(remainder) + dt * to_double(linear), all(most)), all(-most));
     to.position = to_float(next);
-    rest = to_float(next - to_double(to.position));
+    remainder = to_float(next - to_double(to.position));
     const double speed = length(w);
     if (!(speed > 0.0)) return to;
     double s = 0.0, c = 1.0;

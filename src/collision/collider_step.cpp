@@ -6,7 +6,7 @@
 namespace lr {
 namespace {
 
-// Levels of the grid rebuilt in each step; the static grid has the rest.
+// Levels of the grid rebuilt in each step; the static grid has the remainder.
 constexpr uint32_t active_levels = 3, still_levels = most_occupancy_levels - active_levels;
 
 // Rounds up to four steps per octave: the static grid is not rebuilt for every change of the reach, and does not depend on earlier reaches.
@@ -90,7 +90,7 @@ void Colliders::begin_step(double dt, float reach) {
         Collider& c = colliders_[slot];
         ColliderMotion& m = motions_[slot];
         c.moves = m.moves();
-        if (c.moves && !m.pending) c.end = advanced(c.begin, m.linear, m.angular, dt, m.rest);
+        if (c.moves && !m.pending) c.end = advanced(c.begin, m.linear, m.angular, dt, m.remainder);
     });
     const float dilation = coarsened(reach);
     // Rebuild once the entries that a newer grid would have saved add up to its cost.

@@ -233,7 +233,7 @@ void Colliders::move(uint32_t slot, const lr_collider_motion& motion) {
         m.angular = vector_of(motion.angular_velocity);
         m.pending = false;
     }
-    if (motion.mode != LR_MOVE_VELOCITY) m.rest = {0.0f, 0.0f, 0.0f};
+    if (motion.mode != LR_MOVE_VELOCITY) m.remainder = {0.0f, 0.0f, 0.0f};
     if (moving(slot)) mover_proxies_ += proxies;
     if (slots_[slot].where == Where::still && (moving(slot) || motion.mode == LR_MOVE_PLACE)) {
         delist(slot);
@@ -261,7 +261,7 @@ ColliderRecord Colliders::record(uint32_t slot) const {
             m.pending ? c.end : c.begin,
             m.linear,
             m.angular,
-            m.rest,
+            m.remainder,
             c.friction,
             c.restitution,
             c.layers,

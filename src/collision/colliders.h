@@ -4,7 +4,6 @@
 #include "base/allocator.h"
 #include "collision/collider_broad_phase.h"
 #include "collision/collider_geometry.h"
-#include "collision/collider_narrow_phase.h"
 #include "collision/geometry_store.h"
 #include "kernel/contact/collider_contact.h"
 #include "kernel/limits.h"
@@ -53,7 +52,7 @@ inline bool comes_before(const Candidate& a, const Candidate& b) {
 
 struct ColliderMotion {
     Vector linear, angular; // m/s, rad/s
-    Vector rest;            // m, rounding carried with the position
+    Vector remainder;       // m, rounding carried with the position
     bool pending;           // the next step moves to Collider::end and stops there
 
     bool moves() const { // in the next step
@@ -68,7 +67,7 @@ struct ColliderRecord {
     float size[3];
     uint64_t data; // hash of hull, heightfield or mesh; else 0
     Pose begin, end;
-    Vector linear, angular, rest;
+    Vector linear, angular, remainder;
     float friction, restitution;
     uint32_t layers;
     uint32_t pending, fresh;
@@ -88,8 +87,8 @@ Box swept_box(const LocalBounds& local, const Pose& begin, const Pose& end, bool
 // m: bound of the distance of any point within `local` from its place at the beginning.
 float most_travel(const Box& local, const Pose& begin, const Pose& end);
 
-// The pose after dt at these velocities. rest: rounding carried with the position, updated here.
-Pose advanced(const Pose& from, Vector linear, Vector angular, double dt, Vector& rest);
+// The pose after dt at these velocities. remainder: rounding carried with the position, updated here.
+Pose advanced(const Pose& from, Vector linear, Vector angular, double dt, Vector& remainder);
 
 // The same orientation, with the sign of the quaternion nearer to `to`.
 Rotation nearer_to(const Rotation& to, const Rotation& q);

@@ -38,21 +38,21 @@ struct TouchNotes {
     uint32_t slot(uint32_t index) const { return unpack(ids[index]).slot; }
 };
 
-enum Note : uint8_t { noted_touch = 1, noted_landing = 2, noted_waking = 4, noted_fault = 8, noted_spawn = 16 };
+enum Note : uint8_t { noted_touch = 1, noted_landing = 2, noted_waking = 4, noted_divergence = 8, noted_spawn = 16 };
 
 // Per body of a batch, by dense index, written by the thread that steps it.
 struct ContactCache {
-    float* rest_time = nullptr; // s, time it has lain still; null: nothing is recorded
+    float* still_time = nullptr; // s, time it has lain still; null: nothing is recorded
     // Time it has stayed in place, s, and its way and turn since then: m, world frame; rad, body frame.
     float* stay[stay_rows] = {};
     uint32_t* touching[most_touches] = {}; // slots + 1 of colliders, touching_body; 0: none
-    void (*comes_to_rest)(void* batch, uint32_t index) = nullptr;
+    void (*falls_asleep)(void* batch, uint32_t index) = nullptr;
     void* batch = nullptr;
     TouchNotes notes;
 };
 
 // A body falls asleep after touching something and hardly moving for this long.
-inline constexpr float time_to_rest = 0.5f; // s
+inline constexpr float time_to_sleep = 0.5f; // s
 // m/s over the square root of the reach in m, the limit for still bodies: the speed of a fall by 1e-5 of the reach.
 inline float still_speed(float gravity) {
     return std::sqrt(2e-5f * gravity);
@@ -119,8 +119,9 @@ inline bool stays(const ContactCache& book, const BodyAfter& body, float seconds
     return lasted >= time_to_stay;
 }
 
-// Records which contacts began in a substep, and whether any ended. meeting(collider slot): a Touch.
-template <class Meeting> void note_touches(const ContactCache& book, const BodyAfter& body, const Meeting& meeting) {
+// Records which contacts began in a substep, and whether any ended. touch_with(collider slot): a Touch.
+template <class TouchWith>
+void note_touches(const ContactCache& book, const BodyAfter& body, const TouchWith& touch_with) {
     const auto holds = [](const uint32_t(&row)[most_touches], uint32_t collider) {
         return std::any_of(std::begin(row), std::end(row), [&](uint32_t c) { return c == collider; });
     };
@@ -135,25 +136,25 @@ template <class Meeting> void note_touches(const ContactCache& book, const BodyA
         for (Touch& touch : book.notes.met[slot].touch) {
             if (touch.collider == collider) break;
             if (touch.collider != 0) continue;
-            touch = meeting(collider - 1);
+            touch = touch_with(collider - 1);
             break;
         }
     }
     if (changed) book.notes.noted[slot] |= noted_touch;
 }
 
-template <class Meeting>
-void enter_body(const ContactCache& book, const BodyAfter& body, bool may_rest, float seconds, bool last,
-                const Meeting& meeting) {
+template <class TouchWith>
+void enter_body(const ContactCache& book, const BodyAfter& body, bool may_sleep, float seconds, bool last,
+                const TouchWith& touch_with) {
     const uint32_t at = body.index;
     // A body that trembles up to ten times as fast takes four times as long; one that has not moved by a bit, a tenth.
     const bool moves = !body.touches || body.speed > body.moving;
     const float share = moves ? 0.0f : body.speed > body.still ? 0.25f : body.moved ? 1.0f : 10.0f;
-    book.rest_time[at] = share > 0.0f ? book.rest_time[at] + share * seconds : 0.0f;
+    book.still_time[at] = share > 0.0f ? book.still_time[at] + share * seconds : 0.0f;
     const bool stayed = stays(book, body, seconds) && body.touches;
-    if (last && may_rest && (stayed || book.rest_time[at] >= time_to_rest)) book.comes_to_rest(book.batch, at);
+    if (last && may_sleep && (stayed || book.still_time[at] >= time_to_sleep)) book.falls_asleep(book.batch, at);
     if (!last && body.now[0] == 0) return; // the contact can return within the step
-    if (book.notes.noted) note_touches(book, body, meeting);
+    if (book.notes.noted) note_touches(book, body, touch_with);
     for (size_t k = 0; k < most_touches; ++k) book.touching[k][at] = body.now[k];
 }
 } // namespace lr

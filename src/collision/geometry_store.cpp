@@ -3,7 +3,6 @@
 #include "collision/build_collider_geometry.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
 #include <new>
 #include <vector>

@@ -3,7 +3,6 @@
 
 #include "base/allocator.h"
 #include "collision/collider_geometry.h"
-#include "collision/collider_narrow_phase.h"
 #include "langevin_rigid.h"
 
 #include <algorithm>

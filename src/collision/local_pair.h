@@ -4,8 +4,6 @@
 #include "collision/body_shape.h"
 #include "collision/collider_geometry.h"
 
-#include <cmath>
-#include <cstddef>
 #include <cstdint>
 
 namespace lr {

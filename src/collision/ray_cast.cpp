@@ -44,7 +44,7 @@ struct RayPart {
 
 // Whether a ray hits, within `most` (m), the set behind `count` planes, plane(i).
 template <class PlaneAt>
-bool meets_planes(uint32_t count, const PlaneAt& plane, const Ray& ray, double most, RayHit& hit) {
+bool hits_planes(uint32_t count, const PlaneAt& plane, const Ray& ray, double most, RayHit& hit) {
     RayPart part;
     part.last = most;
     for (uint32_t i = 0; i < count; ++i)
@@ -59,7 +59,7 @@ bool begins_inside(const Ray& ray, RayHit& hit) {
 }
 
 // An ellipsoid along the axes about `middle`.
-bool meets_ellipsoid(Double3 middle, Double3 semi_axes, const Ray& ray, double most, RayHit& hit) {
+bool hits_ellipsoid(Double3 middle, Double3 semi_axes, const Ray& ray, double most, RayHit& hit) {
     const auto in_units = [&](Double3 p) { return Double3{p.x / semi_axes.x, p.y / semi_axes.y, p.z / semi_axes.z}; };
     const Double3 a = in_units(ray.origin - middle), d = in_units(ray.direction);
     if (dot(a, a) <= 1.0) return begins_inside(ray, hit);
@@ -75,7 +75,7 @@ bool meets_ellipsoid(Double3 middle, Double3 semi_axes, const Ray& ray, double m
 }
 
 // Steps along the ray from plane to plane through the body's point nearest to the ray's (van den Bergen 2004): few rounds, never past the surface.
-bool meets_rounded(const BodyShape& shape, float scale, const Ray& ray, double most, RayHit& hit) {
+bool hits_rounded(const BodyShape& shape, float scale, const Ray& ray, double most, RayHit& hit) {
     const PlacedBody body(shape, scale, {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f, 1.0f}});
     const double radius = wide(body.radius), near = met * wide(scale * shape.reach);
     Geometry point{};
@@ -101,11 +101,11 @@ bool meets_rounded(const BodyShape& shape, float scale, const Ray& ray, double m
     return false;
 }
 
-bool meets_hull(const BodyShape& shape, double scale, const Ray& ray, double most, RayHit& hit) {
+bool hits_hull(const BodyShape& shape, double scale, const Ray& ray, double most, RayHit& hit) {
     const auto plane = [&](uint32_t f) {
         return Plane{to_double(shape.faces[f].normal), scale * wide(shape.faces[f].offset)};
     };
-    return meets_planes(shape.face_count, plane, ray, most, hit);
+    return hits_planes(shape.face_count, plane, ray, most, hit);
 }
 
 // The part of a ray within `radius` of the origin.
@@ -125,7 +125,7 @@ Ray ray_in(const Pose& frame, const Ray& ray) {
     return {rotate(back, ray.origin - to_double(frame.position)), 1.0 / length(direction) * direction};
 }
 
-bool ray_meets_body(const BodyShape& shape, float scale, const Pose& at, const Ray& ray, double most, RayHit& hit) {
+bool ray_hits_body(const BodyShape& shape, float scale, const Pose& at, const Ray& ray, double most, RayHit& hit) {
     Ray own = ray_in(at, ray);
     const double size = wide(scale);
     // Starts where it enters the sphere about the body, so precision is relative to the body's size.
@@ -135,11 +135,11 @@ bool ray_meets_body(const BodyShape& shape, float scale, const Pose& at, const R
     bool meets = false;
     if (shape.count == 0)
         meets =
-            meets_ellipsoid(size * to_double(shape.center), size * to_double(shape.semi_axes), own, most - start, hit);
+            hits_ellipsoid(size * to_double(shape.center), size * to_double(shape.semi_axes), own, most - start, hit);
     else if (shape.radius > 0.0f || shape.face_count < 4)
-        meets = meets_rounded(shape, scale, own, most - start, hit);
+        meets = hits_rounded(shape, scale, own, most - start, hit);
     else
-        meets = meets_hull(shape, size, own, most - start, hit);
+        meets = hits_hull(shape, size, own, most - start, hit);
     if (!meets) return false;
     hit.distance += start;
     hit.normal = rotate(to_double(at.rotation), hit.normal);
@@ -148,7 +148,7 @@ bool ray_meets_body(const BodyShape& shape, float scale, const Pose& at, const R
 
 namespace {
 
-bool meets_plane(const Ray& ray, double most, RayHit& hit) {
+bool hits_plane(const Ray& ray, double most, RayHit& hit) {
     if (ray.origin.y <= 0.0) return begins_inside(ray, hit);
     if (!(ray.direction.y < 0.0)) return false;
     hit = {-ray.origin.y / ray.direction.y, {0.0, 1.0, 0.0}};
@@ -156,7 +156,7 @@ bool meets_plane(const Ray& ray, double most, RayHit& hit) {
 }
 
 // Tests the tube between the ends, and the spheres at the ends.
-bool meets_capsule(double radius, double half, const Ray& ray, double most, RayHit& hit) {
+bool hits_capsule(double radius, double half, const Ray& ray, double most, RayHit& hit) {
     const Double3 o = ray.origin, d = ray.direction;
     const double dd = d.x * d.x + d.z * d.z, across = o.x * d.z - o.z * d.x;
     const double room = dd * radius * radius - across * across;
@@ -172,23 +172,23 @@ bool meets_capsule(double radius, double half, const Ray& ray, double most, RayH
     }
     for (const double end : {-half, half}) {
         const double before = any ? hit.distance : most;
-        any = meets_ellipsoid({0.0, end, 0.0}, {radius, radius, radius}, ray, before, hit) || any;
+        any = hits_ellipsoid({0.0, end, 0.0}, {radius, radius, radius}, ray, before, hit) || any;
     }
     return any;
 }
 
-bool meets_box(const float (&size)[3], const Ray& ray, double most, RayHit& hit) {
+bool hits_box(const float (&size)[3], const Ray& ray, double most, RayHit& hit) {
     const auto plane = [&](uint32_t i) { return Plane{along_axis(i / 2, i % 2 == 0 ? -1.0 : 1.0), wide(size[i / 2])}; };
-    return meets_planes(6, plane, ray, most, hit);
+    return hits_planes(6, plane, ray, most, hit);
 }
 
-bool meets_hull(const HullGeometry& hull, const Ray& ray, double most, RayHit& hit) {
+bool hits_hull(const HullGeometry& hull, const Ray& ray, double most, RayHit& hit) {
     const auto plane = [&](uint32_t f) { return Plane{to_double(hull.normal(f)), wide(hull.offset(f))}; };
-    return meets_planes(hull.face_count, plane, ray, most, hit);
+    return hits_planes(hull.face_count, plane, ray, most, hit);
 }
 
 // By the signs of three volumes (Plücker coordinates), so that no ray slips through an edge between two triangles.
-bool meets_triangle(const Vector (&corners)[3], const Ray& ray, double most, bool two_sided, RayHit& hit) {
+bool hits_triangle(const Vector (&corners)[3], const Ray& ray, double most, bool two_sided, RayHit& hit) {
     const Double3 a = to_double(corners[0]) - ray.origin, b = to_double(corners[1]) - ray.origin,
                   c = to_double(corners[2]) - ray.origin;
     const double u = dot(ray.direction, cross(b, c)), v = dot(ray.direction, cross(c, a)),
@@ -221,14 +221,14 @@ bool reaches_box(const Box& box, const Ray& ray, double most) {
     return first <= last;
 }
 
-bool meets_mesh(const MeshGeometry& mesh, const SharedGeometry& shared, const Ray& ray, double most, RayHit& hit) {
+bool hits_mesh(const MeshGeometry& mesh, const SharedGeometry& shared, const Ray& ray, double most, RayHit& hit) {
     bool any = false;
     for (size_t p = 0; p < shared.parts.size(); ++p) {
         const MeshPart& part = shared.parts[p];
         if (!reaches_box(part.box, ray, most)) continue;
         for (uint32_t i = part.part.first; i < part.part.first + part.part.count; ++i) {
             RayHit other{};
-            if (!meets_triangle(mesh_triangle(mesh, i).corners, ray, most, true, other)) continue;
+            if (!hits_triangle(mesh_triangle(mesh, i).corners, ray, most, true, other)) continue;
             if (any && !(other.distance < hit.distance)) continue;
             hit = other;
             most = other.distance;
@@ -248,7 +248,7 @@ double ground(const HeightfieldGeometry& field, Double3 p) {
 }
 
 // Visits cells along the ray, within the outline and below the highest sample.
-bool meets_heightfield(const HeightfieldGeometry& field, const Ray& ray, double most, RayHit& hit) {
+bool hits_heightfield(const HeightfieldGeometry& field, const Ray& ray, double most, RayHit& hit) {
     const double spacing[2] = {wide(field.spacing[0]), wide(field.spacing[1])};
     RayPart part;
     part.last = most;
@@ -279,7 +279,7 @@ bool meets_heightfield(const HeightfieldGeometry& field, const Ray& ray, double 
         for (const bool second : {false, true}) {
             const auto i = static_cast<uint32_t>(cell[0]), j = static_cast<uint32_t>(cell[1]);
             const Triangle triangle = field_triangle(field, i, j, second);
-            any = meets_triangle(triangle.corners, ray, any ? hit.distance : most, false, hit) || any;
+            any = hits_triangle(triangle.corners, ray, any ? hit.distance : most, false, hit) || any;
         }
         if (any) return true;
         const uint32_t k = next[0] <= next[1] ? 0 : 1;
@@ -291,22 +291,22 @@ bool meets_heightfield(const HeightfieldGeometry& field, const Ray& ray, double 
 }
 } // namespace
 
-bool ray_meets_collider(const Geometry& g, const SharedGeometry* shared, const Ray& ray, double most, RayHit& hit) {
+bool ray_hits_collider(const Geometry& g, const SharedGeometry* shared, const Ray& ray, double most, RayHit& hit) {
     switch (g.kind) {
     case ColliderKind::plane:
-        return meets_plane(ray, most, hit);
+        return hits_plane(ray, most, hit);
     case ColliderKind::sphere:
-        return meets_ellipsoid({}, wide(g.size[0]) * Double3{1.0, 1.0, 1.0}, ray, most, hit);
+        return hits_ellipsoid({}, wide(g.size[0]) * Double3{1.0, 1.0, 1.0}, ray, most, hit);
     case ColliderKind::capsule:
-        return meets_capsule(wide(g.size[0]), wide(g.size[1]), ray, most, hit);
+        return hits_capsule(wide(g.size[0]), wide(g.size[1]), ray, most, hit);
     case ColliderKind::box:
-        return meets_box(g.size, ray, most, hit);
+        return hits_box(g.size, ray, most, hit);
     case ColliderKind::hull:
-        return meets_hull(*g.hull, ray, most, hit);
+        return hits_hull(*g.hull, ray, most, hit);
     case ColliderKind::heightfield:
-        return meets_heightfield(*g.heightfield, ray, most, hit);
+        return hits_heightfield(*g.heightfield, ray, most, hit);
     case ColliderKind::mesh:
-        return reaches_box(shared->box, ray, most) && meets_mesh(*g.mesh, *shared, ray, most, hit);
+        return reaches_box(shared->box, ray, most) && hits_mesh(*g.mesh, *shared, ray, most, hit);
     }
     return false;
 }

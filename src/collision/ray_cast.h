@@ -17,11 +17,11 @@ struct RayHit {
 };
 
 // The first hit of a ray with the shape, `scale` times, at `at`, within `most` (m). False: none.
-bool ray_meets_body(const BodyShape& shape, float scale, const Pose& at, const Ray& ray, double most, RayHit& hit);
+bool ray_hits_body(const BodyShape& shape, float scale, const Pose& at, const Ray& ray, double most, RayHit& hit);
 
 // The ray is in the collider's frame. shared: null if the collider has none.
-bool ray_meets_collider(const Geometry& geometry, const SharedGeometry* shared, const Ray& ray, double most,
-                        RayHit& hit);
+bool ray_hits_collider(const Geometry& geometry, const SharedGeometry* shared, const Ray& ray, double most,
+                       RayHit& hit);
 
 Ray ray_in(const Pose& frame, const Ray& ray);
 } // namespace lr

@@ -4,7 +4,6 @@
 #include "base/allocator.h"
 #include "collision/hashed_cells.h"
 
-#include <algorithm>
 #include <cstdint>
 
 namespace lr {

@@ -17,9 +17,9 @@ inline constexpr float fastest_spin_squared = 1e18f;
 inline constexpr float shortest_turn = 0.98f, longest_turn = 1.02f; // squares of a unit quaternion's length
 
 // Marks in place of the age's rounding: of a held body, and of a body that the end of the step will hold.
-inline constexpr float held_mark = -1e30f, fault_mark = -2e30f, least_age_rest = -1e29f;
-inline bool is_held(float age_rest) {
-    return age_rest <= least_age_rest;
+inline constexpr float held_mark = -1e30f, diverged_mark = -2e30f, least_age_remainder = -1e29f;
+inline bool is_held(float age_remainder) {
+    return age_remainder <= least_age_remainder;
 }
 
 // The same bits as in kernel/integrator/equations_of_motion-inl.h. gusts: the body has a wake velocity.
@@ -36,7 +36,7 @@ inline bool is_sane(const BatchArrays& a, size_t i, bool gusts) {
 }
 
 // Sets the flag; once per step is enough. Any thread. to: can be null.
-inline void note_fault(uint32_t* to) {
+inline void note_divergence(uint32_t* to) {
     if (to) __atomic_store_n(to, 1u, __ATOMIC_RELAXED);
 }
 
@@ -45,17 +45,17 @@ template <class Before> void hold_body(const BatchArrays& a, size_t i, float mar
     for (size_t f = field_x; f <= field_qw; ++f) a.field[f][i] = before(f);
     for (size_t f = field_vx; f <= field_wz; ++f) a.field[f][i] = 0.0f;
     for (size_t f = field_gust_x; f < field_count && a.field[f]; ++f) a.field[f][i] = 0.0f;
-    a.field[field_age_rest][i] = mark;
+    a.field[field_age_remainder][i] = mark;
 }
 
 // Call after each change that can make a body diverge. Returns whether it is held.
 template <class Before>
 bool hold_if_insane(const BatchArrays& a, size_t i, uint32_t* faults, const Before& before, bool gusts = false) {
-    const float age_rest = a.field[field_age_rest][i];
-    const bool held = is_held(age_rest);
+    const float age_remainder = a.field[field_age_remainder][i];
+    const bool held = is_held(age_remainder);
     if (!held && is_sane(a, i, gusts)) return false;
-    hold_body(a, i, held ? age_rest : fault_mark, before);
-    if (!held) note_fault(faults);
+    hold_body(a, i, held ? age_remainder : diverged_mark, before);
+    if (!held) note_divergence(faults);
     return true;
 }
 
@@ -70,10 +70,10 @@ public:
     __attribute__((noinline)) void hold(const BatchArrays& a, size_t begin, size_t count, float seconds, bool gusts,
                                         uint32_t* faults) {
         for (size_t i = 0; i < count; ++i) {
-            const float age = value_[field_age][i], age_rest = value_[field_age_rest][i];
-            if (is_held(age_rest)) {
+            const float age = value_[field_age][i], age_remainder = value_[field_age_remainder][i];
+            if (is_held(age_remainder)) {
                 a.field[field_age][begin + i] = age + seconds;
-                a.field[field_age_rest][begin + i] = age_rest;
+                a.field[field_age_remainder][begin + i] = age_remainder;
             }
             hold_if_insane(
                 a, begin + i, faults, [&](size_t f) { return value_[f][i]; }, gusts);

@@ -5,7 +5,6 @@
 #include "world/world.h"
 
 #include <algorithm>
-#include <new>
 
 namespace lr::recording {
 
@@ -183,5 +182,4 @@ void Recorder::answer(Kind kind, uint32_t count, uint32_t batch, double time, co
     writing_.clear(std::memory_order_release);
     writing_.notify_one();
 }
-
 } // namespace lr::recording

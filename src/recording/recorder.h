@@ -95,5 +95,4 @@ private:
     Callers<lr_water_fn> surface_;
     std::atomic_flag writing_;
 };
-
 } // namespace lr::recording

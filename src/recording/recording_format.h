@@ -141,5 +141,4 @@ inline uint64_t frame_checksum(const FrameHeader& h, uint64_t number, const void
     hash.add(payload, h.size);
     return hash.value();
 }
-
 } // namespace lr::recording

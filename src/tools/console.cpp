@@ -22,5 +22,4 @@ bool shows_progress() {
 std::string with_slashes(std::string path) {
     return path;
 }
-
 } // namespace lr::baker

@@ -18,5 +18,4 @@ bool shows_progress();
 
 // Replaces backslashes by slashes, which all systems accept.
 std::string with_slashes(std::string path);
-
 } // namespace lr::baker

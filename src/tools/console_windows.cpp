@@ -29,7 +29,6 @@ void append_matches(const std::wstring& argument, std::vector<std::string>& out)
     std::sort(found.begin(), found.end());
     out.insert(out.end(), found.begin(), found.end());
 }
-
 } // namespace
 
 std::vector<std::string> utf8_arguments(int argc, char** argv) {
@@ -60,5 +59,4 @@ std::string with_slashes(std::string path) {
     if (!path.starts_with("\\\\?\\")) std::replace(path.begin(), path.end(), '\\', '/');
     return path;
 }
-
 } // namespace lr::baker

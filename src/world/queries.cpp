@@ -74,8 +74,8 @@ void cast_at_bodies(const Batch& batch, const Ray& ray, double most, FirstHit& n
     for_passing(batch, filter, [&](uint32_t i) {
         RayHit hit{};
         const float scale = batch.arrays().field[field_scale][i];
-        if (!ray_meets_body(batch.asset().shape, scale, pose_of(batch.arrays(), i), ray,
-                            std::min(most, nearest.hit.distance), hit))
+        if (!ray_hits_body(batch.asset().shape, scale, pose_of(batch.arrays(), i), ray,
+                           std::min(most, nearest.hit.distance), hit))
             return;
         const bool alike = hit.distance == nearest.hit.distance;
         if (hit.distance > nearest.hit.distance || (alike && nearest.batch != &batch)) return;
@@ -92,8 +92,8 @@ void cast_at_colliders(const Colliders& colliders, uint32_t layers, const Ray& r
         if (!colliders.in_use(slot) || (colliders.at(slot).layers & layers) == 0) continue;
         const Collider& c = colliders.at(slot);
         RayHit hit{};
-        if (!ray_meets_collider(c.geometry, colliders.shared(slot), ray_in(c.begin, ray),
-                                std::min(most, nearest.hit.distance), hit) ||
+        if (!ray_hits_collider(c.geometry, colliders.shared(slot), ray_in(c.begin, ray),
+                               std::min(most, nearest.hit.distance), hit) ||
             !(hit.distance < nearest.hit.distance))
             continue;
         nearest.body = nothing;

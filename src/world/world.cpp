@@ -148,12 +148,12 @@ void lr_world::destroy_batch(lr_batch batch) {
 bool lr_world::set_pair(uint32_t a, uint32_t b, bool on) {
     if (pairs.has(a, b) == on) return true;
     if (on && (!batches[a].batch->reserve_contact() || !batches[b].batch->reserve_contact() ||
-               !reserve_left([&](uint32_t slot) { return slot == a || slot == b || pairs.meets(slot); })))
+               !reserve_left([&](uint32_t slot) { return slot == a || slot == b || pairs.has_contact(slot); })))
         return false;
     if (!pairs.set(allocator, a, b, on)) return false;
     for (uint32_t slot : {a, b}) {
         batches[slot].batch->wake_all();
-        if (!pairs.meets(slot)) batches[slot].batch->forget_touched_bodies();
+        if (!pairs.has_contact(slot)) batches[slot].batch->forget_touched_bodies();
     }
     return true;
 }
@@ -176,22 +176,22 @@ lr_status lr_world::destroy_bodies(const lr_body* bodies, uint32_t count) {
     return LR_OK;
 }
 
-lr_status lr_world::set_rest(const lr_body* bodies, uint32_t count, bool rest) {
+lr_status lr_world::set_sleep(const lr_body* bodies, uint32_t count, bool asleep) {
     uint32_t index = 0;
     for (uint32_t i = 0; i < count; ++i)
         if (!find(bodies[i], index)) return LR_ERROR_STALE_BODY;
-    for (uint32_t i = 0; i < count && rest; ++i)
-        if (!find(bodies[i], index)->reserve_rest()) return LR_ERROR_OUT_OF_MEMORY;
+    for (uint32_t i = 0; i < count && asleep; ++i)
+        if (!find(bodies[i], index)->reserve_sleep()) return LR_ERROR_OUT_OF_MEMORY;
     for (uint32_t i = 0; i < count; ++i) {
         Batch& batch = *find(bodies[i], index);
-        if (batch.rests(index) == rest) continue;
-        if (!rest) {
+        if (batch.asleep(index) == asleep) continue;
+        if (!asleep) {
             batch.wake(index);
             continue;
         }
-        index = batch.rest(index);
+        index = batch.fall_asleep(index);
         if (batch.events()) batch.events()->take_back(unpack(batch.ids()[index]).slot, noted_waking);
-        batch.resting()->ask_again(); // rules have perhaps never checked it
+        batch.sleeping()->ask_again(); // rules have perhaps never checked it
     }
     return LR_OK;
 }
@@ -208,7 +208,7 @@ uint32_t lr_world::wake_box(const Box& box) {
 
 void lr_world::leave(const Batch& batch, uint32_t index) {
     const uint32_t slot = unpack(batch.ids()[index]).batch;
-    if (!pairs.meets(slot)) return;
+    if (!pairs.has_contact(slot)) return;
     const double reach = 1.01 * batch.reach() * static_cast<double>(batch.arrays().field[field_scale][index]);
     const Double3 x = to_double(vector_in(batch.arrays().field, field_x, index)), half{reach, reach, reach};
     left[left_count++] = {slot, {to_float(x - half), to_float(x + half)}};
@@ -238,8 +238,8 @@ void lr_world::schedule_batches(float dt, uint32_t substeps) {
     each_batch([&](Batch& batch, uint32_t slot) {
         if (batch.awake() == 0) {
             // The time that the batch is behind passes for sleeping bodies too.
-            if (batch.count() != 0) batch.resting()->pass(batch.pace.behind(), 0);
-            return batch.pace.rest();
+            if (batch.count() != 0) batch.sleeping()->pass(batch.pace.behind(), 0);
+            return batch.pace.skip();
         }
         batch.pace.wait(static_cast<double>(dt), substeps, time, substep_count, wind.uniform);
         pacing.ask(batch, slot, step);
@@ -288,14 +288,14 @@ bool lr_world::step(float dt, uint32_t substeps, const FloatMode& mode) {
     lap(timings.total);
     timings = {};
     const auto began = lapped;
-    if (pairs.any() && any_resting()) wake_before_hit(*this, dt, mode);
+    if (pairs.any() && any_asleep()) wake_before_hit(*this, dt, mode);
     if (colliders.any()) {
-        const bool resting = any_resting();
+        const bool sleeping = any_asleep();
         colliders.for_fresh([&](uint32_t slot) {
-            if (resting) wake_at(slot);
+            if (sleeping) wake_at(slot);
         });
         colliders.begin_step(static_cast<double>(dt), contact_reach(dt));
-        if (resting) colliders.for_moving([&](uint32_t slot) { wake_at(slot); });
+        if (sleeping) colliders.for_moving([&](uint32_t slot) { wake_at(slot); });
     }
     lap(timings.colliders);
     schedule_batches(dt, substeps); // so that woken bodies are stepped
@@ -312,7 +312,7 @@ bool lr_world::step(float dt, uint32_t substeps, const FloatMode& mode) {
     // Batches with body contact go through the step together.
     StepItem* const with_body_contact =
         std::partition(items.data(), items.data() + item_count,
-                       [&](const StepItem& item) { return !pairs.meets(unpack(item.handle).index); });
+                       [&](const StepItem& item) { return !pairs.has_contact(unpack(item.handle).index); });
     const auto alone = static_cast<uint32_t>(with_body_contact - items.data());
     const auto run_here = [&](StepItem* some, uint32_t count) { run(some, count, water, mode); };
     // A field is prepared for moments in time.
@@ -331,7 +331,7 @@ bool lr_world::step(float dt, uint32_t substeps, const FloatMode& mode) {
     if (alone < item_count) lap(timings.body_contact);
     if (wind.active() && wind.take_blame())
         log(LR_LOG_WARNING, "wind callback", "a result was not finite or too large, and was taken as 0");
-    const bool flow_may_wake = (colliders.any() || pairs.any()) && any_resting();
+    const bool flow_may_wake = (colliders.any() || pairs.any()) && any_asleep();
     if (flow_may_wake) {
         WakeByFlow(*this, items.data(), {time, static_cast<double>(dt) / substeps, 1}).run(mode);
         lap(timings.wake);
@@ -415,7 +415,7 @@ void lr_world::wake_at(uint32_t collider) {
     wake_box(colliders.box_of(collider));
 }
 
-bool lr_world::any_resting() const {
+bool lr_world::any_asleep() const {
     bool any = false;
     each_batch([&](const Batch& batch, uint32_t) { any = any || batch.awake() < batch.count(); });
     return any;
@@ -449,15 +449,15 @@ void lr_world::finish_batches(double dt) {
             batch.external.stepped();
             batch.grow_older(seconds);
             batch.pace.stepped(batch.awake());
-            const bool turn = batch.awake() < batch.count() && batch.resting()->pass(seconds, steps);
-            if (lifecycle && turn) lifecycle->judge_rest(target->ended, batch);
-            settle_faults(*this, batch, handle(slot), faults);
+            const bool turn = batch.awake() < batch.count() && batch.sleeping()->pass(seconds, steps);
+            if (lifecycle && turn) lifecycle->judge_sleep(target->ended, batch);
+            settle_diverged(*this, batch, handle(slot), faults);
             if (lifecycle) lifecycle->finish(batch, *this, seconds);
             batch.wake_noted(); // rules have not checked them as awake bodies
             batch.settle_noted();
         }
     });
-    log_faults(*this, faults);
+    log_diverged(*this, faults);
 }
 
 void lr_world::sample_wind(const float* positions, uint32_t count, float* velocities) const {
@@ -476,13 +476,13 @@ uint64_t lr_world::hash() const {
             mix(c.layers);
             for (float v : {c.friction, c.restitution, c.rolling_resistance, c.ground_effect})
                 mix(std::bit_cast<uint32_t>(v));
-            mix(may_rest(c));
+            mix(may_sleep(c));
         }
         lr::hash(batch.options, mix);
         if (batch.awake() < batch.count()) {
-            const SleepingBodies::State& rest = batch.resting()->state();
-            mix(std::bit_cast<uint64_t>(rest.clock));
-            mix(rest.steps | uint64_t{rest.unjudged} << 32);
+            const SleepingBodies::State& sleep = batch.sleeping()->state();
+            mix(std::bit_cast<uint64_t>(sleep.clock));
+            mix(sleep.steps | uint64_t{sleep.unjudged} << 32);
         }
         batch.pace.hash(mix);
         paced = paced || !batch.pace.plain();
@@ -493,7 +493,7 @@ uint64_t lr_world::hash() const {
         }
     });
     // The step's number decides which bodies try the wind.
-    if (paced || pacing.limited() || ((colliders.any() || pairs.any()) && any_resting())) mix(step_count);
+    if (paced || pacing.limited() || ((colliders.any() || pairs.any()) && any_asleep())) mix(step_count);
     pacing.hash(mix);
     for (uint64_t word : {wind.hash(time), surface.hash(), colliders.hash()})
         if (word != 0) mix(word);

@@ -82,7 +82,7 @@ struct lr_world {
     lr_status destroy_bodies(const lr_body* bodies, uint32_t count);
 
     // All or none: LR_OK, LR_ERROR_STALE_BODY, LR_ERROR_OUT_OF_MEMORY.
-    lr_status set_rest(const lr_body* bodies, uint32_t count, bool rest);
+    lr_status set_sleep(const lr_body* bodies, uint32_t count, bool asleep);
     uint32_t wake_box(const lr::Box& box); // how many
     // A body is removed or moved away: wake_left() wakes the bodies that can lie on it.
     void leave(const lr::Batch& batch, uint32_t index);
@@ -104,7 +104,7 @@ struct lr_world {
 
     // Wakes sleeping bodies along a collider's way in the step.
     void wake_at(uint32_t collider);
-    bool any_resting() const;
+    bool any_asleep() const;
     // capacity 0 disables them.
     lr_status set_events(uint32_t capacity, uint32_t kinds);
     void recheck_contacts();             // colliders have been destroyed

@@ -127,7 +127,7 @@ TEST_CASE("every scene ends in the same bits with any job system" * doctest::tes
         // Among so many bodies Runge-Kutta diverges for a few, and non-finite values have no guarantee.
         if (scene.integrator == LR_INTEGRATOR_RK4) continue;
         // Two such batches give work to several threads.
-        scene.bodies = scene.meeting ? 300 : scene.resting ? 10000 : 2500;
+        scene.bodies = scene.body_contact ? 300 : scene.resting ? 10000 : 2500;
         if (scene.budget != 0) scene.budget = 5000;
 #ifdef LR_TEST_QUICK
         scene.frames = 12; // includes the first landings

@@ -112,7 +112,7 @@ std::vector<PlayedScene> some_scenes() {
     for (PlayedScene& scene : played_scenes()) {
         if (scene.faulty) continue; // these depend on their length
         scene.frames = 6;
-        if (scene.called_back || scene.meeting || scene.governed || scene.afloat) some.push_back(scene);
+        if (scene.called_back || scene.body_contact || scene.governed || scene.afloat) some.push_back(scene);
     }
     return some;
 }
@@ -132,7 +132,7 @@ TEST_CASE("worlds on threads of their own, with workers and callbacks, each as i
 
 TEST_CASE("worlds of several threads share one job system, which runs their tasks in any order") {
     std::vector<PlayedScene> scenes = some_scenes();
-    for (PlayedScene& scene : scenes) scene.bodies = scene.meeting ? 150 : 1500; // work for more than one thread
+    for (PlayedScene& scene : scenes) scene.bodies = scene.body_contact ? 150 : 1500; // work for more than one thread
     std::vector<uint64_t> expected, got(scenes.size());
     for (const PlayedScene& scene : scenes) expected.push_back(outcome(scene));
     for (uint32_t threads : {1u, 4u}) {

@@ -38,7 +38,7 @@ bool same(const lr::BatchPairs& pairs, const Model& model, const std::vector<uin
         }
         pairs.visit_partners(a, [&](uint32_t b) { partners.push_back(b); });
         equal = equal && partners == expected && pairs.partners(a) == expected.size() &&
-                pairs.meets(a) == !expected.empty();
+                pairs.has_contact(a) == !expected.empty();
     }
     return equal;
 }

@@ -91,7 +91,7 @@ TEST_CASE("rays meet ellipsoids where the quadric says") {
                             any_rotation(random)};
         const lr::Ray ray = any_ray(random, static_cast<double>(size));
         lr::RayHit hit{};
-        const bool meets = ray_meets_body(shape, 1.0f, pose, ray, 10.0 * static_cast<double>(size), hit);
+        const bool meets = ray_hits_body(shape, 1.0f, pose, ray, 10.0 * static_cast<double>(size), hit);
         met += meets ? 1 : 0;
         // Not a distance, but of the right sign, and of first order at the surface.
         const auto own = [&](Double3 p) {
@@ -129,7 +129,7 @@ TEST_CASE("rays meet thin sheets within their thickness, rims included") {
         for (int k = 0; k < 5; ++k) {
             lr::Ray ray = any_ray(random, wide_size);
             lr::RayHit hit{};
-            const bool meets = ray_meets_body(shape, scale, pose, ray, 12.0 * wide_size, hit);
+            const bool meets = ray_hits_body(shape, scale, pose, ray, 12.0 * wide_size, hit);
             met += meets ? 1 : 0;
             check_ray(ray, 12.0 * wide_size, meets, hit, turned_back(pose, own), 1e-5 * wide_size);
         }
@@ -157,7 +157,7 @@ TEST_CASE("rays meet hulls at their faces") {
         for (int k = 0; k < 5; ++k) {
             const lr::Ray ray = any_ray(random, static_cast<double>(size));
             lr::RayHit hit{};
-            const bool meets = ray_meets_body(shape, 1.0f, pose, ray, 12.0 * static_cast<double>(size), hit);
+            const bool meets = ray_hits_body(shape, 1.0f, pose, ray, 12.0 * static_cast<double>(size), hit);
             met += meets ? 1 : 0;
             check_ray(ray, 12.0 * static_cast<double>(size), meets, hit, turned_back(pose, own),
                       1e-5 * static_cast<double>(size));
@@ -202,7 +202,7 @@ TEST_CASE("rays meet spheres, capsules, boxes and hulls where these begin") {
         lr::RayHit hit{};
         const double most = random.uniform(0.5, 8.0);
         const lr::SharedGeometry* const none = nullptr;
-        const bool meets = ray_meets_collider(g, none, ray, most, hit);
+        const bool meets = ray_hits_collider(g, none, ray, most, hit);
         CAPTURE(kind);
         check_ray(ray, most, meets, hit, outside, 1e-9);
         if (meets) CHECK(hit.distance <= most);
@@ -231,7 +231,7 @@ TEST_CASE("rays meet the ground of a heightfield and its sides, wherever they co
         if (round % 7 == 0) ray.direction = {0.0, -1.0, 0.0};
         if (round % 11 == 0) ray.direction = {1.0, 0.0, 0.0};
         lr::RayHit hit{};
-        const bool meets = ray_meets_collider(g, nullptr, ray, 20.0, hit);
+        const bool meets = ray_hits_collider(g, nullptr, ray, 20.0, hit);
         met += meets ? 1 : 0;
         const auto inside = [&](Double3 p) {
             if (p.x < 0.0 || p.z < 0.0 || p.x > wide_x || p.z > wide_z) return false;
@@ -280,7 +280,7 @@ TEST_CASE("rays meet the nearest triangle of a mesh, as every triangle by itself
     for (int round = 0; round < 1000; ++round) {
         const lr::Ray ray = any_ray(random, 1.0);
         lr::RayHit hit{};
-        const bool meets = ray_meets_collider(g, &shared, ray, 10.0, hit);
+        const bool meets = ray_hits_collider(g, &shared, ray, 10.0, hit);
         // Moeller and Trumbore 1997.
         double least = 10.0;
         for (uint32_t i = 0; i < 300; ++i) {

@@ -9,7 +9,7 @@ TEST_CASE("in scenes with contact some bodies rest in the end and others move, a
           doctest::test_suite("exact")) {
     size_t found = 0;
     for (PlayedScene scene : played_scenes()) {
-        if (scene.solids == Solids::none || scene.meeting || scene.faulty) continue;
+        if (scene.solids == Solids::none || scene.body_contact || scene.faulty) continue;
         ++found;
         CAPTURE(std::string(scene.name));
         Play play(scene, {});
@@ -27,7 +27,7 @@ TEST_CASE("in scenes with contact some bodies rest in the end and others move, a
 TEST_CASE("in scenes of piles bodies touch each other, and that they meet matters" * doctest::test_suite("exact")) {
     size_t found = 0;
     for (PlayedScene scene : played_scenes()) {
-        if (!scene.meeting || scene.faulty) continue;
+        if (!scene.body_contact || scene.faulty) continue;
         ++found;
         CAPTURE(std::string(scene.name));
         Play play(scene, {});
@@ -35,7 +35,7 @@ TEST_CASE("in scenes of piles bodies touch each other, and that they meet matter
         MESSAGE(std::string(scene.name), ": ", info_of(play.world).awake_count, " of ", info_of(play.world).body_count,
                 " awake");
         CHECK(info_of(play.world).awake_count > 10);
-        scene.meeting = false;
+        scene.body_contact = false;
         CHECK(outcome(scene) != hash);
     }
     CHECK(found == 6);

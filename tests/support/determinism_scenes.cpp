@@ -135,7 +135,7 @@ std::vector<PlayedScene> played_scenes() {
     // Leaves and bricks that land on each other.
     const auto pile = [&](const char* name, Solids on) -> PlayedScene& {
         PlayedScene& scene = landing(name, on);
-        scene.meeting = true, scene.bodies = 80;
+        scene.body_contact = true, scene.bodies = 80;
         return scene;
     };
     pile("pile", Solids::ground);
@@ -188,7 +188,7 @@ Play::Play(const PlayedScene& scene, const Circumstances& how) : scene_(scene), 
     build();
     colliders_.place(world);
     for (Source kind : scene_.sources) add_source(kind);
-    for (size_t b = 0; b < 2 && scene_.meeting; ++b)
+    for (size_t b = 0; b < 2 && scene_.body_contact; ++b)
         for (size_t with = 0; with <= b; ++with)
             REQUIRE(lr_batch_set_body_contact(world.get(), batches[b], batches[with], 1) == LR_OK);
     if (scene_.afloat) set_water(world, sea()); // not after a snapshot, which restores it
@@ -303,7 +303,7 @@ lr_body_desc Play::body(uint32_t noise_seed) const {
         for (float& x : d.position) x *= 0.4f;
         d.position[1] = 0.15f * d.position[1] + 0.35f;
     }
-    if (scene_.meeting) // spread over the box, the sphere and the open ground
+    if (scene_.body_contact) // spread over the box, the sphere and the open ground
         for (size_t k = 0; k < 3; ++k) d.position[k] = k == 1 ? d.position[k] : 0.12f * d.position[k] + 0.5f;
     for (float& q : d.orientation) q = random.real(-1.0, 1.0);
     for (float& v : d.linear_velocity) v = random.real(-0.5, 0.5);

@@ -26,7 +26,7 @@ struct PlayedScene {
     uint32_t divisors[2] = {1, 1};    // of the batches' rates
     bool resting = false;             // bodies fall asleep and wake
     Solids solids = Solids::none;     // to land on: bodies begin near them; those of the second batch are bricks
-    bool meeting = false;             // contact between all bodies, which start close together above the colliders
+    bool body_contact = false;        // contact between all bodies, which start close together above the colliders
     uint64_t budget = 0;              // body-substeps per step
     bool faulty = false;              // some bodies diverge: held in one batch, ended in the other
     float dt = 1.0f / 60.0f;          // s

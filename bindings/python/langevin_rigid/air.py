@@ -18,13 +18,12 @@ if TYPE_CHECKING:
 
     from ._fields import (BlowerOptions, GroundWindOptions, GustsOptions, TurbulenceOptions, VortexOptions, WaterOptions,
                           WindGridOptions)
-    from .world import World
 
 
 class WindSource:
     """A wind source of a world, created by `World.add_gusts`, `World.add_vortex` and so on."""
 
-    def __init__(self, world: "World", kind: str, handle: int) -> None:
+    def __init__(self, world: Any, kind: str, handle: int) -> None:
         self.world = world
         self.kind = kind
         self.id = handle

@@ -21,7 +21,6 @@ if TYPE_CHECKING:
 
     from ._fields import AerodynamicsOptions, TurbulenceTableOptions
     from .asset import Asset
-    from .world import World
 
 SHAPES = {
     TransformFormat.POSITION_QUATERNION: (7,), TransformFormat.POSITION_QUATERNION_SCALE: (8,), TransformFormat.MATRIX_3X4_ROW_MAJOR: (3, 4),
@@ -32,7 +31,7 @@ SHAPES = {
 class Batch(BatchPlain):
     """A batch of bodies, created by `World.create_batch`. It lives until `destroy` or the end of its world."""
 
-    def __init__(self, world: "World", handle: int, asset: "Asset") -> None:
+    def __init__(self, world: Any, handle: int, asset: "Asset") -> None:
         self.world = world
         self.id = handle
         self.asset = asset

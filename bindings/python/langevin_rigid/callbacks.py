@@ -14,8 +14,6 @@ from .enums import LogLevel
 
 LOGGER = logging.getLogger("langevin_rigid")
 LEVELS = {LogLevel.ERROR: logging.ERROR, LogLevel.WARNING: logging.WARNING, LogLevel.INFO: logging.INFO}
-_FLOAT_POINTERS = {native.lr_wind_query: ("velocity", "rate", "gradient"),
-                   native.lr_water_query: ("height", "normal", "velocity", "rate")}
 
 
 class Guard:

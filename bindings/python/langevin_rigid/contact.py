@@ -17,7 +17,6 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
     from ._fields import ColliderOptions, MaterialOptions
-    from .world import World
 
 
 class Events(NamedTuple):
@@ -39,7 +38,7 @@ class Events(NamedTuple):
 class Collider(ColliderPlain):
     """A collider of a world, created by `World.add_collider` and similar methods."""
 
-    def __init__(self, world: "World", handle: int) -> None:
+    def __init__(self, world: Any, handle: int) -> None:
         self.world = world
         self.id = handle
 

@@ -59,9 +59,9 @@ MAX_KILL_VOLUMES = 8
 
 class Status(IntEnum):
     """LR_OK, or a negative error. Values never change."""
-    OK = 0
+    OK = 0  # success
     NULL_ARGUMENT = -1  # a required pointer is null
-    STRUCT_SIZE = -2  # struct_size is below every released size, or an unknown tail is not 0
+    STRUCT_SIZE = -2  # struct_size is of no release, or an unknown tail is not 0: see LR_..._INIT
     INVALID_ARGUMENT = -3  # a value is out of range
     NOT_FINITE = -4  # a number is NaN or infinite
     OUT_OF_MEMORY = -5  # the allocator returned null

@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 import ctypes
-from typing import TYPE_CHECKING, Any, Dict, Optional
+from typing import Any, Dict, Optional
 
 import numpy as np
 
 from .errors import StaleViewError
-
-if TYPE_CHECKING:
-    from .batch import Batch
 
 SCALARS = {"scale": np.float32, "age": np.float32, "noise_seed": np.uint32, "ids": np.uint64, "user": np.uint64}
 
@@ -54,7 +51,7 @@ class View:
     can still be read safely, but their contents are undefined. Velocities: `Batch.velocities`.
     """
 
-    def __init__(self, batch: "Batch", struct: Any) -> None:
+    def __init__(self, batch: Any, struct: Any) -> None:
         self._batch = batch
         self._changes = batch.world._changes
         self._struct = struct

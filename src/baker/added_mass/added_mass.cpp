@@ -416,7 +416,6 @@ bool solve_solid(const Mesh& unit, Matrix6& geometry, AddedMass& out, Faults& fa
     const CurvedSurface surface = restore_curved_volume(unit);
     return solve_surface(surface.mesh, closed_basis(surface.mesh), &surface, geometry, out, faults, options, report);
 }
-
 } // namespace
 
 bool compute_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMass& out, Faults& faults,
@@ -460,5 +459,4 @@ bool compute_sheet_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, c
     scale_to_size(size, out);
     return true;
 }
-
 } // namespace lr::baker

@@ -35,5 +35,4 @@ bool compute_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMa
 bool compute_sheet_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, const Refinement& refinement,
                               AddedMass& out, Faults& faults, const Progress& progress = {},
                               const AddedMassOptions& options = {});
-
 } // namespace lr::baker

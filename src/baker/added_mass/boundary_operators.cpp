@@ -376,7 +376,6 @@ private:
     std::vector<std::array<double, NearFields::count>> fields_; // of each panel
     std::vector<double> unused_;                                // column for corners without an unknown
 };
-
 } // namespace
 
 BoundaryOperators assemble_boundary_operators(const Mesh& mesh, const SurfaceBasis& basis,
@@ -392,5 +391,4 @@ bool assemble_without_matrix(const Mesh& mesh, const SurfaceBasis& basis, unsign
     out = {};
     return Assembler(mesh, basis, progress, out).run_fast(thread_count(threads), near);
 }
-
 } // namespace lr::baker

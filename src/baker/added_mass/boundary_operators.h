@@ -44,5 +44,4 @@ inline Eigen::Vector3d hat_curl(const Panel& panel, std::size_t corner) {
     // n x gradient is the opposite edge over twice the area, without the rounding of a cross product
     return (panel.corner[(corner + 2) % 3] - panel.corner[(corner + 1) % 3]) / (2.0 * panel.area);
 }
-
 } // namespace lr::baker

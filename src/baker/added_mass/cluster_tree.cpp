@@ -112,7 +112,6 @@ private:
     std::vector<double> reach_;
     std::vector<std::size_t> level_;
 };
-
 } // namespace
 
 void find_cluster_pairs(ClusterTree& tree, double separation) {
@@ -166,5 +165,4 @@ ClusterTree build_cluster_tree(const ClusterItems& items, std::size_t leaf_size)
     Builder(items, std::max<std::size_t>(leaf_size, 1), tree).run();
     return tree;
 }
-
 } // namespace lr::baker

@@ -45,5 +45,4 @@ ClusterTree build_cluster_tree(const ClusterItems& items, std::size_t leaf_size)
 
 // Fills near and far: a pair is far if the sum of its radii is at most `separation` times its distance.
 void find_cluster_pairs(ClusterTree& tree, double separation);
-
 } // namespace lr::baker

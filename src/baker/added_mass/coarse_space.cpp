@@ -13,7 +13,6 @@ constexpr std::size_t cells = 128;
 // Overlap of a function beyond its cell, in diagonals of the cell. Both sides of a thin solid share functions: potentials common
 // to both sides have so little energy that patches alone would need hundreds of iterations.
 constexpr double reach = 0.4;
-
 } // namespace
 
 CoarseSpace::CoarseSpace(const FastHypersingular& matrix, const ModeOperator& apply,
@@ -106,5 +105,4 @@ void CoarseSpace::add(const ModeVectors& r, ModeVectors& z) const {
             for (std::size_t m = 0; m < mode_lanes; ++m)
                 z[i * mode_lanes + m] += weights_[k].value * solved(static_cast<Eigen::Index>(m), weights_[k].function);
 }
-
 } // namespace lr::baker

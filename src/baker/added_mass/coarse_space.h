@@ -30,5 +30,4 @@ private:
     std::vector<Weight> weights_;
     Eigen::MatrixXd inverse_;
 };
-
 } // namespace lr::baker

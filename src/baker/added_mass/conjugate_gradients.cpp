@@ -37,7 +37,6 @@ double condition_of(const std::vector<double>& alpha, const std::vector<double>&
     solver.computeFromTridiagonal(diagonal, beside, Eigen::EigenvaluesOnly);
     return solver.eigenvalues()[n - 1] / std::max(solver.eigenvalues()[0], 1e-300);
 }
-
 } // namespace
 
 bool solve_modes(const ModeOperator& matrix, const ModeOperator& preconditioner, const ModeVectors& right,
@@ -103,5 +102,4 @@ bool solve_modes(const ModeOperator& matrix, const ModeOperator& preconditioner,
     out.residual = whole > 0.0 ? std::sqrt(rest / whole) : 0.0;
     return true;
 }
-
 } // namespace lr::baker

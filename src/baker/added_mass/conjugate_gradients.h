@@ -20,5 +20,4 @@ struct ModeSolution {
 bool solve_modes(const ModeOperator& matrix, const ModeOperator& preconditioner, const ModeVectors& right,
                  double tolerance, std::size_t max_iterations, const std::function<void(double)>& progress,
                  ModeSolution& out);
-
 } // namespace lr::baker

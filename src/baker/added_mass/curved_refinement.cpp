@@ -109,7 +109,6 @@ Mesh split(const Mesh& mesh, const Middles& middles) {
     }
     return out;
 }
-
 } // namespace
 
 Mesh refine_curved(const Mesh& mesh, double turn, std::size_t max_panels) {
@@ -122,5 +121,4 @@ Mesh refine_curved(const Mesh& mesh, double turn, std::size_t max_panels) {
     }
     return fine;
 }
-
 } // namespace lr::baker

@@ -100,12 +100,10 @@ private:
     std::vector<std::vector<uint32_t>> near_; // leaves near each leaf
     std::vector<double> charges_;             // in the order of the tree
 };
-
 } // namespace
 
 void sum_doublets_fast(DoubletArrays& arrays, std::size_t count, unsigned threads,
                        const std::function<void(double)>& progress) {
     if (count > 0) DoubletSum(arrays, count, thread_count(threads)).run(progress);
 }
-
 } // namespace lr::baker

@@ -10,5 +10,4 @@ namespace lr::baker {
 // For the first `count` points. The same bits for any number of threads.
 void sum_doublets_fast(DoubletArrays& arrays, std::size_t count, unsigned threads,
                        const std::function<void(double)>& progress);
-
 } // namespace lr::baker

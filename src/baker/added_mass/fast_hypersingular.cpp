@@ -13,7 +13,6 @@ constexpr std::size_t vertices_of_leaf = 64;
 // With this value and expansion_order the operator's error is about 1e-5 (docs/maintainers/numerics.md).
 constexpr double vertex_separation = 0.65;
 constexpr std::size_t moment_rows = 2 * expansion_terms;
-
 } // namespace
 
 FastHypersingular::FastHypersingular(const std::vector<Panel>& panels, const BasisParts& parts, unsigned threads)
@@ -193,5 +192,4 @@ void FastHypersingular::apply(const ModeVectors& x, ModeVectors& y, std::size_t 
         apply_near(leaf, x, to, scratch[thread]);
     });
 }
-
 } // namespace lr::baker

@@ -57,5 +57,4 @@ private:
     std::vector<double> diagonal_;
     Expansions multipoles_, locals_;
 };
-
 } // namespace lr::baker

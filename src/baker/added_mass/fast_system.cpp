@@ -13,7 +13,6 @@ constexpr double tolerance = 1e-6;
 constexpr std::size_t max_iterations = 500;
 // Degree of the expansions for the coarse matrix; higher degrees change the number of iterations by one.
 constexpr std::size_t coarse_order = 3;
-
 } // namespace
 
 FastSystem::FastSystem(const BoundaryOperators& op, const NearSingleLayer& near, const SurfaceBasis& basis,
@@ -74,5 +73,4 @@ bool FastSystem::solve(const RigidModes& right, const std::function<void(double)
     out = {from_tree(solution.value, 6), solution.iterations, solution.residual, solution.condition};
     return solved;
 }
-
 } // namespace lr::baker

@@ -49,5 +49,4 @@ private:
     std::unique_ptr<Schwarz> patches_;
     std::unique_ptr<CoarseSpace> coarse_;
 };
-
 } // namespace lr::baker

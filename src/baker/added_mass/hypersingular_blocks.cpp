@@ -26,7 +26,6 @@ void add_record(const Panel& panel, std::vector<double>& records) {
                    {panel.centroid[0], panel.centroid[1], panel.centroid[2], second(0, 0), second(1, 1), second(2, 2),
                     second(0, 1), second(1, 2), second(2, 0), panel.area / (4.0 * std::numbers::pi)});
 }
-
 } // namespace
 
 BasisParts find_basis_parts(const SurfaceBasis& basis) {
@@ -125,5 +124,4 @@ void HypersingularBlocks::assemble(std::span<const uint32_t> rows, std::span<con
     for (const uint32_t panel : work.targets) work.is_target[panel] = 0;
     for (const uint32_t unknown : columns) work.column_of_unknown[unknown] = -1;
 }
-
 } // namespace lr::baker

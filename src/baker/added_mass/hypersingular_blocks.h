@@ -66,5 +66,4 @@ private:
     std::vector<double> records, values, unused;
     PanelFans fans;
 };
-
 } // namespace lr::baker

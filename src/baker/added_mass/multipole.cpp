@@ -92,5 +92,4 @@ Harmonics normal_derivatives(const Harmonics& r, const Eigen::Vector3d& normal) 
         }
     return out;
 }
-
 } // namespace lr::baker

@@ -27,5 +27,4 @@ Harmonics normal_derivatives(const Harmonics& harmonics, const Eigen::Vector3d& 
 
 // Multiplies the terms of degree l by ratio^l.
 void scale_degrees(double ratio, double* expansion);
-
 } // namespace lr::baker

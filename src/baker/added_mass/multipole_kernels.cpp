@@ -55,7 +55,6 @@ inline void fill_regular(const double* v, RegularTable& table) {
     }
     table.mirror();
 }
-
 } // namespace lr::baker
 #endif
 
@@ -293,7 +292,6 @@ HWY_NOINLINE void normal_gradient(const double* charges, size_t count, const dou
         }
     }
 }
-
 } // namespace lr::baker::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -328,6 +326,5 @@ void add_normal_gradient(const double* charges, std::size_t count, const double*
                          double* sum) {
     HWY_DYNAMIC_DISPATCH(normal_gradient)(charges, count, point, normal, sum);
 }
-
 } // namespace lr::baker
 #endif // HWY_ONCE

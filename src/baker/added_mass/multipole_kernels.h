@@ -42,5 +42,4 @@ constexpr std::size_t charge_fields = 3 + mode_lanes;
 // The gradient of their potential 1/r at a point, along `normal`; a charge at the point adds nothing.
 void add_normal_gradient(const double* charges, std::size_t count, const double* point, const double* normal,
                          double* sum);
-
 } // namespace lr::baker

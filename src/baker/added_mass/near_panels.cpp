@@ -83,7 +83,6 @@ private:
     std::vector<double> largest_; // largest panel radius of each cluster
     std::vector<Found> found_;
 };
-
 } // namespace
 
 bool find_near_panels(const std::vector<Panel>& panels, std::size_t most, std::vector<std::vector<NearPair>>& pairs,
@@ -116,5 +115,4 @@ bool find_near_panels(const std::vector<Panel>& panels, std::size_t most, std::v
     }
     return true;
 }
-
 } // namespace lr::baker

@@ -19,5 +19,4 @@ struct NearPair {
 // functions of much finer neighbours. False, with invalid results, if there are more than `most` pairs.
 bool find_near_panels(const std::vector<Panel>& panels, std::size_t most, std::vector<std::vector<NearPair>>& pairs,
                       std::vector<std::size_t>& level);
-
 } // namespace lr::baker

@@ -107,7 +107,6 @@ void add_parts(const TriangleRule& rule, const Eigen::Matrix3d& corners, double 
         add_parts(rule, smaller, 0.25 * share, levels - 1, out);
     }
 }
-
 } // namespace
 
 TriangleRule dunavant_rule(int levels) {
@@ -137,5 +136,4 @@ TriangleRule six_point_rule() {
     add_triple(rule, 0.091576213509770743, 0.109951743655321868);
     return rule;
 }
-
 } // namespace lr::baker

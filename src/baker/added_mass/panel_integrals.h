@@ -44,5 +44,4 @@ TriangleRule dunavant_rule(int levels);
 
 // Exact to degree 4 (Dunavant 1985, 6 points).
 TriangleRule six_point_rule();
-
 } // namespace lr::baker

@@ -293,7 +293,6 @@ HWY_NOINLINE void currents(const PanelFans& fans, const double* values, const do
                 columns[k * near_batch + lane][v] += lower[k * near_batch + lane];
     }
 }
-
 } // namespace lr::baker::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -335,6 +334,5 @@ std::array<double, NearFields::count> near_fields(const Panel& panel) {
     f[NearFields::in_plane] = 1e-13 * panel.radius;
     return f;
 }
-
 } // namespace lr::baker
 #endif // HWY_ONCE

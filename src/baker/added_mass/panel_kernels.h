@@ -70,5 +70,4 @@ struct PanelFans {
 // columns[k * near_batch + lane][v] += curl[k of the target of lane] . sum over the fan of v of value * curl.
 void add_currents(const PanelFans& fans, const double* values, const double* curls,
                   const std::array<double*, 3 * near_batch>& columns, std::size_t lanes);
-
 } // namespace lr::baker

@@ -18,5 +18,4 @@ inline bool prefers_diagonal(const std::vector<Eigen::Vector3d>& vertices, uint3
     if (first < (1.0 - tie) * second) return true;
     return first < (1.0 + tie) * second && std::min(a, c) < std::min(b, d);
 }
-
 } // namespace lr::baker

@@ -200,7 +200,6 @@ Mesh refine(Refiner refiner, const Refinement& how) {
     if (how.strips > 1) refiner.cut_strips(how.strips);
     return refiner.take();
 }
-
 } // namespace
 
 Mesh refine_sheet(const Mesh& mesh, const Refinement& how) {
@@ -210,5 +209,4 @@ Mesh refine_sheet(const Mesh& mesh, const Refinement& how) {
 Mesh refine_solid(const Mesh& mesh, const Refinement& how) {
     return refine(Refiner(mesh, true), how);
 }
-
 } // namespace lr::baker

@@ -19,5 +19,4 @@ Mesh refine_sheet(const Mesh& mesh, const Refinement& how);
 
 // The same for a closed surface, with convex creases as rims: the potential of a solid is singular there.
 Mesh refine_solid(const Mesh& mesh, const Refinement& how);
-
 } // namespace lr::baker

@@ -14,7 +14,6 @@ namespace {
 // Overlap of a patch beyond its leaf, in diagonals of the leaf.
 constexpr double overlap = 0.2;
 constexpr std::size_t most_members = 384;
-
 } // namespace
 
 ConstantTerms::ConstantTerms(const SurfaceBasis& basis, const FastHypersingular& matrix) {
@@ -175,5 +174,4 @@ void Schwarz::apply(const ModeVectors& r, ModeVectors& z) {
         for (std::size_t k = use_start_[i]; k < use_start_[i + 1]; ++k)
             for (std::size_t m = 0; m < mode_lanes; ++m) z[i * mode_lanes + m] += results_[uses_[k] * mode_lanes + m];
 }
-
 } // namespace lr::baker

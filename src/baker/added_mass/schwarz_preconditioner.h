@@ -48,5 +48,4 @@ private:
     std::vector<double> share_; // 1/sqrt(number of patches that contain the unknown)
     std::vector<double> results_;
 };
-
 } // namespace lr::baker

@@ -173,7 +173,6 @@ HWY_NOINLINE void substitute(const float* l, float* x, size_t n) {
         }
     }
 }
-
 } // namespace lr::baker::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -212,6 +211,5 @@ void SingleCholesky::solve(Eigen::MatrixXd& right) const {
                     static_cast<double>(x[static_cast<std::size_t>(i) * right_sides + static_cast<std::size_t>(k)]);
     }
 }
-
 } // namespace lr::baker
 #endif // HWY_ONCE

@@ -21,5 +21,4 @@ private:
     std::size_t padded_ = 0;
     std::vector<float> factor_; // columns of length padded_; the padding is the unit matrix
 };
-
 } // namespace lr::baker

@@ -155,7 +155,6 @@ private:
     std::vector<std::size_t> chamber_, zero_chamber_; // chamber of each unknown, and of the zero space of its group
     SurfaceBasis basis_;
 };
-
 } // namespace
 
 SurfaceBasis closed_basis(const Mesh& mesh) {
@@ -184,5 +183,4 @@ SurfaceBasis closed_basis(const Mesh& mesh) {
 SurfaceBasis sheet_basis(const Mesh& mesh) {
     return SheetBasis(mesh).run();
 }
-
 } // namespace lr::baker

@@ -36,5 +36,4 @@ SurfaceBasis closed_basis(const Mesh& mesh);
 // between the panels around a vertex; its jump is zero at a free rim. One constant for each enclosed chamber. Panels must not
 // coincide.
 SurfaceBasis sheet_basis(const Mesh& mesh);
-
 } // namespace lr::baker

@@ -139,7 +139,6 @@ private:
     std::vector<std::size_t> start_;
     std::vector<Corner> corners_;
 };
-
 } // namespace
 
 Eigen::Vector3d least_motion(const Eigen::Matrix3d& normal_matrix, const Eigen::Vector3d& right) {
@@ -169,5 +168,4 @@ std::vector<std::array<CornerNormal, 3>> corner_normals(const Mesh& mesh) {
 CurvedSurface restore_curved_volume(const Mesh& mesh) {
     return Correction(mesh).run();
 }
-
 } // namespace lr::baker

@@ -38,5 +38,4 @@ struct CurvedSurface {
 // each vertex along the normal so that the triangles cross the sampled surface, with equal volume on both sides to second order
 // in the turn. Flat faces and real edges (cube, box) stay unchanged.
 CurvedSurface restore_curved_volume(const Mesh& mesh);
-
 } // namespace lr::baker

@@ -131,7 +131,6 @@ shape::AerodynamicGeometry measure(const std::vector<Skin>& skin, double size, c
         if (seen[k].area < (1.0 - accuracy) * g.area[k]) g.area[k] = seen[k].area;
     return g;
 }
-
 } // namespace
 
 shape::AerodynamicGeometry mesh_geometry(const Mesh& mesh, const std::array<double, 9>& axes,
@@ -145,5 +144,4 @@ shape::AerodynamicGeometry sheet_geometry(const Mesh& mesh, double thickness, co
     add_rim(mesh, thickness, skin);
     return measure(skin, largest_extent(mesh), axes, centre);
 }
-
 } // namespace lr::baker

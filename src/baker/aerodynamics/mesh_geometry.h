@@ -18,5 +18,4 @@ shape::AerodynamicGeometry mesh_geometry(const Mesh& mesh, const std::array<doub
 // For a sheet of this thickness: both sides of the faces, and a rim along free edges.
 shape::AerodynamicGeometry sheet_geometry(const Mesh& mesh, double thickness, const std::array<double, 9>& axes,
                                           const Eigen::Vector3d& centre);
-
 } // namespace lr::baker

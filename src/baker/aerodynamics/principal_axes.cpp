@@ -95,7 +95,6 @@ std::array<double, 9> in_body_order(const std::array<Vector, 3>& v) {
         for (double& x : out[2]) x = -x;
     return rows(out);
 }
-
 } // namespace
 
 std::array<double, 9> principal_axes(const std::array<double, 9>& inertia) {
@@ -117,5 +116,4 @@ std::array<double, 9> principal_axes(const std::array<double, 9>& inertia) {
     for (Vector& axis : v) normalise(axis);
     return in_body_order(v);
 }
-
 } // namespace lr::shape

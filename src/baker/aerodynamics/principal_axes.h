@@ -10,5 +10,4 @@ namespace lr::shape {
 // (disc, square, cube), the matrix does not define the axes: they then follow the body axes as closely as the remaining axis
 // allows, instead of the noise of a mesh. The same bits with every C library.
 std::array<double, 9> principal_axes(const std::array<double, 9>& inertia);
-
 } // namespace lr::shape

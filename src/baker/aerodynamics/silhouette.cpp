@@ -63,7 +63,6 @@ Covered union_of(std::vector<std::pair<double, double>>& intervals) {
     }
     return covered;
 }
-
 } // namespace
 
 double union_area(std::vector<FlatTriangle> triangles) {
@@ -122,5 +121,4 @@ Silhouette union_silhouette(std::vector<FlatTriangle> triangles) {
     if (turn) std::swap(seen.centroid.x(), seen.centroid.y());
     return seen;
 }
-
 } // namespace lr::baker

@@ -22,5 +22,4 @@ struct Silhouette {
 
 // The same with the centroid, whose error is the square of the line spacing: 1e-7 of the extent.
 Silhouette union_silhouette(std::vector<FlatTriangle> triangles);
-
 } // namespace lr::baker

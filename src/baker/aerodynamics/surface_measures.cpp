@@ -79,7 +79,6 @@ double mean_reach_cubed(const Point& a, const Point& b, const Point& c, size_t k
         sum += weight * (cube(t, t, 1.0 - 2.0 * t) + cube(t, 1.0 - 2.0 * t, t) + cube(1.0 - 2.0 * t, t, t));
     return sum;
 }
-
 } // namespace
 
 SurfaceMeasures::SurfaceMeasures(const std::array<double, 9>& axes, const Point& centre, double size)
@@ -134,5 +133,4 @@ AerodynamicGeometry SurfaceMeasures::geometry() const {
     }
     return out;
 }
-
 } // namespace lr::shape

@@ -29,5 +29,4 @@ private:
     double surface_ = 0.0;
     std::array<double, 3> projected_{}, squared_{}, stroke2_{}, stroke3_{}, rub_{};
 };
-
 } // namespace lr::shape

@@ -117,7 +117,6 @@ bool decode(png_structp png, png_infop info, MaskChannel channel, Rows& rows) {
     png_read_end(png, nullptr);
     return true;
 }
-
 } // namespace
 
 bool read_alpha_mask(const void* bytes, std::size_t size, MaskChannel channel, const std::string& where, AlphaMask& out,
@@ -150,5 +149,4 @@ bool read_alpha_mask(const void* bytes, std::size_t size, MaskChannel channel, c
     out = std::move(rows.mask);
     return true;
 }
-
 } // namespace lr::baker

@@ -30,5 +30,4 @@ constexpr std::size_t max_image_side = 16384;
 // Reads any PNG: 1 to 16 bits, palette, interlaced. Faults 221 and, without an alpha channel, 222.
 bool read_alpha_mask(const void* png, std::size_t size, MaskChannel channel, const std::string& where, AlphaMask& out,
                      Faults& faults);
-
 } // namespace lr::baker

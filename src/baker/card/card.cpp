@@ -185,7 +185,6 @@ private:
     double area_ = 0.0;
     bool stairs_ = false;
 };
-
 } // namespace
 
 bool read_card_memory(const void* bytes, std::size_t size, const CardOptions& options, const std::string& where,
@@ -211,5 +210,4 @@ bool read_card(const std::string& path_utf8, const CardOptions& options, Mesh& o
     out.name = valid_utf8(std::string(stem.begin(), stem.end()));
     return true;
 }
-
 } // namespace lr::baker

@@ -37,5 +37,4 @@ bool read_card(const std::string& path_utf8, const CardOptions& options, Mesh& o
 // The same from memory. where: its name in faults.
 bool read_card_memory(const void* bytes, std::size_t size, const CardOptions& options, const std::string& where,
                       Mesh& out, CardReport& report, Faults& faults);
-
 } // namespace lr::baker

@@ -30,7 +30,6 @@ void cut_ears(const std::vector<GridPoint>& points, std::vector<uint32_t>& polyg
         polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(ear));
     }
 }
-
 } // namespace
 
 int64_t doubled_area(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
@@ -55,5 +54,4 @@ std::vector<Face> delaunay(const std::vector<GridPoint>& points) {
     }
     return faces;
 }
-
 } // namespace lr::baker

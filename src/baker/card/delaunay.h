@@ -20,5 +20,4 @@ int64_t doubled_area(const GridPoint& a, const GridPoint& b, const GridPoint& c)
 
 // points: distinct, not all on one line. Returns counter-clockwise faces that fill the convex hull, except for slivers of collinear points.
 std::vector<Face> delaunay(const std::vector<GridPoint>& points);
-
 } // namespace lr::baker

@@ -162,7 +162,6 @@ void nest(Tracer& traced, double speck, Outlines& out) {
             }
     }
 }
-
 } // namespace
 
 double signed_area(const Loop& loop) {
@@ -220,5 +219,4 @@ bool trace_outlines(const AlphaMask& mask, double threshold, double speck, const
     out.pinhole_area = traced.dropped_hole_area;
     return true;
 }
-
 } // namespace lr::baker

@@ -35,5 +35,4 @@ struct Outlines {
 // region. Restores corners that the pixel grid has cut off. Faults 222 and 224.
 bool trace_outlines(const AlphaMask& mask, double threshold, double speck, const std::string& where, Outlines& out,
                     Faults& faults);
-
 } // namespace lr::baker

@@ -52,7 +52,6 @@ std::optional<Eigen::Vector2d> find_corner(const Loop& loop, std::size_t i, std:
 std::ptrdiff_t cell_of(double x) {
     return static_cast<std::ptrdiff_t>(std::floor(x + 0.5));
 }
-
 } // namespace
 
 // Number of cell edges that outlines cross: 0, 2, or 4 in a saddle.
@@ -106,5 +105,4 @@ void CornerRestorer::restore(Loop& loop) {
     with_corners.erase(with_corners.begin(), with_corners.begin() + static_cast<std::ptrdiff_t>(skip_first));
     loop = std::move(with_corners);
 }
-
 } // namespace lr::baker

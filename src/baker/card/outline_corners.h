@@ -26,5 +26,4 @@ private:
     const double level_;
     std::set<Cell> taken_; // cells that restored corners have occupied
 };
-
 } // namespace lr::baker

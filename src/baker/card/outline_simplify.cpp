@@ -292,11 +292,9 @@ private:
     std::optional<EdgeGrid> grid_;
     std::priority_queue<Collapse> queue_;
 };
-
 } // namespace
 
 void simplify_outlines(std::vector<Loop>& loops, double tolerance, double shortest) {
     if (tolerance > 0.0 && !loops.empty()) Simplifier(loops, tolerance, shortest).run();
 }
-
 } // namespace lr::baker

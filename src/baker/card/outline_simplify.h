@@ -10,5 +10,4 @@ namespace lr::baker {
 // distance to other parts, so stems keep their width and outlines never cross. Edges shorter than `shortest` get half their length more
 // tolerance, because they would cost many small triangles.
 void simplify_outlines(std::vector<Loop>& loops, double tolerance, double shortest);
-
 } // namespace lr::baker

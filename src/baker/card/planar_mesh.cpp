@@ -428,7 +428,6 @@ private:
     std::vector<Face> faces_;
     std::vector<std::pair<uint64_t, uint32_t>> half_edges_; // of all faces of the triangulation, sorted
 };
-
 } // namespace
 
 bool triangulate_region(const std::vector<Loop>& loops, double edge, std::size_t max_faces, PlanarMesh& out) {
@@ -480,5 +479,4 @@ double smallest_angle(const PlanarMesh& mesh) {
         }
     return least;
 }
-
 } // namespace lr::baker

@@ -21,5 +21,4 @@ bool triangulate_region(const std::vector<Loop>& loops, double edge, std::size_t
 
 // Degrees.
 double smallest_angle(const PlanarMesh& mesh);
-
 } // namespace lr::baker

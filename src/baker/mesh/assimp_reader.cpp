@@ -174,7 +174,6 @@ public:
 private:
     InputFiles* files_;
 };
-
 } // namespace
 
 // No post-processing by assimp: its steps drop or reorder faces silently and trust indices.
@@ -203,5 +202,4 @@ bool read_with_assimp(const SceneFile& file, PolygonSoup& soup, Faults& faults) 
         return fail(error.what());
     }
 }
-
 } // namespace lr::baker

@@ -21,5 +21,4 @@ struct SceneFile {
 
 // Applies node transforms; keeps the unit and axes of the file.
 bool read_with_assimp(const SceneFile& file, PolygonSoup& soup, Faults& faults);
-
 } // namespace lr::baker

@@ -167,7 +167,6 @@ private:
     std::map<std::string, uint64_t> arrays_; // number of floats
     std::vector<Accessor> accessors_;
 };
-
 } // namespace
 
 bool is_collada(std::string_view text) {
@@ -177,5 +176,4 @@ bool is_collada(std::string_view text) {
 bool check_collada(std::string_view text, Faults& faults) {
     return ColladaCheck(text, faults).run();
 }
-
 } // namespace lr::baker

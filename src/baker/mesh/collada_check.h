@@ -10,5 +10,4 @@ namespace lr::baker {
 
 bool is_collada(std::string_view text);
 bool check_collada(std::string_view text, Faults& faults);
-
 } // namespace lr::baker

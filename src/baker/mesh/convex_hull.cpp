@@ -33,5 +33,4 @@ bool compute_convex_hull(const std::vector<Eigen::Vector3d>& points, ConvexHull&
     out.slack = hull.slack;
     return true;
 }
-
 } // namespace lr::baker

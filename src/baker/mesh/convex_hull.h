@@ -14,5 +14,4 @@ struct ConvexHull {
 // Flat input (a sheet) gives a two-sided polygon. Faults: fewer than three points, points on one line, points that are not
 // finite.
 bool compute_convex_hull(const std::vector<Eigen::Vector3d>& points, ConvexHull& out, Faults& faults);
-
 } // namespace lr::baker

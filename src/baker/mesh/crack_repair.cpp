@@ -60,7 +60,6 @@ private:
     Eigen::Index axis_;
     std::vector<uint32_t> order_;
 };
-
 } // namespace
 
 std::size_t close_cracks(Mesh& mesh, double tolerance) {
@@ -97,5 +96,4 @@ std::size_t close_cracks(Mesh& mesh, double tolerance) {
     }
     return joined;
 }
-
 } // namespace lr::baker

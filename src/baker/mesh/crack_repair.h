@@ -11,5 +11,4 @@ namespace lr::baker {
 // extent. It looks joined, but fluid would pass. Splits the faces of such edges at the vertex; returns the number of vertices
 // inserted. Faces must have three different corners.
 std::size_t close_cracks(Mesh& mesh, double tolerance);
-
 } // namespace lr::baker

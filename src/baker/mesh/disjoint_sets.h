@@ -33,5 +33,4 @@ public:
 private:
     std::vector<std::size_t> parent_;
 };
-
 } // namespace lr::baker

@@ -39,5 +39,4 @@ Mesh ellipsoid_mesh(const std::array<double, 3>& semi_axes, const std::array<dou
         }
     return mesh;
 }
-
 } // namespace lr::baker

@@ -70,7 +70,6 @@ void add_determinant(Expansion& sum, double s, const Eigen::Vector3d& a, const E
     sum.add_product(s * a.z(), b.x(), c.y());
     sum.add_product(-s * a.z(), b.y(), c.x());
 }
-
 } // namespace
 
 int orientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
@@ -106,5 +105,4 @@ int orientation(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen:
     add_determinant(sum, -1.0, a, b, c);
     return sum.sign_of_sum();
 }
-
 } // namespace lr::baker

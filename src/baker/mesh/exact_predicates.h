@@ -11,5 +11,4 @@ int orientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen:
 // The sign of (b - a) . ((c - a) x (d - a)): 0 when the four points are in one plane. Coordinates and products of three of them must
 // neither overflow nor underflow.
 int orientation(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& d);
-
 } // namespace lr::baker

@@ -33,5 +33,4 @@ inline std::vector<HalfEdge> sorted_half_edges(const Mesh& mesh) {
     });
     return halves;
 }
-
 } // namespace lr::baker

@@ -8,7 +8,6 @@ namespace lr::baker {
 namespace {
 
 constexpr std::size_t max_input_bytes = std::size_t{1} << 31;
-
 } // namespace
 
 std::shared_ptr<const InputFiles::Bytes> InputFiles::read(const std::string& path, Faults* faults) {
@@ -33,5 +32,4 @@ void InputFiles::add(const void* bytes, std::size_t size) {
     hash_.add(bytes, size);
     empty_ = false;
 }
-
 } // namespace lr::baker

@@ -35,5 +35,4 @@ private:
     Fnv1a hash_;
     bool empty_ = true;
 };
-
 } // namespace lr::baker

@@ -104,7 +104,6 @@ void set_extents(const Mesh& mesh, double sides, MassProperties& result) {
     }
     result.max_projected_area = result.projected_areas.maxCoeff();
 }
-
 } // namespace
 
 MassProperties compute_mass_properties(const Mesh& mesh) {
@@ -150,5 +149,4 @@ MassProperties compute_sheet_mass_properties(const Mesh& mesh, double thickness)
     set_extents(mesh, 1.0, result);
     return result;
 }
-
 } // namespace lr::baker

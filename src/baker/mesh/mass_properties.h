@@ -24,5 +24,4 @@ MassProperties compute_mass_properties(const Mesh& mesh);
 // Each triangle is a plate of this thickness about its plane. `area` is that of one side; the projected areas are exact
 // if no part of the sheet hides another; the extents are those of the middle surface.
 MassProperties compute_sheet_mass_properties(const Mesh& mesh, double thickness);
-
 } // namespace lr::baker

@@ -258,7 +258,6 @@ MeshReadOptions only_scale(double unit_scale) {
     options.unit_scale = unit_scale;
     return options;
 }
-
 } // namespace
 
 Eigen::Matrix3d up_rotation(UpAxis up) {
@@ -344,5 +343,4 @@ bool read_mesh_arrays(std::span<const double> positions, std::span<const uint32_
         return false;
     }
 }
-
 } // namespace lr::baker

@@ -74,5 +74,4 @@ std::size_t join_identical_vertices(Mesh& mesh);
 
 // The same for vertices closer than `tolerance` times the largest extent of the bounding box, and for chains of them.
 std::size_t join_near_vertices(Mesh& mesh, double tolerance);
-
 } // namespace lr::baker

@@ -470,7 +470,6 @@ private:
     std::vector<uint32_t> component_; // of each face
     uint32_t component_count_ = 0;
 };
-
 } // namespace
 
 bool check_and_repair(Mesh& mesh, Faults& faults) {
@@ -484,5 +483,4 @@ bool check_sheet(Mesh& mesh, Faults& faults) {
 bool check_layers(Mesh& mesh, Faults& faults) {
     return Checker(mesh, faults).run_layers();
 }
-
 } // namespace lr::baker

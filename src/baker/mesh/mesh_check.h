@@ -16,5 +16,4 @@ bool check_sheet(Mesh& mesh, Faults& faults);
 
 // On success the mesh is finite and without degenerate faces. Coincident faces are separate layers.
 bool check_layers(Mesh& mesh, Faults& faults);
-
 } // namespace lr::baker

@@ -217,7 +217,6 @@ void clip_ears(const PolygonSoup& soup, const std::vector<uint32_t>& polygon, st
     }
     faces.push_back({polygon[ring[0]], polygon[ring[1]], polygon[ring[2]]});
 }
-
 } // namespace
 
 bool parse_obj(std::string_view text, PolygonSoup& out, Faults& faults) {
@@ -254,5 +253,4 @@ bool triangulate(const PolygonSoup& soup, Mesh& out, Faults& faults) {
     }
     return true;
 }
-
 } // namespace lr::baker

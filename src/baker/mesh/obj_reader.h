@@ -28,5 +28,4 @@ bool parse_obj(std::string_view text, PolygonSoup& out, Faults& faults);
 
 // Ear clipping in the plane of each polygon's Newell normal. False if an index is out of range.
 bool triangulate(const PolygonSoup& soup, Mesh& out, Faults& faults);
-
 } // namespace lr::baker

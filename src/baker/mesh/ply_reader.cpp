@@ -201,12 +201,10 @@ private:
     std::vector<Element> elements_;
     bool has_format_ = false, ascii_ = false, big_endian_ = false;
 };
-
 } // namespace
 
 bool parse_ply(std::string_view bytes, PolygonSoup& out, Faults& faults) {
     out = {};
     return PlyParser(bytes, out, faults).parse();
 }
-
 } // namespace lr::baker

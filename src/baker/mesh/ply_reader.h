@@ -6,5 +6,4 @@
 namespace lr::baker {
 
 bool parse_ply(std::string_view bytes, PolygonSoup& out, Faults& faults);
-
 } // namespace lr::baker

@@ -241,11 +241,9 @@ private:
     std::size_t tests_left_;
     SelfIntersections found_;
 };
-
 } // namespace
 
 SelfIntersections find_self_intersections(const Mesh& mesh, std::size_t most) {
     return Hierarchy(mesh, most).search();
 }
-
 } // namespace lr::baker

@@ -18,5 +18,4 @@ struct SelfIntersections {
 // Other faces must not touch. Exact. Stops after `most` pairs, or if faces are so dense that the search would not end. Faces must have an
 // area.
 SelfIntersections find_self_intersections(const Mesh& mesh, std::size_t most);
-
 } // namespace lr::baker

@@ -23,7 +23,6 @@ std::size_t keep_first(Mesh& mesh, const std::vector<uint32_t>& first) {
     mesh.vertices = std::move(kept);
     return n - mesh.vertices.size();
 }
-
 } // namespace
 
 std::size_t join_identical_vertices(Mesh& mesh) {
@@ -79,5 +78,4 @@ std::size_t join_near_vertices(Mesh& mesh, double tolerance) {
     for (std::size_t i = 0; i < n; ++i) first[i] = root(static_cast<uint32_t>(i));
     return keep_first(mesh, first);
 }
-
 } // namespace lr::baker

@@ -111,7 +111,6 @@ std::string list(const Vector3d& principal, double fluid, const char* unit) {
     for (int i = 2; i >= 0; --i) text += paper_number(fluid * principal[i], 3) + (i > 0 ? ",  " : " ");
     return text + unit;
 }
-
 } // namespace
 
 std::string plot_added_mass(const AssetData& a, const Mesh& body) {
@@ -193,5 +192,4 @@ std::string plot_added_mass(const AssetData& a, const Mesh& body) {
     draw_scale_bar(svg, scale, {margin + 2.0 * panel_w + gap, foot});
     return svg.finish();
 }
-
 } // namespace lr::baker

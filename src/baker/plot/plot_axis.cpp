@@ -46,7 +46,6 @@ double tick_step(double range, int most) {
         if (factor * decade >= least * (1.0 - 1e-9)) return factor * decade;
     return 10.0 * decade;
 }
-
 } // namespace
 
 std::string power_of_ten(int exponent) {
@@ -152,5 +151,4 @@ void PlotFrame::draw_title(Svg& svg, const std::string& text) const {
     svg.text({x - 54.0, y + 0.5 * height}, text,
              "text-anchor=\"middle\" font-size=\"13\" transform=\"rotate(-90 " + cx + " " + cy + ")\"");
 }
-
 } // namespace lr::baker

@@ -61,5 +61,4 @@ std::string power_of_ten(int exponent);
 
 // At most `most` characters, cut with an ellipsis.
 std::string shortened(const std::string& utf8, std::size_t most);
-
 } // namespace lr::baker

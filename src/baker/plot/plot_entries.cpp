@@ -191,7 +191,6 @@ void draw_errors(Svg& svg, const AssetData& a, const std::array<Block, 3>& block
         x += width + block_gap;
     }
 }
-
 } // namespace
 
 std::string plot_entries(const AssetData& a) {
@@ -218,5 +217,4 @@ std::string plot_entries(const AssetData& a) {
     draw_errors(svg, a, blocks, frame);
     return svg.finish();
 }
-
 } // namespace lr::baker

@@ -69,7 +69,6 @@ Mesh clustered(const Mesh& mesh, int cells) {
     out.faces = std::move(faces);
     return out;
 }
-
 } // namespace
 
 DrawnMesh::DrawnMesh(const Mesh& mesh) : closed_(is_closed(mesh)), thinned_(mesh.faces.size() > most_faces) {
@@ -133,5 +132,4 @@ void DrawnMesh::draw(Svg& svg, const PlotView& view) const {
     }
     svg.end_group();
 }
-
 } // namespace lr::baker

@@ -36,5 +36,4 @@ private:
     Mesh mesh_;
     bool closed_ = false, thinned_ = false;
 };
-
 } // namespace lr::baker

@@ -39,7 +39,6 @@ TimeUnit time_unit(double duration) {
     if (duration < 0.5) return {"ms", 1e3};
     return {"s", 1.0};
 }
-
 } // namespace
 
 std::string plot_turbulence(const AssetData& a) {
@@ -102,5 +101,4 @@ std::string plot_turbulence(const AssetData& a) {
              R"(text-anchor="middle" font-size="13")");
     return svg.finish();
 }
-
 } // namespace lr::baker

@@ -10,7 +10,6 @@ std::string stamp(const ProvenanceData& p) {
     return "made by " + p.tool + " " + p.tool_version + " from " + p.source + ", input " + hash_text(p.input_hash) +
            ", options: " + p.options;
 }
-
 } // namespace
 
 std::string plot_description(const AssetData& asset) {
@@ -26,5 +25,4 @@ bool is_plot_of(std::string_view svg, const ProvenanceData& provenance) {
 std::array<std::string, 3> make_plots(const AssetData& asset, const Mesh& body) {
     return {plot_turbulence(asset), plot_added_mass(asset, body), plot_entries(asset)};
 }
-
 } // namespace lr::baker

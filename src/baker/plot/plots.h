@@ -28,5 +28,4 @@ bool is_plot_of(std::string_view svg, const ProvenanceData& provenance);
 
 // The invisible description in each plot.
 std::string plot_description(const AssetData& asset);
-
 } // namespace lr::baker

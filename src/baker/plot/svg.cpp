@@ -134,5 +134,4 @@ std::string Svg::finish() {
     append({"</svg>\n"});
     return std::move(text_);
 }
-
 } // namespace lr::baker

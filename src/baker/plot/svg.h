@@ -49,5 +49,4 @@ std::string svg_number(double value);
 
 // Escapes text for element content and attributes.
 std::string xml_escape(std::string_view text);
-
 } // namespace lr::baker

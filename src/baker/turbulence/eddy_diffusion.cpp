@@ -188,5 +188,4 @@ void EddyDiffusion::apply_unsplit(GridField& field, const std::vector<double>& g
     std::copy(solution_.begin() + static_cast<std::ptrdiff_t>(first_),
               solution_.begin() + static_cast<std::ptrdiff_t>(last_), field.values.begin());
 }
-
 } // namespace lr::baker

@@ -45,5 +45,4 @@ private:
     std::array<std::vector<double>, 3> links_;
     std::vector<double> diagonal_, free_, solution_, residual_, direction_, image_;
 };
-
 } // namespace lr::baker

@@ -208,5 +208,4 @@ void KEpsilon::eddy_viscosity(std::vector<double>& out) const {
             for (uint32_t i = 0; i < cells_[0]; ++i, ++c)
                 out[c] = solid_[c] != 0 ? 0.0 : shape::eddy_viscosity(in_cell(i, j, k));
 }
-
 } // namespace lr::baker

@@ -68,5 +68,4 @@ private:
     std::vector<uint8_t> wall_sides_; // of each cell: bits 0 to 5, before and after it along x, y, z; empty: no body
     double largest_strain_ = 0.0;
 };
-
 } // namespace lr::baker

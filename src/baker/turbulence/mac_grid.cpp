@@ -17,7 +17,6 @@ GridField make_field(const std::array<uint32_t, 3>& cells, const GridPoint& spac
     field.values.assign(static_cast<size_t>(field.count[0]) * field.count[1] * field.count[2], 0.0);
     return field;
 }
-
 } // namespace
 
 GridPoint GridField::position(uint32_t i, uint32_t j, uint32_t k) const {
@@ -155,5 +154,4 @@ double MacGrid::max_divergence() const {
                 if (solid[cell(i, j, k)] == 0) largest = std::max(largest, std::abs(divergence(i, j, k)));
     return largest;
 }
-
 } // namespace lr::baker

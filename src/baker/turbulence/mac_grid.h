@@ -114,5 +114,4 @@ inline double GridField::interpolate(const double* data, const GridStencil& s) c
     const double c1 = c01 + s.fy * (c11 - c01);
     return c0 + s.fz * (c1 - c0);
 }
-
 } // namespace lr::baker

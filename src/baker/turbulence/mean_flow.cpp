@@ -9,7 +9,6 @@ namespace lr::baker {
 namespace {
 
 constexpr double residual_left = 1e-5; // of the diffusion, in units of U0
-
 } // namespace
 
 MeanFlow::MeanFlow(MacGrid initial, double enough) : grid(std::move(initial)), projection_(grid), enough_(enough) {
@@ -83,5 +82,4 @@ void MeanFlow::diffuse(double dt, const std::vector<double>& viscosity) {
                                  EddyDiffusion::Wall::no_slip, dt, walls_[a], residual_left);
     }
 }
-
 } // namespace lr::baker

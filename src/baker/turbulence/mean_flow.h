@@ -43,5 +43,4 @@ private:
     long pressure_iterations_ = 0;
     bool converged_ = true;
 };
-
 } // namespace lr::baker

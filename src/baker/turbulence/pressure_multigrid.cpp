@@ -13,7 +13,6 @@ constexpr double long_cell = 1.5;
 // Chebyshev smoothing damps this part of the spectrum of D^-1 A, which ends at 2 or below.
 constexpr float smoothed_from = 0.4f, smoothed_to = 2.0f;
 constexpr int smoothing_steps = 2;
-
 } // namespace
 
 PressureMultigrid::PressureMultigrid(const std::array<uint32_t, 3>& cells, const std::array<double, 3>& spacing,
@@ -236,5 +235,4 @@ void PressureMultigrid::cycle(const double* right, double* solution) {
     for (size_t c = 0; c < node_of_cell_.size(); ++c)
         solution[c] = node_of_cell_[c] == none ? 0.0 : scale * static_cast<double>(finest.x[node_of_cell_[c]]);
 }
-
 } // namespace lr::baker

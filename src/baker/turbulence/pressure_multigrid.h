@@ -41,5 +41,4 @@ private:
     std::vector<Level> levels_;
     std::vector<double> factor_; // dense Cholesky factor of the coarsest level, by rows
 };
-
 } // namespace lr::baker

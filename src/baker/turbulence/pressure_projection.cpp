@@ -144,5 +144,4 @@ ProjectionResult PressureProjection::project(MacGrid& grid, double tolerance, do
         potential_.swap(change_);
     return {left <= target, iterations, grid.max_divergence()};
 }
-
 } // namespace lr::baker

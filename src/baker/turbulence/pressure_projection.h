@@ -46,5 +46,4 @@ private:
     std::vector<double> diagonal_, link_[3]; // link: to the next cell along the axis, as a positive number
     std::vector<double> potential_, change_, residual_, old_residual_, direction_, image_, preconditioned_;
 };
-
 } // namespace lr::baker

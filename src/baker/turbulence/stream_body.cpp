@@ -13,7 +13,6 @@ constexpr double margin = 1.5; // ahead and behind, in w
 constexpr double across = 4.0; // sides of the cross section, in the body's extents
 // Narrower bodies get the cross section for this width, or the cells would become needles.
 constexpr double narrowest = 0.1;
-
 } // namespace
 
 bool put_in_stream(const Mesh& mesh, const Eigen::Matrix3d& axes, const Eigen::Vector3d& projected_areas,
@@ -93,5 +92,4 @@ bool put_in_stream(const Mesh& mesh, const Eigen::Matrix3d& axes, const Eigen::V
     }
     return true;
 }
-
 } // namespace lr::baker

@@ -21,5 +21,4 @@ namespace lr::baker {
 // closes no face of the grid.
 bool put_in_stream(const Mesh& mesh, const Eigen::Matrix3d& axes, const Eigen::Vector3d& projected_areas,
                    TurbulenceOptions& options, Faults& faults);
-
 } // namespace lr::baker

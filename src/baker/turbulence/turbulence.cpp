@@ -317,7 +317,6 @@ void fill_table(const TurbulenceOptions& o, const Scales& scales, const Run& run
     table.r_lambda = shape::taylor_reynolds(stationary, scales.viscosity);
     table.c0 = shape::kolmogorov_c0(table.r_lambda);
 }
-
 } // namespace
 
 std::array<double, 3> body_position(const TurbulenceOptions& o) {
@@ -364,5 +363,4 @@ bool compute_turbulence_table(const TurbulenceOptions& options, TurbulenceTable&
     if (good && progress) progress(1.0);
     return good;
 }
-
 } // namespace lr::baker

@@ -77,5 +77,4 @@ std::array<double, 3> body_position(const TurbulenceOptions& options);
 // False, with fault 301 and the table untouched, if a parameter is out of range. progress: 0 to 1; can be empty.
 bool compute_turbulence_table(const TurbulenceOptions& options, TurbulenceTable& table, Faults& faults,
                               const std::function<void(double)>& progress = {});
-
 } // namespace lr::baker

@@ -35,5 +35,4 @@ TurbulenceState evolve(TurbulenceState s0, double strain, double t) {
     const double k = s0.k * portable_exp(std::clamp(growth, -230.0, 230.0));
     return {k, k * (chi0 * (qn / qd))};
 }
-
 } // namespace lr::shape

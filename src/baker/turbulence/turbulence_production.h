@@ -15,5 +15,4 @@ double eddy_viscosity(TurbulenceState state);
 // Exact solution of Eqs. 16 and 17 with the production of Eqs. 14 and 15 under constant strain. strain: 2 S_ij S_ij, 1/s^2.
 // Positive for any time and strain, unlike an explicit step.
 TurbulenceState evolve(TurbulenceState s0, double strain, double t);
-
 } // namespace lr::shape

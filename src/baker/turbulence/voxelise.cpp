@@ -65,7 +65,6 @@ Interval meet(const Corner (&t)[3], double p, double q) {
     for (size_t e = 0; e < 3; ++e) clip_edge(t[e], t[(e + 1) % 3], p, q, reach, depths);
     return depths;
 }
-
 } // namespace
 
 ClosedFaces voxelise(const Mesh& mesh, const std::array<uint32_t, 3>& cells, const GridPoint& lengths) {
@@ -112,5 +111,4 @@ ClosedFaces voxelise(const Mesh& mesh, const std::array<uint32_t, 3>& cells, con
     }
     return closed;
 }
-
 } // namespace lr::baker

@@ -17,5 +17,4 @@ namespace lr::baker {
 // Ties: triangles include their boundary, within 1e-9 of a cell, and a centre on the surface closes the faces on both sides.
 // Hence no segment passes between triangles at an edge or vertex, and a symmetric body stays symmetric.
 ClosedFaces voxelise(const Mesh& mesh, const std::array<uint32_t, 3>& cells, const GridPoint& lengths);
-
 } // namespace lr::baker

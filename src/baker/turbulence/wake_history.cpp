@@ -12,7 +12,6 @@ namespace {
 constexpr double settled_spread = 0.02;
 constexpr double repeats = 0.8; // least autocorrelation of a period
 constexpr size_t shortest_period = 8;
-
 } // namespace
 
 bool is_stationary(const std::vector<TurbulenceState>& history, size_t window) {
@@ -81,5 +80,4 @@ WakeSummary summarise_wake(const std::vector<TurbulenceState>& history, size_t w
     summary.mean.epsilon /= static_cast<double>(summary.count);
     return summary;
 }
-
 } // namespace lr::baker

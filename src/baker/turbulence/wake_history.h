@@ -29,5 +29,4 @@ bool is_stationary(const std::vector<shape::TurbulenceState>& history, size_t wi
 size_t find_period(const std::vector<shape::TurbulenceState>& history);
 
 WakeSummary summarise_wake(const std::vector<shape::TurbulenceState>& history, size_t window);
-
 } // namespace lr::baker

@@ -52,5 +52,4 @@ shape::TurbulenceState WakeProbe::mean(const KEpsilon& turbulence) const {
     }
     return {sum.k / volume_, sum.epsilon / volume_};
 }
-
 } // namespace lr::baker

@@ -28,5 +28,4 @@ private:
     std::vector<Cell> cells_;
     double volume_ = 0.0;
 };
-
 } // namespace lr::baker

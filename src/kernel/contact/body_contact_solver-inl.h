@@ -371,9 +371,9 @@ void body_contact_velocity(const BodyContactInput& in, PairBlock& block) {
         store_matrix(block.turn_b, at, b.turn);
         store1(block.dust, at, constant(1e-4f) * slow);
         const auto load = [&](const LaneRow* row, size_t field) LR_LAMBDA { return load1(row[field], at); };
-        const auto rests_a = load(g.a, at_depth) < constant(2.0f) * size_a.slop + fall;
-        const auto rests_b = load(g.b, at_depth) < constant(2.0f) * size_b.slop + fall;
-        const VF guess = hn::IfThenElseZero(hn::And(rests_a, rests_b), constant(2.0f * frequency));
+        const auto asleep_a = load(g.a, at_depth) < constant(2.0f) * size_a.slop + fall;
+        const auto asleep_b = load(g.b, at_depth) < constant(2.0f) * size_b.slop + fall;
+        const VF guess = hn::IfThenElseZero(hn::And(asleep_a, asleep_b), constant(2.0f * frequency));
         const Vec3 apart = load3(g.a + at_x, at) - load3(g.b + at_x, at);
         const auto any = hn::Max(load(g.a, at_touches), load(g.b, at_touches)) > zero;
         Twist ta = load6(twists.a, at), tb = load6(twists.b, at);

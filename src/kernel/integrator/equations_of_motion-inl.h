@@ -210,7 +210,7 @@ struct Body {
     Vec3 x;
     Quaternion q;
     Twist t; // relative to the fluid
-    VF age, age_rest;
+    VF age, age_remainder;
     Vec3 gust; // m/s, world; AERODYNAMIC loads
 };
 
@@ -218,9 +218,9 @@ struct Body {
 // substeps of 0.1 ms and more.
 inline constexpr float plain_age = 2.0f; // s
 HWY_INLINE void grow_older(Body& b, VF h) {
-    const VF growth = h - b.age_rest;
+    const VF growth = h - b.age_remainder;
     const VF age = b.age + growth;
-    b.age_rest = hn::IfThenElseZero(age >= constant(plain_age), age - b.age - growth);
+    b.age_remainder = hn::IfThenElseZero(age >= constant(plain_age), age - b.age - growth);
     b.age = age;
 }
 
@@ -354,7 +354,7 @@ template <bool kGust> HWY_INLINE Body load_body(const BatchArrays& a, size_t at)
     b.x = load3(a, field_x, at);
     b.q = load4(a, at);
     b.age = load1(a, field_age, at);
-    b.age_rest = load1(a, field_age_rest, at);
+    b.age_remainder = load1(a, field_age_remainder, at);
     if constexpr (kGust) b.gust = load3(a, field_gust_x, at);
     return b;
 }
@@ -370,7 +370,7 @@ HWY_INLINE hn::Mask<DF> sane_motion(Vec3 v, Vec3 w) {
     return hn::And(dot(v, v) <= constant(fastest_squared), dot(w, w) <= constant(fastest_spin_squared));
 }
 HWY_INLINE hn::Mask<DF> not_held(const BatchArrays& a, size_t at) {
-    return load1(a, field_age_rest, at) > constant(least_age_rest);
+    return load1(a, field_age_remainder, at) > constant(least_age_remainder);
 }
 
 // Stores bodies after `seconds`. Diverged and held bodies keep their former state.
@@ -402,7 +402,7 @@ HWY_INLINE void store_body(const BatchArrays& a, size_t at, const Body& b, Vec3 
         store3(a, field_vx, at, without_dust(v));
         store3(a, field_wx, at, without_dust(w));
         store1(a, field_age, at, b.age);
-        store1(a, field_age_rest, at, b.age_rest);
+        store1(a, field_age_remainder, at, b.age_remainder);
     });
 }
 } // namespace lr::LR_KERNEL_NAMESPACE

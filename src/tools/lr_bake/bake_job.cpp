@@ -86,7 +86,6 @@ bool is_current(const BakeJob& job) {
 std::vector<uint8_t> to_bytes(const std::string& text) {
     return {text.begin(), text.end()};
 }
-
 } // namespace
 
 std::vector<std::string> BakeJob::outputs() const {
@@ -132,5 +131,4 @@ void write_outputs(const BakeJob& job, BakeOutcome& outcome) {
     if (made)
         std::filesystem::remove(std::filesystem::path(std::u8string(job.plots.begin(), job.plots.end())), ignored);
 }
-
 } // namespace lr::baker

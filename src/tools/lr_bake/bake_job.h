@@ -37,5 +37,4 @@ BakeOutcome make_outputs(const BakeJob& job, const BakeProgress& progress, const
 
 // Writes all files or none; on failure the outcome's state is failed.
 void write_outputs(const BakeJob& job, BakeOutcome& outcome);
-
 } // namespace lr::baker

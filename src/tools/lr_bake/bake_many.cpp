@@ -137,7 +137,6 @@ private:
     unsigned solver_threads_ = 1; // for each job: jobs share the processors
     std::vector<std::thread> threads_;
 };
-
 } // namespace
 
 std::optional<std::vector<BakeJob>> plan_batch(const std::vector<std::string>& inputs, const BakeOptions& options,
@@ -186,5 +185,4 @@ bool read_list(const std::string& path, std::vector<std::string>& inputs, Faults
 std::size_t run_batch(const std::vector<BakeJob>& jobs, const BatchLimits& limits, const BatchEvents& events) {
     return Batch(jobs, limits, events).run();
 }
-
 } // namespace lr::baker

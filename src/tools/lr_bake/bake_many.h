@@ -39,5 +39,4 @@ struct BatchEvents {
 // Writes each job's files as soon as they are made. A failed job does not stop the others. The files do not depend on
 // the number of threads. Returns the number of failed jobs.
 std::size_t run_batch(const std::vector<BakeJob>& jobs, const BatchLimits& limits, const BatchEvents& events);
-
 } // namespace lr::baker

@@ -147,7 +147,6 @@ int run_on_asset(const CommandLine& line) {
           true);
     return 1;
 }
-
 } // namespace
 
 int main(int argc, char** argv) {

@@ -36,7 +36,6 @@ std::optional<uint64_t> available_to_machine() {
         if (key == "MemAvailable:") return kibibytes * 1024;
     return {};
 }
-
 } // namespace
 
 uint64_t available_memory() {
@@ -67,5 +66,4 @@ void MemoryBudget::release(uint64_t bytes) {
     }
     freed_.notify_all();
 }
-
 } // namespace lr::baker

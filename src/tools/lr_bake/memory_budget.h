@@ -27,5 +27,4 @@ private:
     std::condition_variable freed_;
     uint64_t total_, used_ = 0;
 };
-
 } // namespace lr::baker

@@ -269,7 +269,6 @@ void read_bake_options(const CLI::App& command, const Texts& texts, BakeOptions&
         o.center_of_mass = parse_list<double, 3>(texts.center_of_mass, "--center-of-mass");
     if (command.count("--name") > 0) o.name = texts.name;
 }
-
 } // namespace
 
 std::optional<CommandLine> parse_command_line(int argc, char** argv, int& exit_code) {
@@ -340,5 +339,4 @@ int wrong_usage(const std::string& what) {
     std::fprintf(stderr, "%s\nRun with --help for more information.\n", printable(what).c_str());
     return usage_error;
 }
-
 } // namespace lr::baker

@@ -31,5 +31,4 @@ std::optional<CommandLine> parse_command_line(int argc, char** argv, int& exit_c
 
 // For wrong usage detected after parsing. Returns the exit code.
 int wrong_usage(const std::string& what);
-
 } // namespace lr::baker

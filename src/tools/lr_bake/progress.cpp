@@ -26,7 +26,6 @@ void erase_line() {
     std::fputs("\r\033[K", stderr);
     std::fflush(stderr);
 }
-
 } // namespace
 
 Progress::Progress(bool quiet) : quiet_(quiet), terminal_(shows_progress()) {}
@@ -77,5 +76,4 @@ void BatchProgress::clear() {
     if (drawn_) erase_line();
     drawn_ = false;
 }
-
 } // namespace lr::baker

@@ -42,5 +42,4 @@ private:
     double total_;
     Clock::time_point start_ = Clock::now();
 };
-
 } // namespace lr::baker

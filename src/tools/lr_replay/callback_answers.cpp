@@ -69,5 +69,4 @@ void Answers::surface(void* self, const lr_water_query* q) {
         }
     });
 }
-
 } // namespace lr::replay

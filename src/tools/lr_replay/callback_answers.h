@@ -51,5 +51,4 @@ private:
     std::unordered_map<Question, size_t, HashOf> places_;
     std::vector<float> numbers_;
 };
-
 } // namespace lr::replay

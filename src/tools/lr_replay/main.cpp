@@ -124,7 +124,6 @@ int run(int argc, char** argv) {
     }
     return code;
 }
-
 } // namespace
 
 int main(int argc, char** argv) {

@@ -348,11 +348,9 @@ Outcome Player::run() {
     outcome_.hash = hash();
     return outcome_;
 }
-
 } // namespace
 
 Outcome play(const unsigned char* bytes, size_t size, const Options& options) {
     return Player(bytes, size, options).run();
 }
-
 } // namespace lr::replay

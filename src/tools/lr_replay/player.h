@@ -54,5 +54,4 @@ struct Scene {
 const char* name_of(recording::Op op);
 // Decodes and executes one call. output: as in ResultRecord.
 lr_status perform(recording::Op op, Arguments& arguments, Scene& scene, uint64_t& output);
-
 } // namespace lr::replay

@@ -155,5 +155,4 @@ private:
     std::ostream* text_;
     bool said_ = false;
 };
-
 } // namespace lr::replay

@@ -56,5 +56,4 @@ bool Reader::next(Record& out) {
     cut_ = false;
     return true;
 }
-
 } // namespace lr::replay

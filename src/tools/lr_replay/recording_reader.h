@@ -42,5 +42,4 @@ private:
     bool cut_ = false;
     std::vector<unsigned char> joined_;
 };
-
 } // namespace lr::replay

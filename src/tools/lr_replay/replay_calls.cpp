@@ -277,7 +277,6 @@ lr_status world_snapshot_restore(Arguments& from, const Scene& scene, uint64_t&)
     from.end();
     return lr_world_snapshot_restore(scene.world, memory.as<unsigned char>(), memory.bytes.size());
 }
-
 } // namespace own
 } // namespace
 
@@ -307,5 +306,4 @@ lr_status perform(Op op, Arguments& from, Scene& scene, uint64_t& output) {
     }
     throw Fault(FaultId::unknown_call, "a call of a newer library, number " + std::to_string(op));
 }
-
 } // namespace lr::replay

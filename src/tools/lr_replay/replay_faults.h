@@ -24,5 +24,4 @@ public:
     Fault(FaultId which, const std::string& what) : std::runtime_error(what), id(which) {}
     FaultId id;
 };
-
 } // namespace lr::replay

@@ -39,5 +39,4 @@ CardBody make_card(const CardModel& model) {
     require(lr_asset_create_rigid(&card, &asset), "lr_asset_create_rigid of the card");
     return {Asset(asset), speed * speed * rho * unit / ((card.mass - rho * card.volume) * a), a, speed};
 }
-
 } // namespace lr::scorecard

@@ -15,5 +15,4 @@ struct CardBody {
 
 // Chord along body x, normal along y, span along z.
 CardBody make_card(const CardModel& model);
-
 } // namespace lr::scorecard

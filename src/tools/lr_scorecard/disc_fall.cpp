@@ -20,7 +20,6 @@ Statistic over_falls(const std::vector<FallMeasures>& falls, double FallMeasures
     for (const FallMeasures& f : falls) values.push_back(f.*member);
     return summarise(std::move(values));
 }
-
 } // namespace
 
 FallMeasures measure_fall(const Track& track, const Eigen::Vector3d& normal, double hysteresis) {
@@ -74,5 +73,4 @@ Asset paper_disc(double radius, const DiscFallOptions& options) {
 DiscFalls drop_discs(const Asset& disc, const DiscFallOptions& options) {
     return summarise_falls(record_falls(disc, options), Eigen::Vector3d::UnitZ(), options.hysteresis);
 }
-
 } // namespace lr::scorecard

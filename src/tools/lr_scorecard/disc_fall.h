@@ -58,5 +58,4 @@ inline DiscFalls drop_discs(double radius, const DiscFallOptions& options) {
 // For tracks of any flat sheet.
 DiscFalls summarise_falls(const std::vector<Track>& tracks, const Eigen::Vector3d& normal, double hysteresis);
 std::vector<Track> record_falls(const Asset& sheet, const DiscFallOptions& options);
-
 } // namespace lr::scorecard

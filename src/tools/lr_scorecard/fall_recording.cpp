@@ -56,7 +56,6 @@ lr_batch add_bodies(const World& world, const Asset& asset, const Loads& loads, 
     require(lr_body_create(world.get(), batch, descs.data(), count, nullptr), "lr_body_create");
     return batch;
 }
-
 } // namespace
 
 std::vector<Track> record(const Asset& asset, const Run& run, const std::vector<Start>& starts) {
@@ -96,5 +95,4 @@ std::vector<Track> record(const Asset& asset, const Run& run, const std::vector<
     }
     return tracks;
 }
-
 } // namespace lr::scorecard

@@ -45,5 +45,4 @@ std::vector<Track> record(const Asset& asset, const Run& run, const std::vector<
 inline Eigen::Vector3d up() {
     return Eigen::Vector3d::UnitY();
 }
-
 } // namespace lr::scorecard

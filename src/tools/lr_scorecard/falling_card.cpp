@@ -29,7 +29,6 @@ State plus(const State& a, double h, const State& b) {
     for (size_t i = 0; i < out.size(); ++i) out[i] = a[i] + h * b[i];
     return out;
 }
-
 } // namespace
 
 std::vector<CardState> fall(const CardModel& model, CardState start, double duration, double interval, double step) {
@@ -60,5 +59,4 @@ std::vector<Eigen::Vector3d> normals(const std::vector<CardState>& states) {
     for (const CardState& s : states) out.emplace_back(-std::sin(s.angle), std::cos(s.angle), 0.0);
     return out;
 }
-
 } // namespace lr::scorecard

@@ -31,5 +31,4 @@ CardMeans means(const std::vector<CardState>& states, double interval);
 
 // The normal of the card, for the classifier; up is +y.
 std::vector<Eigen::Vector3d> normals(const std::vector<CardState>& states);
-
 } // namespace lr::scorecard

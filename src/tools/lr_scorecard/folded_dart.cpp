@@ -69,7 +69,6 @@ void add(const Polygon& polygon, double hand, Triangles& to) {
     for (uint32_t i = 2; i < polygon.size(); ++i)
         to.indices.insert(to.indices.end(), {first, first + i - 1, first + i});
 }
-
 } // namespace
 
 Dart folded_dart(double side, double uneven) {
@@ -93,5 +92,4 @@ Dart folded_dart(double side, double uneven) {
     add({nose, {side, 0.0}, tail}, 1.0, dart.surface);
     return dart;
 }
-
 } // namespace lr::scorecard

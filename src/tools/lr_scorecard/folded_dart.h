@@ -12,5 +12,4 @@ struct Dart {
 // Folds: in half; the corners to the middle line (45 degrees); the new edges to it (22.5); the wings out from the keel (7.5),
 // rising by one in ten. uneven: rad by which the 22.5 degree fold is larger on the left.
 Dart folded_dart(double side, double uneven);
-
 } // namespace lr::scorecard

@@ -110,7 +110,6 @@ void draw_legend(Svg& svg, const PlotFrame& frame, const LinePlot& plot) {
 std::string with_factor(const std::string& title, const std::string& factor) {
     return factor.empty() ? title : title + "  (" + factor + ")";
 }
-
 } // namespace
 
 std::string draw(const std::vector<LinePlot>& plots, size_t across, PanelSize panel) {
@@ -150,5 +149,4 @@ Series histogram(const std::string& name, const std::string& color, const std::v
     }
     return s;
 }
-
 } // namespace lr::scorecard

@@ -44,5 +44,4 @@ inline std::string draw(const LinePlot& plot, PanelSize panel = {}) {
 // Probability density of the values in equal bins, as a step curve.
 Series histogram(const std::string& name, const std::string& color, const std::vector<double>& values, double low,
                  double high, size_t bins);
-
 } // namespace lr::scorecard

@@ -85,7 +85,6 @@ int run(Options& o) {
     if (!o.json.empty()) write(o.json, to_json(finished, o.context));
     return all || o.report_only ? 0 : 1;
 }
-
 } // namespace
 
 int main(int argc, char** argv) {

@@ -89,5 +89,4 @@ Asset rubber_ellipsoid() {
 Asset bake_disc(double radius, double thickness, double areal_density, const Fluid& fluid, uint32_t rings) {
     return load(disc_mesh(radius, rings).bake(sheet_options(thickness, areal_density, fluid)));
 }
-
 } // namespace lr::scorecard

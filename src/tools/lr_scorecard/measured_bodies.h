@@ -42,5 +42,4 @@ Asset paper_leaf();
 Asset rubber_ellipsoid();
 
 Asset bake_disc(double radius, double thickness, double areal_density, const Fluid& fluid, uint32_t rings = 16);
-
 } // namespace lr::scorecard

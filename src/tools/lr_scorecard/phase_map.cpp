@@ -58,7 +58,6 @@ void classify_all(const std::vector<Track>& tracks, const RegimeLimits& limits, 
         result.share[static_cast<size_t>(result.regimes.back())] += 1.0 / static_cast<double>(tracks.size());
     }
 }
-
 } // namespace
 
 PhaseResult run_phase_point(const PhasePoint& point, const PhaseOptions& options, bool keep_tracks) {
@@ -158,5 +157,4 @@ double agreement(const PhaseResult& result, const ExpectedPoint& expected) {
     for (Regime r : expected.allowed) sum += result.share[static_cast<size_t>(r)];
     return sum;
 }
-
 } // namespace lr::scorecard

@@ -59,5 +59,4 @@ std::vector<ExpectedPoint> expected_points();
 
 // The fraction of seeds in an allowed regime.
 double agreement(const PhaseResult& result, const ExpectedPoint& expected);
-
 } // namespace lr::scorecard

@@ -34,5 +34,4 @@ void Progress::clear() {
     if (drawn_) std::fputs("\r\033[K", stderr);
     drawn_ = false;
 }
-
 } // namespace lr::scorecard

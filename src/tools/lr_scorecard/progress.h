@@ -25,5 +25,4 @@ private:
     double expected_, done_ = 0.0;
     Clock::time_point begin_, shown_;
 };
-
 } // namespace lr::scorecard

@@ -34,5 +34,4 @@ public:
 private:
     uint64_t state_;
 };
-
 } // namespace lr::scorecard

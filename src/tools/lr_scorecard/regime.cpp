@@ -70,7 +70,6 @@ std::vector<double> autocorrelation(std::span<const Eigen::Vector3d> normals, co
     }
     return r;
 }
-
 } // namespace
 
 RegimeMeasures measure_regime(std::span<const Eigen::Vector3d> normals, const Eigen::Vector3d& up,
@@ -139,5 +138,4 @@ Regime classify(const RegimeMeasures& m, size_t samples, const RegimeLimits& lim
 Regime classify(std::span<const Eigen::Vector3d> normals, const Eigen::Vector3d& up, const RegimeLimits& limits) {
     return classify(measure_regime(normals, up, limits), normals.size(), limits);
 }
-
 } // namespace lr::scorecard

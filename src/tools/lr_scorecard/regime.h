@@ -39,5 +39,4 @@ RegimeMeasures measure_regime(std::span<const Eigen::Vector3d> normals, const Ei
                               const RegimeLimits& limits = {});
 Regime classify(const RegimeMeasures& measures, size_t samples, const RegimeLimits& limits = {});
 Regime classify(std::span<const Eigen::Vector3d> normals, const Eigen::Vector3d& up, const RegimeLimits& limits = {});
-
 } // namespace lr::scorecard

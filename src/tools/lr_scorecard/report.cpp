@@ -63,7 +63,6 @@ const char* rule_name(Rule rule) {
     static constexpr const char* names[] = {"relative", "absolute", "at most", "at least", "shown"};
     return names[static_cast<size_t>(rule)];
 }
-
 } // namespace
 
 std::string to_text(const Finished& f) {
@@ -171,5 +170,4 @@ std::string to_json(const std::vector<Finished>& rows, const Context& context) {
     json["holds"] = all;
     return json.dump(2) + "\n";
 }
-
 } // namespace lr::scorecard

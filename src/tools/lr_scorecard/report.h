@@ -16,5 +16,4 @@ struct Finished {
 std::string to_text(const Finished& row);
 std::string to_markdown(const std::vector<Finished>& rows, const Context& context);
 std::string to_json(const std::vector<Finished>& rows, const Context& context);
-
 } // namespace lr::scorecard

@@ -94,5 +94,4 @@ std::span<const Row> all_rows() {
         {"cost", "paper", "Time of a step and of a bake", "paper, section 7 and Table 2", 0.6, 0.4, run_cost}};
     return rows;
 }
-
 } // namespace lr::scorecard

@@ -92,5 +92,4 @@ RowResult run_paper_plane(const Context&);
 RowResult run_rubber_ellipsoid(const Context&);
 RowResult run_tables(const Context&);
 RowResult run_cost(const Context&);
-
 } // namespace lr::scorecard

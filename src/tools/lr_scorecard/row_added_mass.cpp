@@ -136,7 +136,6 @@ void compare(RowResult& result, const lr_asset_info& info, const Lamb& reference
             result.add(name + ": D_" + names[i] + "/(V a^2)", Rule::absolute, diagonal(info, 3 + i) / unit, 0.0, 1e-3);
     }
 }
-
 } // namespace
 
 RowResult run_lamb(const Context& context) {
@@ -220,5 +219,4 @@ RowResult run_rectangles(const Context& context) {
     }
     return result;
 }
-
 } // namespace lr::scorecard

@@ -75,7 +75,6 @@ Series path(const std::string& name, const std::string& color, const std::vector
         s.points.push_back({states[i].x, states[i].y});
     return s;
 }
-
 } // namespace
 
 RowResult run_card(const Context& context) {
@@ -111,5 +110,4 @@ RowResult run_card(const Context& context) {
     result.pictures.push_back({"card.svg", draw(plots, 3), "Falling cards in two dimensions, in semi-chords."});
     return result;
 }
-
 } // namespace lr::scorecard

@@ -28,7 +28,6 @@ double step_time(const Asset& asset, uint32_t bodies, float dt, int steps, uint3
            }) /
            steps;
 }
-
 } // namespace
 
 RowResult run_cost(const Context& context) {
@@ -54,5 +53,4 @@ RowResult run_cost(const Context& context) {
         "added mass of 1280 triangles and the turbulence on 32x32x8 cells.");
     return result;
 }
-
 } // namespace lr::scorecard

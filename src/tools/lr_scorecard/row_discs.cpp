@@ -78,7 +78,6 @@ std::string draw_distributions(const std::array<DiscFalls, 4>& all) {
     }
     return draw(plots, 2);
 }
-
 } // namespace
 
 RowResult run_discs(const Context& context) {
@@ -120,5 +119,4 @@ RowResult run_time_step(const Context& context) {
                        (at_coarse[i].*q.ours).mean, (at_fine[i].*q.ours).mean, 0.05, q.unit);
     return result;
 }
-
 } // namespace lr::scorecard

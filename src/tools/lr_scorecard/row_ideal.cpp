@@ -94,7 +94,6 @@ Run calm(double duration, double interval) {
     run.interval = interval;
     return run;
 }
-
 } // namespace
 
 RowResult run_kirchhoff(const Context& context) {
@@ -212,7 +211,6 @@ Track rock(const std::array<double, 3>& axes, double offset, double duration, do
 double tilt(const Sample& s) {
     return 2.0 * std::atan2(s.orientation.x(), s.orientation.w());
 }
-
 } // namespace
 
 RowResult run_buoyancy(const Context&) {
@@ -248,5 +246,4 @@ RowResult run_buoyancy(const Context&) {
     }
     return result;
 }
-
 } // namespace lr::scorecard

@@ -148,7 +148,6 @@ void add_leaf_case(RowResult& result, const Asset& leaf, const LoadChoice& model
     for (LinePlot& p : paths(model.name + ", " + std::to_string(std::lround(angle)) + " degrees", tracks, 4))
         plots.push_back(std::move(p));
 }
-
 } // namespace
 
 RowResult run_leaf(const Context& context) {
@@ -282,5 +281,4 @@ RowResult run_rubber_ellipsoid(const Context& context) {
     result.pictures.push_back({"rubber_ellipsoid.svg", draw(plot), "The paper's rubber ellipsoid: tilt of one fall."});
     return result;
 }
-
 } // namespace lr::scorecard

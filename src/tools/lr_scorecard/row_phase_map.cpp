@@ -133,7 +133,6 @@ std::string describe(const Point& p) {
         out += std::string(i > 0 ? " or " : " ") + regime_names[static_cast<size_t>(p.expected.allowed[i])];
     return out;
 }
-
 } // namespace
 
 RowResult run_phase_map(const Context& context) {
@@ -177,5 +176,4 @@ RowResult run_phase_map(const Context& context) {
         {"regimes.svg", draw_paths(points, options.diameter), "Paths by regime, the disc seen edge on."});
     return result;
 }
-
 } // namespace lr::scorecard

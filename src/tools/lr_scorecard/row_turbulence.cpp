@@ -63,7 +63,6 @@ void check_shear(RowResult& result) {
                c_mu * shear * shear / std::pow(table.chi.back(), 2.0), (c2 - 1.0) / (c1 - 1.0), 0.01);
     result.add("homogeneous shear: divergence d/U0", Rule::at_most, table.max_divergence, 1e-9, 0.0);
 }
-
 } // namespace
 
 RowResult run_k_epsilon(const Context& context) {
@@ -111,7 +110,6 @@ struct LangevinFall {
         require(lr_batch_set_turbulence_table(world, batch, &t), "lr_batch_set_turbulence_table");
     }
 };
-
 } // namespace
 
 RowResult run_langevin(const Context& context) {
@@ -187,5 +185,4 @@ RowResult run_tables(const Context&) {
     result.pictures.push_back({"tables.svg", draw(plot), "The paper's Fig. 2: decay along the falling leaf."});
     return result;
 }
-
 } // namespace lr::scorecard

@@ -46,5 +46,4 @@ lr_batch add_batch(const World& world, const Asset& asset, const Loads& loads, u
     if (loads.configure) loads.configure(world.get(), batch);
     return batch;
 }
-
 } // namespace lr::scorecard

@@ -47,5 +47,4 @@ struct Loads {
 
 // A batch of `capacity` bodies with these loads.
 lr_batch add_batch(const World& world, const Asset& asset, const Loads& loads, uint32_t capacity);
-
 } // namespace lr::scorecard

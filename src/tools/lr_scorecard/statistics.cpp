@@ -50,5 +50,4 @@ std::vector<size_t> peaks(std::span<const double> signal, double hysteresis) {
         }
     return found;
 }
-
 } // namespace lr::scorecard

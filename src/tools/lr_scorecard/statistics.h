@@ -23,5 +23,4 @@ double quantile(std::span<const double> sorted, double part);
 // Indices of the prominent local maxima: before and after each, the signal is at least `hysteresis` lower before it is
 // higher again. The ends of the signal are not maxima.
 std::vector<size_t> peaks(std::span<const double> signal, double hysteresis);
-
 } // namespace lr::scorecard

@@ -121,8 +121,8 @@ void Batch::remove(lr_body body) {
     if (events_) events_->clear(slot);
     if (awake_ < count_) ++revision_;
     uint32_t hole = index;
-    if (rests(index)) {
-        resting_->leave(slot);
+    if (asleep(index)) {
+        sleeping_->leave(slot);
     } else {
         hole = --awake_;
         move(hole, index);
@@ -152,21 +152,21 @@ void Batch::moved(uint32_t index) {
 }
 
 bool Batch::held(uint32_t index) const {
-    return !rests(index) && is_held(arrays_.field[field_age_rest][index]);
+    return !asleep(index) && is_held(arrays_.field[field_age_remainder][index]);
 }
 
 void Batch::judge(uint32_t index) {
     hold_if_insane(arrays_, index, &faults.noted, [&](size_t f) { return arrays_.field[f][index]; });
 }
 
-uint32_t Batch::rest(uint32_t index) {
-    if (held(index)) arrays_.field[field_age_rest][index] = 0.0f; // an ordinary sleeping body from now on
-    if (awake_ == count_) resting_->begin();
+uint32_t Batch::fall_asleep(uint32_t index) {
+    if (held(index)) arrays_.field[field_age_remainder][index] = 0.0f; // an ordinary sleeping body from now on
+    if (awake_ == count_) sleeping_->begin();
     const uint32_t to = --awake_;
     swap(index, to);
     columns_.clear(to, to + 1, column_gust, 3);
     columns_.row<double>(column_birth)[to] =
-        resting_->birth_of(arrays_.field[field_age][to], arrays_.field[field_age_rest][to]);
+        sleeping_->birth_of(arrays_.field[field_age][to], arrays_.field[field_age_remainder][to]);
     columns_.clear(to, to + 1, field_vx, 6);
     columns_.clear(to, to + 1, column_force, force_components);
     lie_down(to);
@@ -177,17 +177,17 @@ uint32_t Batch::rest(uint32_t index) {
 void Batch::lie_down(uint32_t index) {
     const uint32_t slot = unpack(ids()[index]).slot;
     const float scale = arrays_.field[field_scale][index];
-    if (!resting_->has_box(slot)) resting_->set_box(slot, bounds(asset_->meeting, scale, pose_of(arrays_, index)));
-    resting_->enter(index, slot, vector_in(arrays_.field, field_x, index), scale);
+    if (!sleeping_->has_box(slot)) sleeping_->set_box(slot, bounds(asset_->pair_hull, scale, pose_of(arrays_, index)));
+    sleeping_->enter(index, slot, vector_in(arrays_.field, field_x, index), scale);
 }
 
 uint32_t Batch::wake(uint32_t index) {
-    resting_->leave(unpack(ids()[index]).slot);
-    resting_->age_of(index, arrays_.field[field_age][index], arrays_.field[field_age_rest][index]);
+    sleeping_->leave(unpack(ids()[index]).slot);
+    sleeping_->age_of(index, arrays_.field[field_age][index], arrays_.field[field_age_remainder][index]);
     oldest_ = std::max(oldest_, static_cast<double>(arrays_.field[field_age][index]));
     columns_.clear(index, index + 1, column_birth, 1);
     columns_.clear(index, index + 1, column_gust, 3); // see WakeByFlow
-    columns_.clear(index, index + 1, column_rest_time, 1);
+    columns_.clear(index, index + 1, column_still_time, 1);
     columns_.clear(index, index + 1, column_stay, stay_rows);
     if (events_) events_->note(unpack(ids()[index]).slot, noted_waking);
     swap(index, awake_);
@@ -209,7 +209,7 @@ void Batch::wake_in(const Box& box) {
             x.z + reach >= low.z && x.z - reach <= high.z)
             wake(index);
     };
-    if (resting_->grid.visit(box, count_ - awake_, [&](uint32_t slot) { look_at(dense_[slot]); })) return;
+    if (sleeping_->grid.visit(box, count_ - awake_, [&](uint32_t slot) { look_at(dense_[slot]); })) return;
     // A body that wakes swaps places with one that was already visited.
     for (uint32_t i = awake_; i < count_; ++i) look_at(i);
 }
@@ -235,23 +235,23 @@ Box Batch::box() const {
     return {vector_of(low), vector_of(high)};
 }
 
-bool Batch::reserve_rest() {
+bool Batch::reserve_sleep() {
     // The contact shape can extend slightly beyond the reach.
-    const double most = std::max(reach(), static_cast<double>(asset_->meeting.shape.reach));
-    return columns_.reserve(*allocator_, part_rest, whole_blocks(capacity_)) &&
-           resting_.reserve(*allocator_, capacity_, most, index_, columns_.row<double>(column_birth));
+    const double most = std::max(reach(), static_cast<double>(asset_->pair_hull.shape.reach));
+    return columns_.reserve(*allocator_, part_sleep, whole_blocks(capacity_)) &&
+           sleeping_.reserve(*allocator_, capacity_, most, index_, columns_.row<double>(column_birth));
 }
 
 bool Batch::reserve_contact() {
     const uint32_t lanes = whole_blocks(capacity_);
     if (columns_.has(part_contact)) return true;
-    if (!reserve_rest() || !cut_noted_.allocate(*allocator_, cut_count(lanes))) return false;
+    if (!reserve_sleep() || !cut_noted_.allocate(*allocator_, cut_count(lanes))) return false;
     std::fill_n(cut_noted_.data(), cut_noted_.size(), uint8_t{0});
     return columns_.reserve(*allocator_, part_contact, lanes);
 }
 
 bool Batch::any_contact() const {
-    bool any = columns_.any(column_rest_time, count_) || columns_.any(column_stay, count_);
+    bool any = columns_.any(column_still_time, count_) || columns_.any(column_stay, count_);
     for (size_t k = 0; k < most_touches && !any; ++k) any = columns_.any(column_touching + k, count_);
     return any;
 }
@@ -262,7 +262,7 @@ void Batch::forget(uint32_t index) {
 
 void Batch::forget_touched_bodies() {
     const ContactCache book = contact_cache();
-    for (uint32_t i = 0; i < count_ && book.rest_time; ++i) {
+    for (uint32_t i = 0; i < count_ && book.still_time; ++i) {
         size_t kept = 0;
         for (const uint32_t* touching : book.touching)
             if (touching[i] != touching_body) book.touching[kept++][i] = touching[i];
@@ -272,21 +272,21 @@ void Batch::forget_touched_bodies() {
 
 void Batch::make_ages_exact() {
     for (uint32_t i = awake_; i < count_; ++i)
-        resting_->age_of(i, arrays_.field[field_age][i], arrays_.field[field_age_rest][i]);
+        sleeping_->age_of(i, arrays_.field[field_age][i], arrays_.field[field_age_remainder][i]);
 }
 
 ContactCache Batch::contact_cache() {
     ContactCache book;
-    book.rest_time = columns_.row<float>(column_rest_time);
+    book.still_time = columns_.row<float>(column_still_time);
     for (size_t k = 0; k < stay_rows; ++k) book.stay[k] = columns_.row<float>(column_stay + k);
     for (size_t k = 0; k < most_touches; ++k) book.touching[k] = columns_.row<uint32_t>(column_touching + k);
-    book.comes_to_rest = [](void* batch, uint32_t index) { static_cast<Batch*>(batch)->note_rest(index); };
+    book.falls_asleep = [](void* batch, uint32_t index) { static_cast<Batch*>(batch)->note_sleep(index); };
     book.batch = this;
     if (events_) book.notes = events_->notes(ids());
     return book;
 }
 
-void Batch::note_rest(uint32_t index) {
+void Batch::note_sleep(uint32_t index) {
     __atomic_store_n(&columns_.row<uint32_t>(column_noted)[index], 1u, __ATOMIC_RELAXED);
     __atomic_store_n(&cut_noted_[index / cut_bodies], uint8_t{1}, __ATOMIC_RELAXED);
 }
@@ -308,7 +308,7 @@ void Batch::settle_noted() {
         for (uint32_t i = std::min(begin + cut_bodies, awake_); i-- > begin;)
             if (take_note(i)) {
                 if (events_) events_->note(unpack(ids()[i]).slot, noted_landing);
-                rest(i);
+                fall_asleep(i);
             }
     }
 }
@@ -350,7 +350,7 @@ BodyState Batch::read(uint32_t index) const {
     for (size_t f = 0; f < field_count && arrays_.field[f]; ++f) s.value[f] = arrays_.field[f][index];
     s.noise_seed = arrays_.noise_seed[index];
     s.user = user(index);
-    if (rests(index)) resting_->age_of(index, s.value[field_age], s.value[field_age_rest]);
+    if (asleep(index)) sleeping_->age_of(index, s.value[field_age], s.value[field_age_remainder]);
     return s;
 }
 
@@ -363,7 +363,7 @@ void Batch::grow_older(double seconds) {
         oldest_ = std::max(oldest_, static_cast<double>(age));
         if (age <= most_age) continue;
         age = most_age;
-        if (!is_held(arrays_.field[field_age_rest][i])) arrays_.field[field_age_rest][i] = 0.0f;
+        if (!is_held(arrays_.field[field_age_remainder][i])) arrays_.field[field_age_remainder][i] = 0.0f;
     }
 }
 

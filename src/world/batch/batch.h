@@ -59,7 +59,7 @@ inline const char* wrong_in(const TableHead& t) {
 }
 
 // Diverged bodies: held where they were last valid, or ended. docs/reference/bodies.md
-struct BodyFaults {
+struct DivergedCounts {
     uint32_t noted = 0; // set in a step in which a body diverges (StepInput::faults)
     uint32_t last = 0;  // bodies, in the last step
     uint64_t total = 0;
@@ -121,25 +121,25 @@ public:
     uint32_t capacity() const { return capacity_; }
     uint32_t padded_count() const { return whole_blocks(count_); }
     uint32_t padded_awake() const { return whole_blocks(awake_); }
-    bool rests(uint32_t index) const { return index >= awake_; }
+    bool asleep(uint32_t index) const { return index >= awake_; }
     bool held(uint32_t index) const; // it diverged and is held
     void judge(uint32_t index);      // checks an awake body for divergence after a change of its velocity
     // Return the body's new index. A body that falls asleep loses its velocities and forces; on waking its age is exact.
-    uint32_t rest(uint32_t index); // awake, and reserve_rest() has held
-    uint32_t wake(uint32_t index); // asleep
+    uint32_t fall_asleep(uint32_t index); // awake, and reserve_sleep() has held
+    uint32_t wake(uint32_t index);        // asleep
     void wake_all();
     void wake_in(const Box& box); // sleeping bodies whose boxes, position +- reach() times scale, overlap it
     // Calls function for sleeping bodies whose contact box overlaps `box`. Any thread, while no body falls asleep or wakes.
-    template <class Function> void look_at_resting(const Box& box, Function&& function) const {
+    template <class Function> void visit_sleeping(const Box& box, Function&& function) const {
         if (awake_ == count_) return;
         const auto look_at = [&](uint32_t slot) {
-            if (overlap(resting_->box(slot), box)) function(dense_[slot]);
+            if (overlap(sleeping_->box(slot), box)) function(dense_[slot]);
         };
-        if (resting_->grid.visit(box, count_ - awake_, look_at)) return;
+        if (sleeping_->grid.visit(box, count_ - awake_, look_at)) return;
         for (uint32_t i = awake_; i < count_; ++i) look_at(unpack(ids()[i]).slot);
     }
-    bool reserve_rest();                                       // false when out of memory
-    SleepingBodies* resting() const { return resting_.get(); } // null before reserve_rest()
+    bool reserve_sleep();                                        // false when out of memory
+    SleepingBodies* sleeping() const { return sleeping_.get(); } // null before reserve_sleep()
     // Updates the ages of sleeping bodies in the arrays.
     void make_ages_exact();
     double reach() const { return reach_; } // m: no part of a body of scale 1 is farther from its centre of mass
@@ -153,7 +153,7 @@ public:
     void forget(uint32_t index);  // a body respawned or was placed: clears its contacts and forces
     void forget_touched_bodies(); // their batch has no body contact any more
     // Marks a body of a stepped chunk to fall asleep at the end of the step. Any thread.
-    void note_rest(uint32_t index);
+    void note_sleep(uint32_t index);
     void settle_noted(); // after the step
     void wake_noted();   // wakes the sleeping bodies marked before that
     const lr_asset& asset() const { return *asset_; }
@@ -183,7 +183,7 @@ public:
     bool reserve_events() { return events_.reserve(*allocator_, capacity_); } // false when out of memory
     void drop_events() { events_.reset(); }
 
-    BodyFaults faults;
+    DivergedCounts faults;
     BatchOptions options;
     StepInput step{}; // constants of the shape, filled up by World::step
     BatchClock pace;
@@ -232,7 +232,7 @@ private:
     TurbulenceSample stationary_{}; // of a table set by the user; u0 is 0 without one
     double oldest_ = 0.0;           // s, upper bound of the ages of awake bodies
     Owned<Lifecycle> lifecycle_;
-    Owned<SleepingBodies> resting_;
+    Owned<SleepingBodies> sleeping_;
     Owned<ContactEvents> events_;
 };
 

@@ -20,12 +20,12 @@ template <class Function> void each(unsigned char* const (&data)[column_count], 
     }
 }
 
-void mix_in(const Column& column, const unsigned char* from, uint32_t count, bool rests, uint64_t* bodies) {
+void mix_in(const Column& column, const unsigned char* from, uint32_t count, bool asleep, uint64_t* bodies) {
     const auto mixed = [&](uint32_t i) {
         return mix64(bodies[i] ^ (value_at<uint32_t>(from, i) + (uint64_t{column.tag} << 32)));
     };
     const bool only_awake = column.hashed == Hashed::awake || column.hashed == Hashed::remnant;
-    if (column.hashed == Hashed::never || (only_awake && rests) || (column.hashed == Hashed::birth && !rests)) return;
+    if (column.hashed == Hashed::never || (only_awake && asleep) || (column.hashed == Hashed::birth && !asleep)) return;
     if (column.hashed == Hashed::birth)
         for (uint32_t i = 0; i < count; ++i) bodies[i] = mix64(bodies[i] ^ mix64(value_at<uint64_t>(from, i) + 1));
     else if (column.hashed == Hashed::rare || column.hashed == Hashed::remnant)
@@ -86,11 +86,11 @@ uint64_t BodyColumns::hash(uint32_t awake, uint32_t count) const {
     constexpr uint32_t block = 128;
     uint64_t bodies[block], sum = 0;
     for (uint32_t at = 0, here = 0; at < count; at += here) {
-        const bool rests = at >= awake;
-        here = std::min(block, (rests ? count : awake) - at);
+        const bool asleep = at >= awake;
+        here = std::min(block, (asleep ? count : awake) - at);
         for (uint32_t i = 0; i < here; ++i) bodies[i] = mix64(row<uint32_t>(column_noise_seed)[at + i] + 1ull);
         for (size_t c = 0; c < column_count; ++c)
-            if (data_[c]) mix_in(body_columns[c], data_[c] + size_t{body_columns[c].width} * at, here, rests, bodies);
+            if (data_[c]) mix_in(body_columns[c], data_[c] + size_t{body_columns[c].width} * at, here, asleep, bodies);
         for (uint32_t i = 0; i < here; ++i) sum += bodies[i];
     }
     return sum;

@@ -15,7 +15,7 @@ namespace lr {
 // Memory is allocated by part: every batch has part_body, the others follow when they are first needed.
 enum ColumnPart : uint32_t {
     part_body,
-    part_rest,
+    part_sleep,
     part_gust,
     part_life,
     part_forces,
@@ -49,7 +49,7 @@ enum ColumnIndex : uint32_t {
     column_gust,
     column_life = column_gust + field_count - field_gust_x,
     column_force,
-    column_rest_time = column_force + force_components,
+    column_still_time = column_force + force_components,
     column_touching,
     column_stay = column_touching + most_touches,
     column_noted = column_stay + stay_rows,
@@ -73,13 +73,13 @@ constexpr std::array<Column, column_count> make_columns() {
     all[field_qw].empty = one;
     rows(field_scale, 1, {part_body, 4, always, field_scale, least_scale, most_scale, true, one});
     rows(field_age, 1, {part_body, 4, awake, field_age, 0.0f, most_age});
-    rows(field_age_rest, 1, {part_body, 4, remnant, field_age_rest, -most, most});
-    rows(column_birth, 1, {part_rest, 8, birth}); // s, on the clock of sleeping bodies
+    rows(field_age_remainder, 1, {part_body, 4, remnant, field_age_remainder, -most, most});
+    rows(column_birth, 1, {part_sleep, 8, birth}); // s, on the clock of sleeping bodies
     rows(column_gust, 3, {part_gust, 4, always, field_gust_x, -most, most});
     rows(column_life, 1, {part_life, 4, rare, field_count}); // how often a body has respawned
     rows(column_force, force_components, {part_forces, 4, rare, 64, -most, most});
     // ContactCache: time it has lain still; what it touches; time it has stayed in place, with its way and turn since.
-    rows(column_rest_time, 1, {part_contact, 4, rare, 128, 0.0f, most});
+    rows(column_still_time, 1, {part_contact, 4, rare, 128, 0.0f, most});
     rows(column_touching, most_touches, {part_contact, 4, rare, 129});
     rows(column_stay, 1, {part_contact, 4, rare, 136, 0.0f, most});
     rows(column_stay + 1, stay_rows - 1, {part_contact, 4, rare, 137, -most, most});

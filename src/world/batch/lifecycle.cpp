@@ -83,14 +83,14 @@ void Lifecycle::finish(Batch& batch, lr_world& world, double dt) {
     pass();
     ended_respawned_ = respawns();
     if (has_rules() || faulted_) end_bodies(batch, world);
-    if (has_emitter()) bear(batch, world, dt);
+    if (has_emitter()) spawn_due(batch, world, dt);
 }
 
 bool Lifecycle::ends(uint32_t index) const {
     return has_rules() && cut_has_ended_[index / cut_bodies] != 0 && cause_[index] != cause_none;
 }
 
-void Lifecycle::end_for_fault(uint32_t index) {
+void Lifecycle::end_diverged(uint32_t index) {
     if (!has_rules() && !faulted_) std::fill_n(cut_has_ended_.data(), cut_has_ended_.size(), uint8_t{0});
     faulted_ = true;
     uint8_t& any = cut_has_ended_[index / cut_bodies];
@@ -102,14 +102,14 @@ void Lifecycle::end_for_fault(uint32_t index) {
     cause_[index] = cause_not_finite;
 }
 
-void Lifecycle::judge_rest(EndedFunction ended, Batch& batch) {
-    SleepingBodies* const resting = batch.resting();
-    if (!has_rules() || !resting->in_question(state_.rules.max_age)) return;
+void Lifecycle::judge_sleep(EndedFunction ended, Batch& batch) {
+    SleepingBodies* const sleeping = batch.sleeping();
+    if (!has_rules() || !sleeping->in_question(state_.rules.max_age)) return;
     batch.make_ages_exact();
     // Includes the awake bodies in the first one's cut: judging them again changes nothing.
     judge(ended, batch.arrays(), batch.awake() / cut_bodies * cut_bodies, batch.padded_count());
-    resting->answered(batch.awake(), batch.count(), state_.rules.max_age);
-    rest_judged_ = true;
+    sleeping->answered(batch.awake(), batch.count(), state_.rules.max_age);
+    sleep_judged_ = true;
 }
 
 // From the last to the first of [begin, end).
@@ -125,7 +125,7 @@ template <class Function> void Lifecycle::for_ended(uint32_t begin, uint32_t end
 }
 
 void Lifecycle::respawn(Batch& batch, const lr_world& world, uint32_t index) {
-    if (batch.rests(index)) index = batch.wake(index);
+    if (batch.asleep(index)) index = batch.wake(index);
     batch.write(index, emitter_.draw(world.seed, batch.arrays().noise_seed[index],
                                      ++batch.columns().row<uint32_t>(column_life)[index]));
     batch.forget(index);
@@ -144,18 +144,18 @@ void Lifecycle::end_bodies(Batch& batch, lr_world& world) {
     if (ended_respawned_) {
         for_ended(0, awake, [&](uint32_t i) { note(i), respawn(batch, world, i); });
         // Forwards: a body that wakes swaps places with an earlier one.
-        for (uint32_t i = rest_judged_ ? awake : count; i < count; ++i)
+        for (uint32_t i = sleep_judged_ ? awake : count; i < count; ++i)
             if (cause_[i] != cause_none) note(i), respawn(batch, world, i);
     } else {
         const auto end = [&](uint32_t i) { note(i), batch.remove(batch.ids()[i]); };
-        if (rest_judged_) for_ended(awake, count, end);
+        if (sleep_judged_) for_ended(awake, count, end);
         for_ended(0, awake, end);
     }
-    rest_judged_ = faulted_ = false;
+    sleep_judged_ = faulted_ = false;
     (ended_respawned_ ? state_.respawned : state_.destroyed) += ended_;
 }
 
-void Lifecycle::bear(Batch& batch, lr_world& world, double dt) {
+void Lifecycle::spawn_due(Batch& batch, lr_world& world, double dt) {
     const lr_emitter_desc& d = state_.emitter;
     state_.due += static_cast<double>(d.rate) * dt;
     double births = std::floor(state_.due);
@@ -218,7 +218,7 @@ void Lifecycle::restore(const State& state) {
     pass();
 }
 
-void settle_faults(lr_world& world, Batch& batch, lr_batch handle, FaultReport& report) {
+void settle_diverged(lr_world& world, Batch& batch, lr_batch handle, FaultReport& report) {
     batch.faults.last = 0;
     if (std::exchange(batch.faults.noted, 0u) == 0) return;
     const BatchArrays& a = batch.arrays();
@@ -228,17 +228,17 @@ void settle_faults(lr_world& world, Batch& batch, lr_batch handle, FaultReport& 
                       (batch.options.divergence_policy == LR_DIVERGENCE_AUTO && ruled);
     uint32_t first_noise_seed = UINT32_MAX;
     for (uint32_t i = 0; i < batch.awake(); ++i) {
-        if (a.field[field_age_rest][i] != fault_mark) continue;
+        if (a.field[field_age_remainder][i] != diverged_mark) continue;
         ++batch.faults.last;
         first_noise_seed = std::min(first_noise_seed, a.noise_seed[i]);
-        a.field[field_age_rest][i] = held_mark;
+        a.field[field_age_remainder][i] = held_mark;
         batch.forget(i);
         if (lifecycle && (ends || lifecycle->ends(i))) {
-            lifecycle->end_for_fault(i);
+            lifecycle->end_diverged(i);
             continue;
         }
         world.leave(batch, i); // it touches nothing any more
-        if (batch.events()) batch.events()->note(unpack(batch.ids()[i]).slot, noted_fault);
+        if (batch.events()) batch.events()->note(unpack(batch.ids()[i]).slot, noted_divergence);
     }
     if (batch.faults.last == 0) return; // a lane without a body
     batch.faults.total += batch.faults.last;
@@ -246,7 +246,7 @@ void settle_faults(lr_world& world, Batch& batch, lr_batch handle, FaultReport& 
     report.count += batch.faults.last;
 }
 
-void log_faults(const lr_world& world, const FaultReport& report) {
+void log_diverged(const lr_world& world, const FaultReport& report) {
     if (report.count == 0) return;
     char text[160];
     std::snprintf(text, sizeof text, "%u %s diverged; the first has noise seed %u in batch %u", report.count,

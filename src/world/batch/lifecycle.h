@@ -41,13 +41,13 @@ public:
     bool has_emitter() const { return state_.has_emitter != 0; }
     bool respawns() const { return has_rules() && state_.rules.action == LR_END_RESPAWN; }
 
-    // In each step: judge() for all awake bodies in whole cuts (world/schedule/step_chunks.h), any threads; then judge_rest() and finish() once.
+    // In each step: judge() for all awake bodies in whole cuts (world/schedule/step_chunks.h), any threads; then judge_sleep() and finish() once.
     void judge(EndedFunction ended, const BatchArrays& arrays, uint32_t begin, uint32_t end);
     // Checks sleeping bodies if the rules can give a new answer for them.
-    void judge_rest(EndedFunction ended, Batch& batch);
+    void judge_sleep(EndedFunction ended, Batch& batch);
     void finish(Batch& batch, lr_world& world, double dt);
     // Between these calls: ends an awake body because it diverged, whatever the rules; and whether rules end it.
-    void end_for_fault(uint32_t index);
+    void end_diverged(uint32_t index);
     bool ends(uint32_t index) const;
     // For a step of the world in which the batch waits.
     void pass();
@@ -81,13 +81,13 @@ private:
     void end_bodies(Batch& batch, lr_world& world);
     void respawn(Batch& batch, const lr_world& world, uint32_t index);
     template <class Function> void for_ended(uint32_t begin, uint32_t end, Function&& function);
-    void bear(Batch& batch, lr_world& world, double dt);
+    void spawn_due(Batch& batch, lr_world& world, double dt);
 
     State state_{};
     Emitter emitter_;
-    bool rest_judged_ = false; // in this step
-    bool faulted_ = false;     // some bodies end in this step whatever the rules
-    Buffer<uint32_t> cause_;   // by dense index, of the step
+    bool sleep_judged_ = false; // in this step
+    bool faulted_ = false;      // some bodies end in this step whatever the rules
+    Buffer<uint32_t> cause_;    // by dense index, of the step
     Buffer<uint8_t> cut_has_ended_;
     // Of the last step.
     uint32_t ended_ = 0, spawned_ = 0, missed_ = 0;
@@ -106,6 +106,6 @@ struct FaultReport {
 };
 
 // At the end of a step of the batch, before its rules end bodies.
-void settle_faults(lr_world& world, Batch& batch, lr_batch handle, FaultReport& report);
-void log_faults(const lr_world& world, const FaultReport& report);
+void settle_diverged(lr_world& world, Batch& batch, lr_batch handle, FaultReport& report);
+void log_diverged(const lr_world& world, const FaultReport& report);
 } // namespace lr

@@ -48,7 +48,7 @@ TouchNotes ContactEvents::notes(const lr_body* ids) {
 void ContactEvents::note_ended(const Batch& batch, uint32_t index, bool for_fault) {
     const lr_event event = event_of(batch, {}, index);
     const uint32_t slot = unpack(event.body).slot;
-    const auto notes = static_cast<uint8_t>((noted_[slot] & noted_spawn) | (for_fault ? noted_fault : 0));
+    const auto notes = static_cast<uint8_t>((noted_[slot] & noted_spawn) | (for_fault ? noted_divergence : 0));
     entries_.add({batch.arrays().noise_seed[index], slot, ended_.count | ended_bit});
     ended_.add({event.body, event.user, {event.position[0], event.position[1], event.position[2]}, notes});
 }
@@ -93,7 +93,7 @@ void ContactEvents::tell_body(const Batch& batch, uint32_t index, lr_batch handl
     lr_event event = event_of(batch, handle, index);
     const uint32_t slot = unpack(event.body).slot;
     const uint8_t notes = noted_[slot];
-    const bool moved = stepped && (!batch.rests(index) || (notes & noted_landing) != 0);
+    const bool moved = stepped && (!batch.asleep(index) || (notes & noted_landing) != 0);
     const Held before = held_[slot], now = moved ? now_held(batch, index, colliders) : still_held(slot, colliders);
     const Touch(&met)[most_touches] = met_[slot].touch;
 
@@ -139,7 +139,7 @@ void ContactEvents::tell_body(const Batch& batch, uint32_t index, lr_batch handl
     event.collider = {};
     tell_of(noted_landing, LR_EVENT_LANDED);
     tell_of(noted_waking, LR_EVENT_WOKE);
-    tell_of(noted_fault, LR_EVENT_DIVERGED);
+    tell_of(noted_divergence, LR_EVENT_DIVERGED);
     clear(slot);
     held_[slot] = now;
 }
@@ -148,7 +148,7 @@ void ContactEvents::tell(const Batch& batch, lr_batch handle, const Colliders& c
                          EventList& to) {
     for (uint32_t i = 0; i < batch.count(); ++i) {
         const uint32_t slot = unpack(batch.ids()[i]).slot;
-        if (noted_[slot] != 0 || (all_ && (stepped || batch.rests(i))))
+        if (noted_[slot] != 0 || (all_ && (stepped || batch.asleep(i))))
             entries_.add({batch.arrays().noise_seed[i], slot, i});
     }
     Entry* const entries = entries_.items.data();
@@ -171,7 +171,8 @@ void ContactEvents::tell(const Batch& batch, lr_batch handle, const Colliders& c
         std::copy(one.position, one.position + 3, event.position);
         for (const int32_t kind : {int32_t{LR_EVENT_SPAWNED}, ended, int32_t{LR_EVENT_DIVERGED}}) {
             event.kind = kind;
-            if (kind == ended || (one.notes & (kind == LR_EVENT_SPAWNED ? noted_spawn : noted_fault))) to.tell(event);
+            if (kind == ended || (one.notes & (kind == LR_EVENT_SPAWNED ? noted_spawn : noted_divergence)))
+                to.tell(event);
         }
     }
     ended_.count = entries_.count = 0;

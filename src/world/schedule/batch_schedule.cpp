@@ -57,7 +57,7 @@ void BatchClock::caught_up() {
     record_.behind = 0.0;
 }
 
-void BatchClock::rest() {
+void BatchClock::skip() {
     caught_up();
     record_.passed_over = granted_ = 0;
     lost_now_ = 0.0;

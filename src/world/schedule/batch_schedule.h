@@ -56,7 +56,7 @@ public:
     // A step of the world begins: its `dt` is added to the time that the batch is behind.
     void wait(double dt, uint32_t substeps, double time, uint64_t substep_count, const UniformWind& wind);
     // The batch has no awake bodies, so nothing waits.
-    void rest();
+    void skip();
 
     // The divisor, reduced so that no substep exceeds the longest permitted; `h`: s, the world's substep.
     uint32_t divisor(double h) const;

@@ -5,7 +5,6 @@
 #include "world/world.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace lr {
@@ -31,15 +30,15 @@ bool equal(Vector a, Vector b) {
 
 // The first few by batch and noise seed, each once, in any order of insertion.
 struct Neighbours {
-    Neighbour found[most_resting];
+    Neighbour found[most_sleeping];
     uint32_t count = 0;
 
     void take(const Neighbour& one) {
         uint32_t at = count;
         while (at > 0 && one < found[at - 1]) --at;
         if (at > 0 && !(found[at - 1] < one)) return;
-        if (at == most_resting) return;
-        count = std::min(count + 1, most_resting);
+        if (at == most_sleeping) return;
+        count = std::min(count + 1, most_sleeping);
         for (uint32_t i = count - 1; i > at; --i) found[i] = found[i - 1];
         found[at] = one;
     }
@@ -79,10 +78,10 @@ void SleepingBodies::enter(uint32_t index, uint32_t slot, Vector position, float
     grid.insert(slot, position, scale);
 }
 
-void SleepingBodies::age_of(uint32_t index, float& age, float& age_rest) const {
+void SleepingBodies::age_of(uint32_t index, float& age, float& age_remainder) const {
     const double exact = std::clamp(state_.clock - births_[index], 0.0, static_cast<double>(most_age));
     age = static_cast<float>(exact);
-    age_rest = age >= plain_age ? static_cast<float>(static_cast<double>(age) - exact) : 0.0f;
+    age_remainder = age >= plain_age ? static_cast<float>(static_cast<double>(age) - exact) : 0.0f;
 }
 
 bool SleepingBodies::pass(double seconds, uint32_t steps) {
@@ -127,23 +126,23 @@ bool SleepingBodies::consistent(const State& s, double birth) {
     return in_range(birth, -(static_cast<double>(most_age) + slack), s.clock + slack);
 }
 
-RestingNeighbours::RestingNeighbours(const lr_world& world, uint32_t slot) : world_(&world), slot_(slot) {
+SleepingNeighbours::SleepingNeighbours(const lr_world& world, uint32_t slot) : world_(&world), slot_(slot) {
     world.pairs.visit_partners(slot, [&](uint32_t other) {
         const Batch& batch = *world.batches[other].batch;
         any_ = any_ || batch.awake() < batch.count();
     });
 }
 
-uint32_t RestingNeighbours::touched_by(uint32_t noise_seed, float scale, const Pose& from, const Pose& to, float margin,
-                                       RestingTouch (&out)[most_resting]) const {
+uint32_t SleepingNeighbours::touched_by(uint32_t noise_seed, float scale, const Pose& from, const Pose& to,
+                                        float margin, SleepingTouch (&out)[most_sleeping]) const {
     const Batch& own = *world_->batches[slot_].batch;
-    const PairBody moving = pair_body(own.asset().meeting, scale, from, to);
+    const PairBody moving = pair_body(own.asset().pair_hull, scale, from, to);
     const float within = margin + moving.way();
-    const Box box = grown(bounds(own.asset().meeting, scale, from), within);
+    const Box box = grown(bounds(own.asset().pair_hull, scale, from), within);
     Neighbours near;
     world_->pairs.visit_partners(slot_, [&](uint32_t other) {
         const Batch& batch = *world_->batches[other].batch;
-        batch.look_at_resting(box, [&](uint32_t index) {
+        batch.visit_sleeping(box, [&](uint32_t index) {
             const uint32_t its = batch.arrays().noise_seed[index];
             // A copy of a sleeping body does not touch its original.
             if (other == slot_ && its == noise_seed && equal(pose_of(batch.arrays(), index).position, from.position))
@@ -151,7 +150,7 @@ uint32_t RestingNeighbours::touched_by(uint32_t noise_seed, float scale, const P
             near.take({other, its, index});
         });
     });
-    PairBody others[most_resting];
+    PairBody others[most_sleeping];
     PairBatch pairs(world_->target->search_pairs);
     const auto found = [&](uint32_t n, const WayContact* contacts, uint32_t count) {
         out[n].count = count;
@@ -164,7 +163,7 @@ uint32_t RestingNeighbours::touched_by(uint32_t noise_seed, float scale, const P
         const Neighbour& one = near.found[n];
         const Batch& batch = *world_->batches[one.batch].batch;
         const Pose pose = pose_of(batch.arrays(), one.index);
-        others[n] = {&batch.asset().meeting, batch.arrays().field[field_scale][one.index], pose, pose, {}, 0.0f};
+        others[n] = {&batch.asset().pair_hull, batch.arrays().field[field_scale][one.index], pose, pose, {}, 0.0f};
         pairs.find(moving, others[n], margin, n, found);
     }
     pairs.finish(found);
@@ -172,7 +171,7 @@ uint32_t RestingNeighbours::touched_by(uint32_t noise_seed, float scale, const P
     for (uint32_t n = 0; n < near.count; ++n) {
         if (out[n].count == 0) continue;
         if (n != count) out[count] = out[n];
-        RestingTouch& touch = out[count++];
+        SleepingTouch& touch = out[count++];
         const Batch& batch = *world_->batches[near.found[n].batch].batch;
         touch.batch = near.found[n].batch;
         touch.index = near.found[n].index;

@@ -34,11 +34,11 @@ public:
     bool has_box(uint32_t slot) const { return boxes_[slot].low.x == boxes_[slot].low.x; }
     void set_box(uint32_t slot, const Box& box) { boxes_[slot] = box; }
     void forget_box(uint32_t slot);
-    double birth_of(float age, float age_rest) const {
-        return state_.clock - (static_cast<double>(age) - static_cast<double>(age_rest));
+    double birth_of(float age, float age_remainder) const {
+        return state_.clock - (static_cast<double>(age) - static_cast<double>(age_remainder));
     }
     // `age_rest`: the rounding carried with the age, as in the kernel.
-    void age_of(uint32_t index, float& age, float& age_rest) const;
+    void age_of(uint32_t index, float& age, float& age_remainder) const;
 
     // So many steps of the world have passed for the batch. Returns whether rules are due.
     bool pass(double seconds, uint32_t steps);

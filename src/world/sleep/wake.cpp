@@ -32,13 +32,13 @@ void note_ahead(lr_world& world, uint32_t slot, uint32_t i, float dt, float stil
     const float turns = reach * length(vector_in(a.field, field_wx, i));
     if (!(length(v) + turns > hits * still * std::sqrt(reach))) return;
     const Pose pose = pose_of(a, i);
-    const Box box = bounds(batch.asset().meeting, scale, pose);
+    const Box box = bounds(batch.asset().pair_hull, scale, pose);
     const Vector way = dt * rotate(pose.rotation, v), none{0.0f, 0.0f, 0.0f};
     const Box around = grown({box.low + low_of(way, none), box.high + high_of(way, none)},
                              std::min(dt * turns, 2.0f * reach) + 0.005f * reach);
     world.pairs.visit_partners(slot, [&](uint32_t other) {
         Batch& partner = *world.batches[other].batch;
-        partner.look_at_resting(around, [&](uint32_t index) { partner.note_rest(index); });
+        partner.visit_sleeping(around, [&](uint32_t index) { partner.note_sleep(index); });
     });
 }
 } // namespace
@@ -47,8 +47,8 @@ WakeByFlow::WakeByFlow(lr_world& world, StepItem* items, const StepTime& time)
     : world_(&world), items_(items), time_(time), surface_{world.target, &world.surface, time, world.gravity} {
     world.each_batch([&](Batch& batch, uint32_t slot) {
         if (batch.awake() == batch.count() || !batch.columns().has(part_contact)) return;
-        if (batch.contact.layers == 0 && !world.pairs.meets(slot)) return;
-        if (!world.wind.active() && !world.surface.present() && batch.resting()->withstood(world.wind.uniform.wind))
+        if (batch.contact.layers == 0 && !world.pairs.has_contact(slot)) return;
+        if (!world.wind.active() && !world.surface.present() && batch.sleeping()->withstood(world.wind.uniform.wind))
             return;
         items_[item_count_++] = {&batch, world.handle(slot), chunks_};
         chunks_ += (batch.count() - first_cut(batch) + chunk_bodies - 1) / chunk_bodies;
@@ -128,16 +128,16 @@ void WakeByFlow::try_bodies(const StepItem& item, const uint32_t* index, uint32_
     const uint32_t padded = copies.padded;
     // In the arrays these values are outdated.
     for (uint32_t i = 0; i < padded; ++i)
-        batch.resting()->age_of(tried[std::min(i, tried_count - 1)], copies.field[field_age][i],
-                                copies.field[field_age_rest][i]);
+        batch.sleeping()->age_of(tried[std::min(i, tried_count - 1)], copies.field[field_age][i],
+                                 copies.field[field_age_remainder][i]);
     for (size_t f = field_gust_x; f <= field_gust_z; ++f) std::fill_n(copies.field[f], padded, 0.0f);
     if (!remembers) arrays.field[field_gust_x] = arrays.field[field_gust_y] = arrays.field[field_gust_z] = nullptr;
     StepInput one = in;
     one.external.used = 0;
     const WaterStep* const surface = world_->surface.present() ? &surface_ : nullptr;
     ContactRun run = contact_run(*world_, batch, surface, time_, static_cast<float>(time_.h));
-    const RestingNeighbours neighbours(*world_, unpack(item.handle).index);
-    if (neighbours.any()) run.step.resting = &neighbours;
+    const SleepingNeighbours neighbours(*world_, unpack(item.handle).index);
+    if (neighbours.any()) run.step.sleeping = &neighbours;
     if (field)
         step_in_field({world_->target, &world_->wind, time_, 0, 1, surface}, one, &run, arrays, item.handle,
                       tried_count, 0, padded);
@@ -148,7 +148,7 @@ void WakeByFlow::try_bodies(const StepItem& item, const uint32_t* index, uint32_
         const auto size = [&](size_t f) { return length(vector_in(copies.field, f, i)); };
         const float reach = batch.asset().shape.reach * copies.field[field_scale][i];
         if (size(field_vx) + reach * size(field_wx) > limit) {
-            batch.note_rest(tried[i]);
+            batch.note_sleep(tried[i]);
         } else if (remembers) {
             put_in(batch.arrays().field, field_gust_x, tried[i], wind[i]);
         }
@@ -160,14 +160,14 @@ void wake_before_hit(lr_world& world, float dt, const FloatMode& mode) {
     const float still = still_speed(length(vector_of(world.gravity)));
     bool any = false;
     world.each_batch([&](const Batch& batch, uint32_t slot) {
-        if (batch.awake() == 0 || !RestingNeighbours(world, slot).any()) return;
+        if (batch.awake() == 0 || !SleepingNeighbours(world, slot).any()) return;
         any = true;
         workers.run(batch.awake(), grain, [&](uint32_t begin, uint32_t end) {
             for (uint32_t i = begin; i < end; ++i) note_ahead(world, slot, i, dt, still);
         });
     });
     world.each_batch([&](Batch& batch, uint32_t slot) {
-        if (any && world.pairs.meets(slot)) batch.wake_noted();
+        if (any && world.pairs.has_contact(slot)) batch.wake_noted();
     });
 }
 } // namespace lr

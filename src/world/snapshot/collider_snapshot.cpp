@@ -22,9 +22,9 @@ bool consistent(const Pose& pose) {
     return near(pose.position, {farthest_place, farthest_place, farthest_place}) && n > 0.999f && n < 1.001f;
 }
 // The rounding carried with a position is below its last digit.
-bool is_rest(Vector rest, Vector of) {
+bool is_remainder(Vector remainder, Vector of) {
     const auto most = [](float x) { return 0x1p-23f * std::abs(x) + 1e-37f; };
-    return near(rest, {most(of.x), most(of.y), most(of.z)});
+    return near(remainder, {most(of.x), most(of.y), most(of.z)});
 }
 
 bool consistent(const ColliderRecord& c) {
@@ -32,7 +32,7 @@ bool consistent(const ColliderRecord& c) {
     if (!has_data(static_cast<ColliderKind>(c.kind)) && c.data != 0) return false;
     for (int i = sizes_of(c.kind); i < 3; ++i)
         if (c.size[i] != 0.0f) return false;
-    return consistent(c.begin) && consistent(c.end) && is_rest(c.rest, c.begin.position) &&
+    return consistent(c.begin) && consistent(c.end) && is_remainder(c.remainder, c.begin.position) &&
            !wrong_sizes(c.kind, c.size) && !wrong_material(c.friction, c.restitution) &&
            !wrong_velocity({c.linear.x, c.linear.y, c.linear.z}, {c.angular.x, c.angular.y, c.angular.z}) &&
            (c.pending == 0 || !ColliderMotion{c.linear, c.angular, {}, false}.moves());
@@ -110,7 +110,7 @@ lr_status ColliderSnapshot::read(const Head& head, const unsigned char* from, ui
         }
         const uint64_t n = kind == ColliderKind::mesh && data ? data->parts.size() : 1;
         proxies += n;
-        if (ColliderMotion{r.linear, r.angular, r.rest, r.pending != 0}.moves()) movers += n;
+        if (ColliderMotion{r.linear, r.angular, r.remainder, r.pending != 0}.moves()) movers += n;
     }
     if (!there) return LR_ERROR_SNAPSHOT_MISMATCH;
     if (proxies > INT32_MAX) return LR_ERROR_SNAPSHOT_FORMAT;
@@ -149,7 +149,7 @@ void ColliderSnapshot::commit() {
         c.colliders_[i] = {geometry, r.begin, r.pending != 0 ? r.end : r.begin, r.friction, r.restitution,
                            r.layers, false};
         c.set_shared(i, shared(r));
-        c.motions_[i] = {r.linear, r.angular, r.rest, r.pending != 0};
+        c.motions_[i] = {r.linear, r.angular, r.remainder, r.pending != 0};
         const uint32_t proxies = c.proxies_of(i);
         c.proxies_ += proxies;
         if (c.moving(i)) c.mover_proxies_ += proxies;

@@ -115,19 +115,20 @@ bool bodies_consistent(const SavedBatch& s) {
         const auto square = [&](uint32_t f) { return number(f, i) * number(f, i); };
         const float turn = square(field_qx) + square(field_qy) + square(field_qz) + square(field_qw);
         // Below the age's last digit, or the mark of a held body.
-        const float age = number(field_age, i), rest = number(field_age_rest, i);
+        const float age = number(field_age, i), remainder = number(field_age_remainder, i);
         bad |= wrong(turn >= shortest_turn) | wrong(turn <= longest_turn);
-        bad |= wrong(std::abs(rest) <= 0x1p-23f * age) & wrong(rest == held_mark) & wrong(rest == fault_mark);
+        bad |= wrong(std::abs(remainder) <= 0x1p-23f * age) & wrong(remainder == held_mark) &
+               wrong(remainder == diverged_mark);
     }
     for (uint32_t i = h.awake; i < h.count; ++i)
-        bad |= wrong(SleepingBodies::consistent(h.rest, s.value<double>(column_birth, i)));
+        bad |= wrong(SleepingBodies::consistent(h.sleep, s.value<double>(column_birth, i)));
     return bad == 0;
 }
 
 // Slots can be those of destroyed colliders. meets_bodies: the batch has body contact.
-bool touched_consistent(const SavedBatch& s, bool meets_bodies) {
+bool touched_consistent(const SavedBatch& s, bool has_body_contact) {
     if (piece_bytes(s.header, column_touching) == 0) return true;
-    const uint32_t most = meets_bodies ? 1 : 0;
+    const uint32_t most = has_body_contact ? 1 : 0;
     uint32_t bad = 0;
     static_assert(most_touches == 4);
     for (uint32_t i = 0; i < s.header.count; ++i) {
@@ -184,32 +185,32 @@ public:
 
     // Checks everything and allocates memory; changes nothing visible.
     static lr_status check(const SavedBatch& s, uint64_t left, uint32_t index, Batch* batch,
-                           const SnapshotHeader& world, bool meets_bodies, bool contact) {
+                           const SnapshotHeader& world, bool has_body_contact, bool contact) {
         const SnapshotBatch& h = s.header;
         if ((h.capacity != 0) != (batch != nullptr)) return LR_ERROR_SNAPSHOT_MISMATCH;
         if (h.generation == 0 || h.generation > max_batch_generation || h.body_generation == 0 ||
-            h.body_generation > max_generation || (!batch && meets_bodies) || h.parts >> column_parts != 0)
+            h.body_generation > max_generation || (!batch && has_body_contact) || h.parts >> column_parts != 0)
             return LR_ERROR_SNAPSHOT_FORMAT;
         if (!batch) return LR_OK;
         const auto has = [&](ColumnPart part) { return (h.parts >> part & 1u) != 0; };
         if (h.capacity != batch->capacity() || h.content_hash != batch->asset().content_hash || !has(part_body) ||
             has(part_gust) != batch->columns_.has(part_gust))
             return LR_ERROR_SNAPSHOT_MISMATCH;
-        if (h.count > h.capacity || h.awake > h.count || (h.awake < h.count) != has(part_rest) ||
+        if (h.count > h.capacity || h.awake > h.count || (h.awake < h.count) != has(part_sleep) ||
             h.table.count > 65536 || !usable_loads(h, *batch) ||
             !BatchClock::consistent(h.pace, world.time, world.substep_count) || wrong_in(h.options) ||
-            !SleepingBodies::consistent(h.rest) || !Lifecycle::consistent(h.lifecycle) || wrong_batch_force(h.force) ||
+            !SleepingBodies::consistent(h.sleep) || !Lifecycle::consistent(h.lifecycle) || wrong_batch_force(h.force) ||
             h.contact.struct_size != sizeof h.contact || wrong_in(h.contact) || left < s.bytes() ||
             !slots_consistent(s, index) || !table_consistent(s) || !bodies_consistent(s) ||
-            !touched_consistent(s, meets_bodies))
+            !touched_consistent(s, has_body_contact))
             return LR_ERROR_SNAPSHOT_FORMAT;
         // If divergence can end bodies, their records need room.
         const bool ends = has(part_life) || h.options.divergence_policy != LR_DIVERGENCE_AUTO || h.diverged != 0;
         batch->next_table_.reset();
         const bool room = (!has(part_user) || batch->reserve_users()) &&
                           (!has(part_forces) || batch->reserve_forces()) && (!ends || batch->reserve_lifecycle()) &&
-                          (!has(part_rest) || batch->reserve_rest()) &&
-                          (!(has(part_contact) || contact || meets_bodies) || batch->reserve_contact()) &&
+                          (!has(part_sleep) || batch->reserve_sleep()) &&
+                          (!(has(part_contact) || contact || has_body_contact) || batch->reserve_contact()) &&
                           (same_table(s, *batch) || read_table(s, *batch));
         return room ? LR_OK : LR_ERROR_OUT_OF_MEMORY;
     }
@@ -248,10 +249,10 @@ public:
         if (b.lifecycle_) b.lifecycle_->restore(h.lifecycle);
         b.columns_.clear(b.awake_, b.count_, field_vx, 6);
         b.columns_.clear(b.awake_, b.count_, column_force, force_components);
-        if (!b.resting_) return;
-        b.resting_->clear();
+        if (!b.sleeping_) return;
+        b.sleeping_->clear();
         for (uint32_t i = b.awake_; i < b.count_; ++i) b.lie_down(i);
-        b.resting_->restore(h.rest);
+        b.sleeping_->restore(h.sleep);
     }
 
 private:
@@ -279,7 +280,7 @@ private:
         h.gains = b.settings_.gains;
         h.aerodynamics = b.aerodynamics_;
         h.pace = b.pace.record();
-        if (b.awake_ < b.count_) h.rest = b.resting_->state();
+        if (b.awake_ < b.count_) h.sleep = b.sleeping_->state();
         h.contact = b.contact;
         to_saved(h.force, b.external.batch());
         if (b.lifecycle_) h.lifecycle = b.lifecycle_->state();
@@ -288,7 +289,7 @@ private:
     // Parts in use: in the others all columns are empty.
     static uint32_t parts_of(const Batch& b) {
         const auto bit = [](ColumnPart part, bool there) { return there ? 1u << part : 0u; };
-        return bit(part_body, true) | bit(part_gust, b.columns_.has(part_gust)) | bit(part_rest, b.awake_ < b.count_) |
+        return bit(part_body, true) | bit(part_gust, b.columns_.has(part_gust)) | bit(part_sleep, b.awake_ < b.count_) |
                bit(part_life, b.lifecycle_ && b.lifecycle_->in_use()) | bit(part_forces, b.external.pending()) |
                bit(part_contact, b.any_contact()) | bit(part_user, b.columns_.any(column_user, b.count_));
     }
@@ -306,7 +307,7 @@ private:
             if (other == 0)
                 for (size_t f : {field_x, field_y, field_z, field_qx, field_qy, field_qz, field_qw, field_scale})
                     other |= s.value(f, to) ^ std::bit_cast<uint32_t>(b.arrays_.field[f][i]);
-            if (other != 0) b.resting_->forget_box(slot);
+            if (other != 0) b.sleeping_->forget_box(slot);
         }
     }
     static TableHead saved_head(const Batch& b) { return b.asset_table_ ? TableHead{} : b.table_head_; }
@@ -415,13 +416,14 @@ lr_status snapshot_restore(lr_world& w, const void* memory) {
         if (!new_pairs.consistent(header.batch_slots)) return LR_ERROR_SNAPSHOT_FORMAT;
     }
     const BatchPairs& pairs = same_pairs ? w.pairs : new_pairs;
-    if (!w.reserve_left([&](uint32_t slot) { return pairs.meets(slot); })) return LR_ERROR_OUT_OF_MEMORY;
+    if (!w.reserve_left([&](uint32_t slot) { return pairs.has_contact(slot); })) return LR_ERROR_OUT_OF_MEMORY;
     at += pair_bytes;
     const uint64_t batches = at;
     for (uint32_t i = 0; i < w.batch_slots; ++i) {
         if (left() < sizeof(SnapshotBatch)) return LR_ERROR_SNAPSHOT_FORMAT;
         const SavedBatch saved(begin + at);
-        status = SnapshotAccess::check(saved, left(), i, w.batches[i].batch, header, pairs.meets(i), colliders.any());
+        status =
+            SnapshotAccess::check(saved, left(), i, w.batches[i].batch, header, pairs.has_contact(i), colliders.any());
         if (status != LR_OK) return status;
         at += saved.bytes();
     }

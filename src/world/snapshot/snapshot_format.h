@@ -16,7 +16,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <type_traits>
 
 namespace lr {
@@ -59,7 +58,7 @@ struct SnapshotBatch {
     BatchClock::Record pace;
     BatchOptions options;
     uint64_t diverged;
-    SleepingBodies::State rest;
+    SleepingBodies::State sleep;
     lr_batch_contact contact;
     float force[force_components];
     Lifecycle::State lifecycle;

@@ -3,7 +3,6 @@
 #include "kernel/divergence.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace lr {
 namespace {
@@ -24,21 +23,21 @@ void touch(const ContactRun& run, ContactGroup& group, const States& states, con
     group.solve(now);
     for (uint32_t i = 0; i < contact_lanes; ++i)
         hold_if_insane(arrays, i, faults, [&](size_t f) { return before[f][i]; });
-    if (!run.book.rest_time) return;
+    if (!run.book.still_time) return;
     for (uint32_t i = 0; i < bodies_from(states, first); ++i) {
-        if (is_held(states.field[field_age_rest][first + i])) continue;
+        if (is_held(states.field[field_age_remainder][first + i])) continue;
         const BodyAfter body = body_after(run, group, i, near.index(first + i), states.field, first + i, before);
-        enter_body(run.book, body, may_rest(*run.step.settings), now.h, substep + 1 == run.time.substeps,
-                   [&](uint32_t collider) { return group.meeting(i, collider, now); });
+        enter_body(run.book, body, may_sleep(*run.step.settings), now.h, substep + 1 == run.time.substeps,
+                   [&](uint32_t collider) { return group.touch_with(i, collider, now); });
     }
 }
 
 // Bodies that were far throughout the step touch nothing.
 void leave(const ContactCache& book, const NearContacts& near, uint32_t begin, uint32_t end) {
-    if (!book.rest_time) return;
+    if (!book.still_time) return;
     for (uint32_t i = begin; i < end; ++i) {
         if (near.holds(i)) continue;
-        book.rest_time[i] = 0.0f;
+        book.still_time[i] = 0.0f;
         if (book.stay[0][i] != 0.0f)
             for (float* row : book.stay) row[i] = 0.0f;
         if (book.notes.noted && book.touching[0][i] != 0) book.notes.noted[book.notes.slot(i)] |= noted_touch;
@@ -48,8 +47,8 @@ void leave(const ContactCache& book, const NearContacts& near, uint32_t begin, u
 
 // Sorts bodies: in the air, moving in contact, nearly still. The solver sweeps until a vector's last body is done: similar bodies share vectors.
 void arrange(const ContactCache& book, NearContacts& near) {
-    if (!book.rest_time) return;
-    near.arrange(3, [&](uint32_t i) { return book.touching[0][i] == 0 ? 0u : book.rest_time[i] == 0.0f ? 1u : 2u; });
+    if (!book.still_time) return;
+    near.arrange(3, [&](uint32_t i) { return book.touching[0][i] == 0 ? 0u : book.still_time[i] == 0.0f ? 1u : 2u; });
 }
 
 void step_group(const ContactRun& run, const StepInput& in, lr_batch batch, States& states, const NearContacts& near,

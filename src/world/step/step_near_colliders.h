@@ -6,8 +6,6 @@
 #include "kernel/integrator/step.h"
 #include "world/step/step_near_water.h"
 
-#include <cmath>
-
 namespace lr {
 
 struct ContactRun {

@@ -1,7 +1,6 @@
 #include "world/step/step_near_water.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace lr {
 namespace {

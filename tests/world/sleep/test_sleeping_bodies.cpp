@@ -14,7 +14,7 @@ namespace {
 struct Modelled {
     uint32_t noise_seed;
     bool rests;
-    float x, rest_time;
+    float x, still_time;
     double pushed;
     uint32_t touching, life;
 };
@@ -44,12 +44,12 @@ struct Fixture {
     // Notes of contact and forces on an awake body.
     void decorate(uint32_t index, Random& random) {
         Modelled& m = model.at(batch->ids()[index]);
-        m.rest_time = random.real(0.0, 1.0);
+        m.still_time = random.real(0.0, 1.0);
         m.touching = random.below(100);
         m.life = batch->columns().row<uint32_t>(lr::column_life)[index] = random.below(9);
         const lr::ContactCache contact = batch->contact_cache();
-        REQUIRE(contact.rest_time);
-        contact.rest_time[index] = m.rest_time;
+        REQUIRE(contact.still_time);
+        contact.still_time[index] = m.still_time;
         contact.touching[2][index] = m.touching;
         batch->external.add(index, 0, lr::force_newton, {1.0, 0.0, 0.0});
         m.pushed += 1.0;
@@ -67,10 +67,10 @@ struct Fixture {
             }
             const lr::BatchArrays& a = batch->arrays();
             const float speed = m.rests ? 0.0f : 1.0f;
-            good = good && batch->ids()[at] == id && batch->rests(at) == m.rests && a.noise_seed[at] == m.noise_seed;
+            good = good && batch->ids()[at] == id && batch->asleep(at) == m.rests && a.noise_seed[at] == m.noise_seed;
             good = good && a.field[lr::field_x][at] == m.x && a.field[lr::field_vx][at] == speed &&
                    a.field[lr::field_wz][at] == speed && a.field[lr::field_gust_y][at] == speed;
-            good = good && batch->contact_cache().rest_time[at] == m.rest_time &&
+            good = good && batch->contact_cache().still_time[at] == m.still_time &&
                    batch->contact_cache().touching[2][at] == m.touching;
             good = good && batch->columns().row<uint32_t>(lr::column_life)[at] == m.life;
             const float pushed = batch->columns().row<float>(lr::column_force)[at];
@@ -81,7 +81,7 @@ struct Fixture {
         // Free lanes stay finite and exert no forces.
         for (uint32_t i = batch->count(); i < batch->capacity(); ++i)
             good = good && batch->columns().row<float>(lr::column_force)[i] == 0.0f &&
-                   batch->arrays().field[lr::field_qw][i] == 1.0f && batch->contact_cache().rest_time[i] == 0.0f &&
+                   batch->arrays().field[lr::field_qw][i] == 1.0f && batch->contact_cache().still_time[i] == 0.0f &&
                    batch->contact_cache().touching[2][i] == 0;
         CHECK(good);
     }
@@ -113,14 +113,14 @@ TEST_CASE(
                 Modelled& m = f.model.at(id);
                 if (what < 6) {
                     if (m.rests) continue;
-                    const uint32_t now = batch.rest(index);
+                    const uint32_t now = batch.fall_asleep(index);
                     CHECK(batch.ids()[now] == id);
                     m.rests = true, m.pushed = 0.0, ++rests;
                 } else if (what < 8) {
                     if (!m.rests) continue;
                     const uint32_t now = batch.wake(index);
                     CHECK(batch.ids()[now] == id);
-                    m.rests = false, m.rest_time = 0.0f, m.pushed = 0.0, ++wakes;
+                    m.rests = false, m.still_time = 0.0f, m.pushed = 0.0, ++wakes;
                     for (size_t field : {lr::field_vx, lr::field_wz, lr::field_gust_y})
                         batch.arrays().field[field][now] = 1.0f;
                 } else if (what < 10) {
@@ -134,7 +134,7 @@ TEST_CASE(
             // If the revision is the same, sleeping bodies have not moved.
             if (batch.revision() == revision)
                 for (const auto& [at, body] : tail)
-                    if (batch.ids()[at] != body || !batch.rests(at)) FAIL("the tail has changed");
+                    if (batch.ids()[at] != body || !batch.asleep(at)) FAIL("the tail has changed");
             revision = batch.revision();
             tail.clear();
             for (uint32_t at = batch.awake(); at < batch.count(); ++at) tail.emplace_back(at, batch.ids()[at]);
@@ -158,14 +158,14 @@ TEST_CASE("bodies noted in a step come to rest after it, and only those, also wh
         const uint32_t asleep = round % 3 == 0 ? 0 : random.below(count);
         for (uint32_t i = 0; i < asleep; ++i) {
             f.model.at(f.batch->ids()[0]).rests = true;
-            f.batch->rest(0);
+            f.batch->fall_asleep(0);
         }
         // So few at times that most cuts have none; at the end, from where bodies move to freed places.
         const uint32_t one_of = round % 2 ? 3 : 40, first = round % 4 ? 0 : f.batch->awake() * 3 / 4;
         std::vector<lr_body> noted, ended;
         for (uint32_t i = 0; i < f.batch->awake(); ++i) {
             const lr_body id = f.batch->ids()[i];
-            if (i >= first && random.below(one_of) == 0) f.batch->note_rest(i), noted.push_back(id);
+            if (i >= first && random.below(one_of) == 0) f.batch->note_sleep(i), noted.push_back(id);
             if (random.below(5) == 0) ended.push_back(id);
         }
         // Rules end bodies from the last to the first.
@@ -187,7 +187,7 @@ TEST_CASE("bodies noted in a step come to rest after it, and only those, also wh
 TEST_CASE("noted bodies rest from the end of the step on that they were noted in") {
     Fixture f(600);
     for (int i = 0; i < 600; ++i) f.add();
-    for (uint32_t i = 0; i < 600; i += 2) f.batch->note_rest(i);
+    for (uint32_t i = 0; i < 600; i += 2) f.batch->note_sleep(i);
     steps(f.world, 1, 0.01f, 2);
     CHECK(f.batch->awake() == 300);
     for (uint32_t i = 300; i < 600; ++i) {
@@ -207,10 +207,10 @@ TEST_CASE("notes of contact are part of the hash if they are not 0, and of snaps
     const std::vector<unsigned char> before = snapshot_of(f.world);
     f.batch->contact_cache().touching[3][7] = 5;
     const uint64_t touching = hash_of(f.world);
-    f.batch->contact_cache().rest_time[7] = 0.25f;
+    f.batch->contact_cache().still_time[7] = 0.25f;
     const uint64_t noted = hash_of(f.world);
     CHECK((touching != plain && noted != touching && noted != plain));
-    for (uint32_t i = 0; i < 20; ++i) f.batch->rest(i);
+    for (uint32_t i = 0; i < 20; ++i) f.batch->fall_asleep(i);
     const uint64_t resting = hash_of(f.world);
     CHECK(resting != noted);
     const std::vector<unsigned char> snapshot = snapshot_of(f.world);

@@ -59,7 +59,7 @@ struct Place {
         std::vector<lr::Box> out(b.capacity(), lr::Box{});
         for (uint32_t i = b.awake(); i < b.count(); ++i) {
             const uint32_t slot = lr::unpack(b.ids()[i]).slot;
-            out[slot] = b.resting()->box(slot);
+            out[slot] = b.sleeping()->box(slot);
         }
         return out;
     }

@@ -108,7 +108,7 @@ TEST_CASE("a snapshot with a value beyond the limit of its setter is refused, an
     refused(colliders, ball + offsetof(Ball, restitution), 1.1f);
     for (float x : {1.1e10f, 1e29f}) refused(colliders, ball + offsetof(Ball, begin), x);
     for (size_t k = 0; k < 6; ++k) refused(colliders, ball + offsetof(Ball, linear) + 4 * k, 1.1e6f);
-    for (float rest : {0.001f, 1e20f}) refused(colliders, ball + offsetof(Ball, rest), rest);
+    for (float rest : {0.001f, 1e20f}) refused(colliders, ball + offsetof(Ball, remainder), rest);
 
     using Batch = lr::SnapshotBatch;
     using Table = lr::TableHead;
@@ -133,10 +133,10 @@ TEST_CASE("a snapshot with a value beyond the limit of its setter is refused, an
     refused(column + lr::field_x, 0, 1.1e10f);
     for (float scale : {0.0f, 0.0009f, 1001.0f}) refused(column + lr::field_scale, 0, scale);
     for (float age : {-1.0f, 1.1e9f}) refused(column + lr::field_age, 0, age);
-    for (float rest : {0.001f, 1e20f, -1e20f, -1.5e30f}) refused(column + lr::field_age_rest, 0, rest);
+    for (float rest : {0.001f, 1e20f, -1e20f, -1.5e30f}) refused(column + lr::field_age_remainder, 0, rest);
     refused(batch, offsetof(Batch, force), 1.1e9f);
     using Rules = lr::Lifecycle::State;
-    const size_t rules = offsetof(Batch, lifecycle), resting = offsetof(Batch, rest);
+    const size_t rules = offsetof(Batch, lifecycle), resting = offsetof(Batch, sleep);
     refused(batch, rules + offsetof(Rules, rules) + offsetof(lr_batch_rules, max_age), 1.1e9f);
     refused(batch, rules + offsetof(Rules, emitter) + offsetof(lr_emitter_desc, scale_max), 1001.0f);
     refused(batch, rules + offsetof(Rules, emitter) + offsetof(lr_emitter_desc, speed_max), 1.1e6f);
@@ -167,14 +167,14 @@ TEST_CASE("ages, clocks and places at their limits stay there, and the world's o
     forge(colliders, 8 + offsetof(lr::ColliderRecord, begin), 1e10f);
     forge(batch, offsetof(lr::SnapshotBatch, pace) + offsetof(lr::BatchClock::Record, lost), 1e22);
     forge(column + lr::field_age, 0, 1e9f);
-    forge(column + lr::field_age_rest, 0, -119.0f);
+    forge(column + lr::field_age_remainder, 0, -119.0f);
     forge(column + lr::field_age, 4, std::nextafter(1e9f, 0.0f));
-    forge(column + lr::field_age_rest, 4, -32.0f);
+    forge(column + lr::field_age_remainder, 4, -32.0f);
     forge(batch,
           offsetof(lr::SnapshotBatch, lifecycle) + offsetof(lr::Lifecycle::State, rules) +
               offsetof(lr_batch_rules, max_age),
           0.0f);
-    forge(batch, offsetof(lr::SnapshotBatch, rest) + offsetof(lr::SleepingBodies::State, clock), 1e22);
+    forge(batch, offsetof(lr::SnapshotBatch, sleep) + offsetof(lr::SleepingBodies::State, clock), 1e22);
     seal(bytes);
     REQUIRE(lr_world_snapshot_restore(w, bytes.data(), bytes.size()) == LR_OK);
     for (int round = 0; round < 8; ++round) {

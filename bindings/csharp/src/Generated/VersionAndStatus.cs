@@ -8,11 +8,11 @@ namespace LangevinRigid
     /// <summary><see cref="Status.Ok"/>, or a negative error. Values never change.</summary>
     public enum Status : int
     {
-        /// <summary>The header's <c>LR_OK</c>.</summary>
+        /// <summary>Success.</summary>
         Ok = 0,
         /// <summary>A required pointer is null.</summary>
         NullArgument = -1,
-        /// <summary>Struct_size is below every released size, or an unknown tail is not 0.</summary>
+        /// <summary>Struct_size is of no release, or an unknown tail is not 0: see LR_..._INIT.</summary>
         StructSize = -2,
         /// <summary>A value is out of range.</summary>
         InvalidArgument = -3,

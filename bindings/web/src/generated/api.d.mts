@@ -5,10 +5,11 @@ import type { Asset } from '../../langevin_rigid.mjs';
 
 /** Constants of the C header, without LR_. */
 export declare const LR: {
+  /** success */
   readonly OK: 0;
   /** a required pointer is null */
   readonly ERROR_NULL_ARGUMENT: -1;
-  /** struct_size is below every released size, or an unknown tail is not 0 */
+  /** struct_size is of no release, or an unknown tail is not 0: see LR_..._INIT */
   readonly ERROR_STRUCT_SIZE: -2;
   /** a value is out of range */
   readonly ERROR_INVALID_ARGUMENT: -3;
