@@ -68,7 +68,7 @@ enum {
     LR_ERROR_STRUCT_SIZE = -2,          /* struct_size is of no release, or an unknown tail is not 0: see LR_..._INIT */
     LR_ERROR_INVALID_ARGUMENT = -3,     /* a value is out of range */
     LR_ERROR_NOT_FINITE = -4,           /* a number is NaN or infinite */
-    LR_ERROR_OUT_OF_MEMORY = -5,        /* the allocator returned null */
+    LR_ERROR_OUT_OF_MEMORY = -5,        /* out of memory: the allocator returned null */
     LR_ERROR_STALE_BODY = -6,           /* the body was destroyed, or never existed */
     LR_ERROR_STALE_BATCH = -7,          /* the batch was destroyed, or never existed */
     LR_ERROR_CAPACITY = -8,             /* the batch, or the world's table of batches, is full */

@@ -64,7 +64,7 @@ class Status(IntEnum):
     STRUCT_SIZE = -2  # struct_size is of no release, or an unknown tail is not 0: see LR_..._INIT
     INVALID_ARGUMENT = -3  # a value is out of range
     NOT_FINITE = -4  # a number is NaN or infinite
-    OUT_OF_MEMORY = -5  # the allocator returned null
+    OUT_OF_MEMORY = -5  # out of memory: the allocator returned null
     STALE_BODY = -6  # the body was destroyed, or never existed
     STALE_BATCH = -7  # the batch was destroyed, or never existed
     CAPACITY = -8  # the batch, or the world's table of batches, is full

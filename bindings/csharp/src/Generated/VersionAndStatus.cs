@@ -18,7 +18,7 @@ namespace LangevinRigid
         InvalidArgument = -3,
         /// <summary>A number is NaN or infinite.</summary>
         NotFinite = -4,
-        /// <summary>The allocator returned null.</summary>
+        /// <summary>Out of memory: the allocator returned null.</summary>
         OutOfMemory = -5,
         /// <summary>The body was destroyed, or never existed.</summary>
         StaleBody = -6,

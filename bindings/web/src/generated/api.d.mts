@@ -15,7 +15,7 @@ export declare const LR: {
   readonly ERROR_INVALID_ARGUMENT: -3;
   /** a number is NaN or infinite */
   readonly ERROR_NOT_FINITE: -4;
-  /** the allocator returned null */
+  /** out of memory: the allocator returned null */
   readonly ERROR_OUT_OF_MEMORY: -5;
   /** the body was destroyed, or never existed */
   readonly ERROR_STALE_BODY: -6;
