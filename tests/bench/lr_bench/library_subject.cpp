@@ -39,6 +39,7 @@ public:
         lr_batch_desc_init(&bd, sizeof bd);
         bd.asset = asset_;
         bd.capacity = row.bodies;
+        if (row.path == "alike") bd.variation = 0.0f;
         if (!find_model(row.model, bd.load_model, bd.clock)) return "unknown model";
         if (!find_integrator(row.integrator, bd.integrator)) return "unknown integrator";
         // Turbulence that decays in a second would leave nothing to time.
@@ -47,7 +48,7 @@ public:
         if (row.path == "full" && !take_full_path(world_, batch_)) return "full path";
 
         const uint64_t empty = lr_world_snapshot_size(world_);
-        if (!release_bodies(row.bodies)) return "bodies";
+        if (!release_bodies(row.bodies, row.path == "user")) return "bodies";
         lr_world_info info;
         lr_world_info_init(&info, sizeof info);
         lr_world_get_info(world_, &info);
@@ -80,7 +81,7 @@ public:
 
 private:
     // In a box of 100 m, turned at random, with some speed and spin.
-    bool release_bodies(uint32_t count) {
+    bool release_bodies(uint32_t count, bool user) {
         std::vector<lr_body_desc> descs(std::min(count, 4096u));
         for (uint32_t first = 0; first < count; first += 4096) {
             const uint32_t some = std::min(count - first, 4096u);
@@ -88,6 +89,7 @@ private:
                 lr_body_desc& d = descs[i];
                 lr_body_desc_init(&d, sizeof d);
                 const uint64_t at = 13 * (uint64_t{first} + i);
+                d.user = user ? at + 1 : 0;
                 const auto within = [at](uint32_t k, float limit) { return limit * (2.0f * uniform(at + k) - 1.0f); };
                 for (uint32_t k = 0; k < 3; ++k) {
                     d.position[k] = within(k, 50.0f);

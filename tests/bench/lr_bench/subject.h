@@ -12,7 +12,7 @@ struct Row {
     std::string subject;    // "langevin_rigid", "transforms" and "memcpy", or a peer's name
     std::string model;      // loads
     std::string integrator; //
-    std::string path;       // "diagonal", "full"
+    std::string path;       // "diagonal", "full"; "alike": without variation; "user": with user data
     std::string target;     // instruction set
     uint32_t workers = 0;   // threads besides the caller's
     uint32_t bodies = 1;
