@@ -52,7 +52,7 @@ extern "C" {
 /* Version and status                                                                                                 */
 
 #define LR_VERSION_MAJOR 0
-#define LR_VERSION_MINOR 1
+#define LR_VERSION_MINOR 2
 #define LR_VERSION_PATCH 0
 
 /* Version of the loaded library: major << 22 | minor << 12 | patch. Compare it with the macros above when you load the

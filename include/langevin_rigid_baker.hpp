@@ -128,7 +128,7 @@ BakeResult bake_triangles(const double* positions, std::size_t vertices, const s
 BakeResult bake_ellipsoid(const std::array<double, 3>& semi_axes, const BakeOptions& options,
                           const BakeProgress& progress = {}) noexcept;
 
-// Version of the baker, such as "0.1.0+1a2b3c4d". A cache of baked assets needs it in its key, with input and options.
+// Version of the baker, such as "0.2.0+1a2b3c4d". A cache of baked assets needs it in its key, with input and options.
 const char* baker_version() noexcept;
 
 } // namespace langevin_rigid

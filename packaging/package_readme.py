@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Writes README.md of a package with measurements of its files, and the same numbers into the table of docs/maintainers/releases.md.
 
-    package_readme.py --platform linux-x64 --version 0.1.0 --stage STAGE --docs docs/maintainers/releases.md
+    package_readme.py --platform linux-x64 --version 0.2.0 --stage STAGE --docs docs/maintainers/releases.md
         [--library-floor 2.17 --baker-floor 2.30]
 """
 import argparse

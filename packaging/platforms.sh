@@ -6,7 +6,7 @@
 select_platform() { # platform
     platform=$1
     toolchain=() runner=() tools=(cmake ninja flatc)
-    exe= suffix=tar.xz library=lib/liblangevin_rigid.so.0.1.0 strip=strip
+    exe= suffix=tar.xz library=lib/liblangevin_rigid.so.0.2.0 strip=strip
     case $platform in
     linux-x64) tools+=(gcc g++ readelf objdump) ;;
     linux-arm64)

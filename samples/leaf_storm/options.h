@@ -18,7 +18,7 @@ struct Options {
     std::uint32_t threads = 1; // total; the library gets one less as workers
     float wind[3] = {1.5f, 0.0f, 0.5f};
     std::uint64_t seed = 1;
-    float noise = 1.0f;
+    float noise = 1.0f, variation = 0.15f;
     std::int32_t simd = LR_SIMD_AUTO;
     bool same_size = false;
     std::int32_t clock = LR_CLOCK_SPEED;

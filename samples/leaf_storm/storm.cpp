@@ -40,6 +40,7 @@ lr_batch create_batch(lr_world* world, const lr_asset* asset, std::uint32_t capa
     desc.asset = asset;
     desc.capacity = capacity;
     desc.noise_gain = options.noise;
+    desc.variation = options.variation;
     desc.load_model = options.loads;
     desc.clock = options.clock;
     desc.integrator = options.integrator;

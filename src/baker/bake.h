@@ -92,6 +92,6 @@ std::optional<uint64_t> find_input_hash(const BakeOptions& options);
 std::string asset_name(const BakeOptions& options);
 std::string source_name(const BakeOptions& options);
 
-// "0.1.0+1a2b3c4d": the release and a hash of the sources that affect results.
+// "0.2.0+1a2b3c4d": the release and a hash of the sources that affect results.
 const char* baker_version();
 } // namespace lr::baker

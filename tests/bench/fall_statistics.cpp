@@ -45,6 +45,7 @@ public:
         require(lr_world_create(&w, &world_));
         lr_batch_desc b;
         require(lr_batch_desc_init(&b, sizeof b));
+        b.variation = 0.0f; // statistics of one body
         b.asset = asset;
         b.capacity = bodies;
         b.load_model = LR_LOADS_AERODYNAMIC;

@@ -5,7 +5,7 @@
 # flake8: noqa
 import ctypes
 
-VERSION = (0, 1, 0)  # of the header behind this file
+VERSION = (0, 2, 0)  # of the header behind this file
 
 LR_OK = 0
 LR_ERROR_NULL_ARGUMENT = -1

@@ -12,12 +12,12 @@ exported="$(grep -A1 -oE 'LR_API [a-z0-9_* ]*\blr_[a-z0-9_]+\(' "$prefix/include
 {
     for name in $exported; do
         if [[ $platform == Win64 ]]; then export='__declspec(dllexport)'; else export=; fi
-        if [[ $name == lr_version ]]; then echo "$export unsigned $name(void) { return 1u << 12; }"; else echo "$export int $name(void) { return -18; }"; fi
+        if [[ $name == lr_version ]]; then echo "$export unsigned $name(void) { return 2u << 12; }"; else echo "$export int $name(void) { return -18; }"; fi
     done
 } >"$out/stand_in.c"
 if [[ $platform == Win64 ]]; then
     x86_64-w64-mingw32-gcc -shared -s "$out/stand_in.c" -o "$out/bin/liblangevin_rigid.dll" -Wl,--out-implib,"$out/lib/liblangevin_rigid.dll.a"
 else
-    aarch64-linux-gnu-gcc -shared -fPIC -s "$out/stand_in.c" -o "$out/lib/liblangevin_rigid.so.0.1.0" -Wl,-soname,liblangevin_rigid.so.0
-    ln -sf liblangevin_rigid.so.0.1.0 "$out/lib/liblangevin_rigid.so"
+    aarch64-linux-gnu-gcc -shared -fPIC -s "$out/stand_in.c" -o "$out/lib/liblangevin_rigid.so.0.2.0" -Wl,-soname,liblangevin_rigid.so.0
+    ln -sf liblangevin_rigid.so.0.2.0 "$out/lib/liblangevin_rigid.so"
 fi

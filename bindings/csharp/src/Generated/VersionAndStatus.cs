@@ -76,7 +76,7 @@ namespace LangevinRigid
         /// <summary>Version of the header: major.</summary>
         public const uint VersionMajor = 0;
         /// <summary>Version of the header: minor.</summary>
-        public const uint VersionMinor = 1;
+        public const uint VersionMinor = 2;
         /// <summary>Version of the header: patch.</summary>
         public const uint VersionPatch = 0;
         /// <summary>s: the largest dt / substeps</summary>

@@ -1,7 +1,7 @@
 // Made by bindings/generator/javascript.py from include/langevin_rigid.h: changes here are lost.
 // SPDX-License-Identifier: MIT
 
-export const headerVersion = 4096;
+export const headerVersion = 8192;
 
 export const LR = Object.freeze({
   OK: 0,

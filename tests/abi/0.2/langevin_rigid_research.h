@@ -1,0 +1,143 @@
+/*
+ * Langevin Rigid for research: bodies from given matrices, coefficients of the loads, turbulence tables.
+ * langevin_rigid.h explains units, frames, ownership, errors and threads, and has all that a game needs.
+ *
+ * SPDX-License-Identifier: MIT
+ */
+#ifndef LANGEVIN_RIGID_RESEARCH_H
+#define LANGEVIN_RIGID_RESEARCH_H
+
+#include "langevin_rigid.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ------------------------------------------------------------------------------------------------------------------ */
+/* Research                                                                                                           */
+
+/* Coefficients of the quasi-steady loads (LR_LOADS_AERODYNAMIC) at scale 1; equations: docs/maintainers/physics.md,
+ * AERODYNAMIC. All loads act at `center`, along `axes`, which rotate with the body. Arrays hold one value per axis.
+ * Symbols: v is the velocity through the fluid and w the spin, both along the axes; s = |v|; (i, j, k) are cyclic; d is
+ * lr_asset_info.length_d; rho and nu are the fluid's density and kinematic viscosity. */
+typedef struct lr_aerodynamics {
+    uint32_t struct_size;
+    uint32_t reserved; /* 0 */
+    double axes[9];    /* rows: unit vectors in the body frame, right-handed */
+    /* Drag -1/2 rho sum_i (v_i/s)^2 [drag_i + drag_blunt_i Re/(Re + 8710)] s v with Re = s d/nu, and along each axis
+     * -rho [drag_layer_i sqrt(nu s) + drag_stokes_i nu] v_i. All >= 0. */
+    double drag[3];        /* m^2, drag coefficient times area */
+    double drag_blunt[3];  /* m^2, the part of rounded bodies, which grows with the Reynolds number */
+    double drag_layer[3];  /* m^(3/2), boundary layer */
+    double drag_stokes[3]; /* m, creeping flow */
+    /* Lift rho G x v with G_k = spin_lift_k w_k - lift_k v_i v_j/s. */
+    double lift[3];        /* m^2, positive where the body is thinner along j than along i */
+    double spin_lift[3];   /* m^3 */
+    double lift_moment[3]; /* m^3, moment of the lift about k: rho lift_moment_k v_i v_j */
+    /* Couple -rho (spin_drag_k |w| + spin_drag_stream_k s + spin_drag_stokes_k nu) w_k. All >= 0. */
+    double spin_drag[3];        /* m^5 */
+    double spin_drag_stream[3]; /* m^4 */
+    double spin_drag_stokes[3]; /* m^3 */
+    double intensity;           /* velocity fluctuations in the body's own wake, per axis, over s. Above 0.4, gains
+                                   included, it acts as 0.4: a stronger wake would feed itself */
+    double length;              /* m: the fluctuations are correlated over length/s */
+    double wake_reynolds;       /* scales the fluctuations by Re/(Re + wake_reynolds): slow wakes are laminar */
+    /* Stall: sigma = sum_i broadside_i (v_i/s)^2 multiplies lift by 1 - lift_stall sigma and adds lift_moment_stalled_k
+     * sigma to lift_moment_k. */
+    double broadside[3]; /* 0 to 1 */
+    double lift_stall;
+    double lift_moment_stalled[3]; /* m^3 */
+    /* Couple -rho g_k (g . w)/s with g_k = sqrt(roll_damping_k) v_k. Damps the spin about the stream, as a wing damps
+     * roll; in plane motion this spin is 0. All >= 0. */
+    double roll_damping[3]; /* m^4 */
+    double center[3];       /* m, where the loads act, from the centre of buoyancy, body frame; within 2 d; default 0 */
+} lr_aerodynamics;
+
+/* Sets the axes to the body's, `length` to 1 and everything else to 0: no loads. */
+LR_API lr_status lr_aerodynamics_init(lr_aerodynamics* aerodynamics, uint32_t struct_size);
+
+/* Reads an asset's baked coefficients. aerodynamics: initialised by lr_aerodynamics_init, or with struct_size set.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE. Any thread. */
+LR_API lr_status lr_asset_get_aerodynamics(const lr_asset* asset, lr_aerodynamics* aerodynamics);
+
+/* Replaces the asset's coefficients of AERODYNAMIC loads for a batch from the next step on. The struct is copied; null
+ * restores the asset's. With intensity 0, lr_load_gains.turbulence 1 and
+ * lr_batch_desc.variation 0 a fall is the same for any seed. Axes other
+ * than the body's, or a center other than 0, put an LR_ASSET_DIAGONAL body on the slower path of all other bodies.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
+ * LR_ERROR_INVALID_ARGUMENT. */
+LR_API lr_status lr_batch_set_aerodynamics(lr_world* world, lr_batch batch, const lr_aerodynamics* aerodynamics);
+
+/* Reads a batch's current coefficients. aerodynamics: initialised, or with struct_size set.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE. */
+LR_API lr_status lr_batch_get_aerodynamics(const lr_world* world, lr_batch batch, lr_aerodynamics* aerodynamics);
+
+/* A body of known numbers without a mesh or file: from another solver, from measurements, or the cross-section of a
+ * card in two dimensions. Matrices are row-major, symmetric, about the centre of mass, in body axes. */
+typedef struct lr_rigid_desc {
+    uint32_t struct_size;
+    uint32_t reserved;
+    double mass;                         /* kg, > 0 */
+    double volume;                       /* m^3, > 0 */
+    double inertia[9];                   /* kg m^2, positive definite */
+    double added_mass[36];               /* kg, kg m, kg m^2: order vx vy vz wx wy wz, fluid density included, as in
+                                            lr_asset_info; positive semi-definite; default 0 */
+    double center_of_buoyancy[3];        /* m, from the centre of mass; default 0 */
+    double fluid_density;                /* kg/m^3, > 0; default 1.2, air */
+    double fluid_viscosity;              /* m^2/s, kinematic, > 0; default 1.5e-5, air */
+    double extents[3];                   /* m, full size along the body axes, > 0 */
+    double intensity;                    /* of the turbulence table, as in lr_ellipsoid_desc; default 1 */
+    const lr_aerodynamics* aerodynamics; /* copied; default null: an ellipsoid's with these extents */
+} lr_rigid_desc;
+
+LR_API lr_status lr_rigid_desc_init(lr_rigid_desc* desc, uint32_t struct_size);
+
+/* Creates an asset from given numbers. out: as for lr_asset_load_file.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT (also for
+ * matrices that no body can have), LR_ERROR_OUT_OF_MEMORY. Any thread. */
+LR_API lr_status lr_asset_create_rigid(const lr_rigid_desc* desc, lr_asset** out);
+
+/* k-epsilon samples in the units of the bake. Arrays are copied. */
+typedef struct lr_turbulence_table {
+    uint32_t struct_size;
+    uint32_t count;       /* samples, 1 to 65536 */
+    const float* chi;     /* 1/s, turbulent frequency epsilon / k, `count` values >= 0 */
+    const float* epsilon; /* m^2/s^3, dissipation rate, `count` values >= 0 */
+    float dt;             /* s between samples, > 0 */
+    float u0;             /* m/s, the speed that the table was made at, > 0; LR_CLOCK_SPEED scales by it */
+    float l;              /* m, the length that the table was made with, > 0 */
+    float c0;             /* Kolmogorov constant, > 0; default 6.5, its limit at high Reynolds number */
+    uint32_t stationary;  /* the sample that LR_CLOCK_SPEED uses, < count; default 0 */
+    uint32_t reserved;    /* 0 */
+} lr_turbulence_table;
+
+LR_API lr_status lr_turbulence_table_init(lr_turbulence_table* table, uint32_t struct_size);
+
+/* Replaces the turbulence table of a batch; null restores the asset's. With AERODYNAMIC loads the table replaces the
+ * intensity of lr_aerodynamics: it sets the velocity of the fluid around the body.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
+ * LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY. */
+LR_API lr_status lr_batch_set_turbulence_table(lr_world* world, lr_batch batch, const lr_turbulence_table* table);
+
+/* Reads a batch's turbulence table: the one that was set, bit for bit, or the asset's, rounded to float.
+ * table: initialised, or with struct_size set; its own chi and epsilon receive null.
+ * chi, epsilon: receive `table->count` values each, up to `capacity`; either may be null, and capacity is then not read
+ * for it.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT (world, table), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_BUFFER_TOO_SMALL
+ * (table is set, chi and epsilon are not). */
+LR_API lr_status lr_batch_get_turbulence_table(const lr_world* world, lr_batch batch, lr_turbulence_table* table,
+                                               float* chi, float* epsilon, uint32_t capacity);
+
+/* Initial values, as in langevin_rigid.h. */
+/* clang-format off */
+#define LR_AERODYNAMICS_INIT {sizeof(lr_aerodynamics), 0, {1, 0, 0, 0, 1, 0, 0, 0, 1}, {0}, {0}, {0}, {0}, {0}, {0}, \
+    {0}, {0}, {0}, {0}, 0, 1, 0, {0}, 0, {0}, {0}, {0}}
+#define LR_RIGID_DESC_INIT {sizeof(lr_rigid_desc), 0, 0, 0, {0}, {0}, {0}, 1.2, 1.5e-5, {0}, 1, 0}
+#define LR_TURBULENCE_TABLE_INIT {sizeof(lr_turbulence_table), 0, 0, 0, 0, 0, 0, 6.5f, 0, 0}
+/* clang-format on */
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* LANGEVIN_RIGID_RESEARCH_H */
