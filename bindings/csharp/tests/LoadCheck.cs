@@ -18,7 +18,7 @@ static class LoadCheck
             {
                 string expected = kind == "newer" || kind == "older" ? kind + " than version" : kind == "other" ? "no lr_version" : "could not be loaded";
                 if (!e.Message.Contains(expected)) return Fail(kind + ": " + e.Message);
-                if (kind == "newer" && !Equals(e.Found, new Version(0, 2, 0))) return Fail("found " + e.Found);
+                if (kind == "newer" && !Equals(e.Found, new Version(0, 99, 0))) return Fail("found " + e.Found);
                 if (kind == "missing" && !(e.InnerException is DllNotFoundException)) return Fail("the cause is kept");
                 continue;
             }

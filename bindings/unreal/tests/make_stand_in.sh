@@ -4,6 +4,7 @@
 # SPDX-License-Identifier: MIT
 set -euo pipefail
 platform="$1" prefix="$2" out="$3"
+minor="$(sed -n 's/^#define LR_VERSION_MINOR //p' "$prefix/include/langevin_rigid.h")"
 mkdir -p "$out/bin" "$out/lib" "$out/include"
 cp "$prefix/include/langevin_rigid.h" "$out/include/"
 # The version is the header's; the tests never call the other functions.
@@ -12,7 +13,7 @@ exported="$(grep -A1 -oE 'LR_API [a-z0-9_* ]*\blr_[a-z0-9_]+\(' "$prefix/include
 {
     for name in $exported; do
         if [[ $platform == Win64 ]]; then export='__declspec(dllexport)'; else export=; fi
-        if [[ $name == lr_version ]]; then echo "$export unsigned $name(void) { return 2u << 12; }"; else echo "$export int $name(void) { return -18; }"; fi
+        if [[ $name == lr_version ]]; then echo "$export unsigned $name(void) { return ${minor}u << 12; }"; else echo "$export int $name(void) { return -18; }"; fi
     done
 } >"$out/stand_in.c"
 if [[ $platform == Win64 ]]; then

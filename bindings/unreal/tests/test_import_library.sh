@@ -10,7 +10,7 @@ lib="$third/lib/Win64/langevin_rigid.lib"
 dll="$(ls "$third/lib/Win64/"*langevin_rigid*.dll)"
 cat >"$build/main.c" <<'C'
 #include <langevin_rigid.h>
-int main(void) { return lr_version() >> 12 == 1 ? 0 : 3; }
+int main(void) { return lr_version() >> 12 == LR_VERSION_MINOR ? 0 : 3; }
 C
 x86_64-w64-mingw32-gcc -I"$third/include" "$build/main.c" "$lib" -o "$build/main.exe"
 x86_64-w64-mingw32-objdump -p "$build/main.exe" | grep "DLL Name: $(basename "$dll")" >/dev/null
