@@ -197,9 +197,12 @@ extern "C" {
 lr_status lr_body_create(lr_world* world, lr_batch batch, const lr_body_desc* descs, uint32_t count, lr_body* out_ids) {
     const auto create = [](lr_world& w, Batch& b, const Structs<lr_body_desc>& all, Out<lr_body> ids) -> Outcome {
         if (all.count > b.capacity() - b.count()) return LR_ERROR_CAPACITY;
-        if (const Outcome outcome = all.check(check<lr_body_desc>); outcome.refused()) return outcome;
         bool users = false;
-        all.visit([&](const lr_body_desc& d) { users = users || d.user != 0; });
+        const auto check_one = [&users](const lr_body_desc& d) {
+            users = users || d.user != 0;
+            return check(d);
+        };
+        if (const Outcome outcome = all.check(check_one); outcome.refused()) return outcome;
         if (!accepted(w) || (users && !b.reserve_users())) return LR_ERROR_OUT_OF_MEMORY;
         all.visit([&](const lr_body_desc& d) {
             BodyState state = to_storage(d);

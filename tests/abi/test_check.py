@@ -14,7 +14,7 @@ from surface import api_model
 
 HERE = pathlib.Path(__file__).resolve().parent
 VERSION = "0.0"
-# Whatever their comments say.
+# Without comments, which may change.
 HEADER, RESEARCH = (re.sub(r" */\*.*?\*/", "", file.read_text(), flags=re.S) for file in api_model.files_of(check.HEADER))
 SEAM = "/* research */"
 END = "#ifdef __cplusplus\n}\n#endif\n\n#endif"

@@ -81,7 +81,7 @@ std::vector<Row> goals(const std::vector<std::string>& targets, bool quick) {
         rows.ours("langevin-speed", "default", "full", best, 0, bodies, 4);
         rows.ours("aerodynamic", "default", "full", best, 0, bodies, 4);
     }
-    // What variation and user data cost, beside the row of the same bodies on the diagonal path.
+    // The cost of variation and user data, beside the row of the same bodies on the diagonal path.
     for (const char* const path : {"alike", "user"})
         for (const uint32_t substeps : {1u, 4u}) rows.ours("aerodynamic", "default", path, best, 0, 100000, substeps);
     const uint32_t middle = quick ? 1000 : 10000;
