@@ -2,46 +2,17 @@
 
 #include "asset/asset_data.h"
 #include "baker/printable_text.h"
+#include "tools/command_line.h"
 #include "tools/console.h"
 
 #include <CLI/CLI.hpp>
 
-#include <charconv>
 #include <cstdio>
 #include <filesystem>
-#include <string_view>
 #include <system_error>
 
 namespace lr::baker {
 namespace {
-
-constexpr int usage_error = 2;
-
-// The whole text must be a number, in any locale: accepts "1e3"; refuses "1e3x", " 1", "1,5". Accepts infinity and NaN;
-// the range checks refuse them with a numbered fault.
-template <class Number> Number parse_number(std::string_view text, const char* option) {
-    Number value{};
-    const std::from_chars_result end = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (end.ec == std::errc::result_out_of_range)
-        throw CLI::ValidationError(option, "'" + std::string(text) + "' is too large or too small");
-    if (end.ec != std::errc{} || end.ptr != text.data() + text.size())
-        throw CLI::ValidationError(option, "'" + std::string(text) + "' is not a number");
-    return value;
-}
-
-template <class Number, std::size_t N> std::array<Number, N> parse_list(std::string_view text, const char* option) {
-    std::array<Number, N> values{};
-    std::string_view rest = text;
-    for (std::size_t i = 0; i < N; ++i) {
-        const std::size_t comma = rest.find(',');
-        if ((comma == std::string_view::npos) != (i + 1 == N))
-            throw CLI::ValidationError(option, "'" + std::string(text) + "' is not " + std::to_string(N) +
-                                                   " numbers with commas between them");
-        values[i] = parse_number<Number>(rest.substr(0, comma), option);
-        if (i + 1 < N) rest.remove_prefix(comma + 1);
-    }
-    return values;
-}
 
 struct Texts {
     std::string unit, up = "z", mesh, density = "800", fluid = "air", grid = "32,32,16", intensity = "1";
@@ -252,17 +223,9 @@ void read_bake_options(const CLI::App& command, const Texts& texts, BakeOptions&
     else
         throw CLI::ValidationError("--unit", "'" + texts.unit + "' is not m, cm or mm");
     o.density = parse_number<double>(texts.density, "--density");
-    if (texts.fluid == "air") {
-        o.fluid_density = 1.2;
-        o.fluid_viscosity = 1.5e-5;
-    } else if (texts.fluid == "water") {
-        o.fluid_density = 998.0;
-        o.fluid_viscosity = 1.0e-6;
-    } else {
-        const auto [density, viscosity] = parse_list<double, 2>(texts.fluid, "--fluid");
-        o.fluid_density = density;
-        o.fluid_viscosity = viscosity;
-    }
+    const auto [density, viscosity] = parse_fluid(texts.fluid);
+    o.fluid_density = density;
+    o.fluid_viscosity = viscosity;
     o.cells = parse_list<uint32_t, 3>(texts.grid, "--grid");
     o.intensity = parse_number<double>(texts.intensity, "--intensity");
     if (command.count("--center-of-mass") > 0)

@@ -1,9 +1,9 @@
-#include "tools/lr_scorecard/statistics.h"
+#include "tools/falls/statistics.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace lr::scorecard {
+namespace lr::falls {
 
 double quantile(std::span<const double> sorted, double part) {
     const double at = part * static_cast<double>(sorted.size() - 1);
@@ -50,4 +50,4 @@ std::vector<size_t> peaks(std::span<const double> signal, double hysteresis) {
         }
     return found;
 }
-} // namespace lr::scorecard
+} // namespace lr::falls

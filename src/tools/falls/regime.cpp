@@ -1,6 +1,6 @@
-#include "tools/lr_scorecard/regime.h"
+#include "tools/falls/regime.h"
 
-#include "tools/lr_scorecard/statistics.h"
+#include "tools/falls/statistics.h"
 
 #include <Eigen/Geometry>
 
@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-namespace lr::scorecard {
+namespace lr::falls {
 namespace {
 
 // Hysteresis of an overturn: the normal's cosine with the vertical must go from beyond one sign of this to beyond the other.
@@ -138,4 +138,4 @@ Regime classify(const RegimeMeasures& m, size_t samples, const RegimeLimits& lim
 Regime classify(std::span<const Eigen::Vector3d> normals, const Eigen::Vector3d& up, const RegimeLimits& limits) {
     return classify(measure_regime(normals, up, limits), normals.size(), limits);
 }
-} // namespace lr::scorecard
+} // namespace lr::falls

@@ -1,0 +1,73 @@
+#include "tools/falls/how_it_falls.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace lr::falls {
+namespace {
+
+constexpr uint32_t at_once = 128; // bodies in a world: bounds the memory of their tracks
+
+// "tumbles", or "flutters or tumbles" if no motion has half of the bodies.
+std::string manner(const Falls& falls) {
+    static constexpr std::array<const char*, motion_names.size()> words{
+        "keeps its attitude", "flutters", "tumbles", "spins", "glides", "moves chaotically"};
+    std::array<size_t, motion_names.size()> order{0, 1, 2, 3, 4, 5};
+    std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return falls.shares[a] > falls.shares[b]; });
+    const std::string first = words[order[0]];
+    return falls.shares[order[0]] < 0.5 ? first + " or " + words[order[1]] : first;
+}
+
+// Two digits without an exponent, rounded by the function.
+std::string two_digits(double speed, double (*rounded)(double)) {
+    const double power = std::pow(10.0, std::floor(std::log10(speed)) - 1.0);
+    char text[32];
+    std::snprintf(text, sizeof text, "%.*f m/s, ", std::max(0, static_cast<int>(std::lround(-std::log10(power)))),
+                  rounded(speed / power) * power);
+    return text;
+}
+} // namespace
+
+Falls drop_and_measure(const lr_asset* asset, const Drop& options, std::vector<Fall>& falls, uint32_t keep,
+                       std::vector<Track>* kept) {
+    const Shape shape = shape_of(asset, options);
+    falls.clear();
+    for (uint32_t first = 0; first < options.count; first += at_once) {
+        std::vector<Track> tracks = drop(asset, options, first, std::min(at_once, options.count - first));
+        for (Track& t : tracks) {
+            falls.push_back(measure(t, shape, options.wind));
+            if (kept && kept->size() < keep) kept->push_back(std::move(t));
+        }
+    }
+    return summarise(falls);
+}
+
+std::string sentence(const Falls& falls, const Shape& shape) {
+    const double speed = std::abs(falls.descent.mean);
+    if (speed < 0.02 * shape.length) return "floats";
+    const bool liquid = shape.fluid_density > 100.0;
+    const std::string verb = falls.descent.mean < 0.0 ? "rises" : liquid ? "sinks" : "falls";
+    const double last = std::abs(falls.last_quarter);
+    const bool faster = !falls.settled && last > std::abs(falls.third_quarter);
+    return verb +
+           (faster ? " faster than " + two_digits(last, std::floor) : " at about " + two_digits(speed, std::round)) +
+           manner(falls);
+}
+
+std::string how_it_falls(const lr_asset* asset) {
+    Drop options;
+    options.count = 64;
+    const Shape shape = shape_of(asset, options);
+    options.step = default_step(shape);
+    options.longest = 3000.0 * options.step;
+    Falls falls;
+    std::vector<Fall> each;
+    for (const double lengths : {30.0, 120.0, 480.0, 1920.0}) {
+        options.height = lengths * shape.length;
+        falls = drop_and_measure(asset, options, each);
+        if (falls.settled || falls.arrived < falls.count) break;
+    }
+    return sentence(falls, shape);
+}
+} // namespace lr::falls
