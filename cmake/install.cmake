@@ -1,10 +1,10 @@
-# Installs the library, a CMake package, a pkg-config file and the tools. Components: runtime, bake (lr_bake), development (the rest).
+# Installs the library, a CMake package, a pkg-config file and the tools. Components: runtime, bake (lr_bake, lr_drop, lr_replay), development (the rest).
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 install(TARGETS langevin_rigid EXPORT langevin_rigid_targets COMPONENT runtime
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime)
 if(TARGET lr_bake)
-    install(TARGETS lr_bake lr_replay RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT bake)
+    install(TARGETS lr_bake lr_drop lr_replay RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT bake)
 endif()
 if(TARGET langevin_rigid_baker)
     # Separate from the runtime's targets, whose users must not need assimp.

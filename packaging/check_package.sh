@@ -46,7 +46,7 @@ prefix=$PWD
 check "checksums" sha256sum --quiet --strict -c SHA256SUMS
 all_summed() { diff <(find . -type f ! -name SHA256SUMS -printf '%P\n' | sort) <(sed 's/^[0-9a-f]*  //' SHA256SUMS | sort); }
 check "every file has a checksum" all_summed
-expected=(README.md LICENSE THIRD_PARTY.md include/langevin_rigid.h include/langevin_rigid.hpp include/langevin_rigid_research.h "$library" "bin/lr_bake$exe" "bin/lr_replay$exe" samples/hello.c
+expected=(README.md LICENSE THIRD_PARTY.md include/langevin_rigid.h include/langevin_rigid.hpp include/langevin_rigid_research.h "$library" "bin/lr_bake$exe" "bin/lr_drop$exe" "bin/lr_replay$exe" samples/hello.c
     lib/cmake/langevin_rigid/langevin_rigid-config.cmake lib/pkgconfig/langevin_rigid.pc assets/leaf.lrb assets/leaf.obj)
 [ "$platform" != windows-x64 ] || expected+=(lib/langevin_rigid.lib lib/langevin_rigid.def lib/liblangevin_rigid.dll.a)
 for file in "${expected[@]}"; do check "has $file" test -s "$file"; done
@@ -89,9 +89,10 @@ check "exports the header's functions and nothing else" same_exports
 only_system() { local others; others=$(needs "$1" | grep -vE "$system" || true); [ -z "$others" ] || { echo "$others"; return 1; }; }
 check "the library needs only the system's C library" only_system "$library"
 check "lr_bake needs only the system's C library" only_system "bin/lr_bake$exe"
+check "lr_drop needs only the system's C library" only_system "bin/lr_drop$exe"
 security=$root/tests/security
 check "imports are those in its list" "$security/check_imports.sh" "$library" "$security/imports-package-${platform/linux-*/linux}.txt"
-check "hardened" "$security/check_hardening.sh" "$library" "bin/lr_bake$exe"
+check "hardened" "$security/check_hardening.sh" "$library" "bin/lr_bake$exe" "bin/lr_drop$exe"
 if [ "$platform" != windows-x64 ]; then
     stated() { grep -q "needs glibc $("$root/packaging/glibc_floor.sh" "$library") or later and nothing else; lr_bake needs glibc $(
         "$root/packaging/glibc_floor.sh" bin/lr_bake) or later" README.md; }
@@ -99,7 +100,8 @@ if [ "$platform" != windows-x64 ]; then
     at_most() { [ "$(printf '%s\n' "$2" "$("$root/packaging/glibc_floor.sh" "$1")" | sort -V | tail -n 1)" = "$2" ]; }
     check "the library runs on glibc 2.17" at_most "$library" 2.17
     check "lr_bake runs on glibc 2.31" at_most bin/lr_bake 2.31
-    no_rpath() { ! readelf -d "$library" "bin/lr_bake" | grep -E 'RPATH|RUNPATH|TEXTREL'; }
+    check "lr_drop runs on glibc 2.31" at_most bin/lr_drop 2.31
+    no_rpath() { ! readelf -d "$library" "bin/lr_bake" "bin/lr_drop" | grep -E 'RPATH|RUNPATH|TEXTREL'; }
     check "no run path and no text relocations" no_rpath
 fi
 
@@ -170,6 +172,9 @@ weighs() { # mesh of 1 m^3: 500 kg at 500 kg/m^3
         python3 -c 'import json, sys; m = json.load(sys.stdin)["mass"]; sys.exit(not abs(m - 500) < 1e-3)'
 }
 for mesh in meshes/*; do check "lr_bake reads $(basename "$mesh")" weighs "$(basename "$mesh")"; done
+drops() { (cd "$work" && env -i HOME="$HOME" PATH=/usr/bin:/bin WINEDEBUG="$WINEDEBUG" WINEPREFIX="${WINEPREFIX:-$HOME/.wine}" LC_ALL=C.UTF-8 "${runner[@]}" "$prefix/bin/lr_drop$exe" "bäked 葉/葉.lrb" --count 50 --png "bäked 葉/葉.png" &&
+    [ -s "bäked 葉/葉.png" ]); }
+check "lr_drop drops it and draws a picture" drops
 wrong_usage() { local status=0; bake mesh || status=$?; [ "$status" -eq 2 ]; } # throws through the bundled unwinder
 check "lr_bake ends wrong usage with 2" wrong_usage
 refuses() { ! bake mesh no_such.obj -o x.lrb --density 350 2>refused.txt && grep -q 101 refused.txt && [ ! -e x.lrb ]; }

@@ -44,6 +44,7 @@ def read_me(options) -> str:
                  ("lib/langevin_rigid.def", "its exports, for other linkers")]
     rows += [("lib/cmake, lib/pkgconfig", "for CMake and pkg-config; the folder may be moved anywhere"),
              (f"bin/lr_bake{exe}", "makes assets from meshes and leaf textures"),
+             (f"bin/lr_drop{exe}", "drops an asset: how fast and in which manner it falls, with a picture"),
              ("assets", "baked meshes (.lrb) and their sources (.obj)"),
              ("samples/hello.c", "the first falling bodies")]
     if bindings:

@@ -58,7 +58,7 @@ step_abi() {
 step_security() {
     release
     build/release/src/tools/lr_bake/lr_bake mesh assets/leaf.obj -o "$results/leaf.lrb" --density 350 --quiet
-    tests/security/check_hardening.sh $library build/release/src/tools/lr_bake/lr_bake
+    tests/security/check_hardening.sh $library build/release/src/tools/lr_bake/lr_bake build/release/src/tools/lr_drop/lr_drop
     tests/security/check_imports.sh $library tests/security/imports-linux.txt
     tests/security/test_hardening.sh
     tests/security/check_syscalls.sh build/release/src "$results/leaf.lrb"
@@ -77,7 +77,7 @@ step_asan() { # the part that ./test.sh omits
     configure build/asan --preset asan -DLR_BUILD_BAKER=ON -DLR_DISABLED_TARGETS=HWY_AVX3
     cmake --build build/asan
     run_ctest build/asan -L 'long|corpus' -LE exact
-    run_ctest build/asan -R '^tests_(baker|core|contact|determinism)|lr_replay' -LE 'long|exact'
+    run_ctest build/asan -R '^tests_(baker|core|contact|determinism|drop)|lr_replay' -LE 'long|exact'
 }
 step_fuzz() {
     need clang++-14 test

@@ -140,7 +140,7 @@ double default_step(const Shape& shape) {
 std::vector<Track> drop(const lr_asset* asset, const Drop& options, uint32_t first, uint32_t count) {
     const Shape shape = shape_of(asset, options);
     const auto dt = static_cast<float>(options.step > 0.0 ? options.step : default_step(shape));
-    const double longest = options.longest > 0.0 ? options.longest : 30.0 * std::max(1.0, options.height);
+    const double longest = options.longest > 0.0 ? options.longest : 120.0 * std::max(1.0, options.height);
     const World world = make_world(options);
     lr_turbulence_desc eddies = LR_TURBULENCE_DESC_INIT;
     eddies.rms = static_cast<float>(options.turbulence);

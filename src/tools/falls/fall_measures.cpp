@@ -81,15 +81,16 @@ void judge(Fall& fall, std::span<const Sample> samples, double interval, const S
     const double turns = std::abs(spin) * way.time / turn, lengths = std::abs(way.fallen) / shape.length;
     const bool spins = turns >= limits.spin_turns && turns >= limits.spin_per_length * lengths &&
                        std::abs(spin) >= limits.spin_constancy * std::sqrt(squares) && turns > 0.5 * m.half_turns;
-    const bool glides =
-        m.half_turns == 0.0 && way.net >= std::abs(way.fallen) && way.net >= limits.glide_straightness * way.path;
+    const bool turns_over = m.half_turns > 0.0 || m.net_half_turns >= 2.0; // flutter past the vertical swings back
+    const bool glides = !turns_over && way.net >= std::max(std::abs(way.fallen), shape.length) &&
+                        way.net >= limits.glide_straightness * way.path;
     const bool keeps_attitude = attitude_change(normals) < limits.steady_angle;
     const bool irregular = swings >= limits.judged_swings && m.regularity < limits.regularity;
     fall.motion = spins                                       ? Motion::spinning
                   : m.tumbling_share >= limits.tumbling_share ? Motion::tumbling
                   : glides                                    ? Motion::gliding
                   : keeps_attitude                            ? Motion::steady
-                  : m.half_turns > 0.0                        ? Motion::chaotic
+                  : turns_over                                ? Motion::chaotic
                   : swings == 0.0                             ? Motion::steady // turns too slowly to swing
                   : irregular                                 ? Motion::chaotic
                                                               : Motion::fluttering;
@@ -110,8 +111,8 @@ Fall measure(const Track& track, const Shape& shape, const Eigen::Vector3d& wind
     fall.end = track.end;
     const std::span<const Sample> all(track.samples);
     const size_t n = all.size();
-    if (n < 8) { // no parts to speak of: the means are those of the whole fall
-        if (track.time > 0.0) fall.descent = fall.third_quarter = fall.last_quarter = -track.end.y() / track.time;
+    if (n < 8) { // no parts to speak of: the mean is that of the whole fall, which is not settled
+        if (track.time > 0.0) fall.descent = fall.last_quarter = -track.end.y() / track.time;
         return fall;
     }
     const auto descent = [&](size_t from, size_t to) {
@@ -160,9 +161,10 @@ Falls summarise(const std::vector<Fall>& falls) {
 
     const auto count = static_cast<double>(falls.size());
     for (const Fall& f : falls) {
-        out.shares[static_cast<size_t>(f.motion)] += 1.0 / count;
+        out.shares[static_cast<size_t>(f.motion)] += 1.0;
         out.drift += horizontal(f.end) / count;
     }
+    for (double& share : out.shares) share /= count;
     std::vector<double> distances;
     for (const Fall& f : falls) distances.push_back((horizontal(f.end) - out.drift).norm());
     std::sort(distances.begin(), distances.end());

@@ -21,10 +21,10 @@ std::string manner(const Falls& falls) {
 
 // Two digits without an exponent, rounded by the function.
 std::string two_digits(double speed, double (*rounded)(double)) {
-    const double power = std::pow(10.0, std::floor(std::log10(speed)) - 1.0);
+    const auto last_digit = [](double x) { return std::floor(std::log10(x) + 1e-9) - 1.0; };
+    const double power = std::pow(10.0, last_digit(speed)), value = rounded(speed / power) * power;
     char text[32];
-    std::snprintf(text, sizeof text, "%.*f m/s, ", std::max(0, static_cast<int>(std::lround(-std::log10(power)))),
-                  rounded(speed / power) * power);
+    std::snprintf(text, sizeof text, "%.*f m/s, ", std::max(0, static_cast<int>(-last_digit(value))), value);
     return text;
 }
 } // namespace

@@ -87,11 +87,15 @@ RegimeMeasures measure_regime(std::span<const Eigen::Vector3d> normals, const Ei
     m.overturns = static_cast<double>(motion.crossings.size());
     // Flutter beyond the horizontal also makes straight half turns, but returns: only two in a row, a whole turn, count.
     std::vector<bool> straight;
+    double net = motion.crossings.empty() ? 0.0 : 1.0, way_round = 1.0;
     for (size_t i = 1; i < motion.crossings.size(); ++i) {
         const Crossing &a = motion.crossings[i - 1], &b = motion.crossings[i];
         const double way = motion.way[b.at] - motion.way[a.at];
+        if (a.axis.dot(b.axis) < 0.0) way_round = -way_round;
+        net += way_round;
         straight.push_back(a.axis.dot(b.axis) > 0.0 && way < limits.longest_half_turn * std::numbers::pi);
     }
+    m.net_half_turns = std::abs(net);
     size_t time = 0;
     for (size_t begin = 0; begin < straight.size();) {
         size_t end = begin;

@@ -27,6 +27,7 @@ struct RegimeMeasures {
     double tilt95 = 0.0;     // degrees, 95th percentile of the angle between the normal and the vertical, either side
     double overturns = 0.0;  // number of times the normal crossed the horizontal
     double half_turns = 0.0; // straight half turns, two or more in a row
+    double net_half_turns = 0.0;   // from first to last crossing; to and fro cancel
     double tumbling_share = 0.0;   // fraction of the time in runs of at least tumbling_run
     double regularity = 0.0;       // see RegimeLimits
     double period = 0.0;           // samples; 0: none found

@@ -130,6 +130,22 @@ TEST_CASE("lr_bake: the options of the command line arrive") {
     CHECK(bytes({"--fluid", "1.3,1.5e-5"}) != air);
 }
 
+TEST_CASE("lr_bake: the last line says how the body falls, in the fluid of the bake") {
+    const Scratch scratch;
+    const auto last_line = [&](std::vector<std::string> more) {
+        std::vector<std::string> arguments{"ellipsoid", "4", "2", "0.02", "--unit", "cm", "-o", scratch.path("e.lrb")};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const std::string out = lr_bake(arguments).out;
+        REQUIRE(out.ends_with("\n"));
+        return out.substr(out.rfind('\n', out.size() - 2) + 1);
+    };
+    CHECK(last_line({"--density", "400"}).starts_with("  in air          falls at about "));
+    CHECK(last_line({"--density", "1500", "--fluid", "water"}).starts_with("  in water        sinks at about "));
+    CHECK(last_line({"--density", "400", "--fluid", "water"}).starts_with("  in water        rises at about "));
+    CHECK(last_line({"--density", "998", "--fluid", "water"}) == "  in water        floats\n");
+    CHECK(last_line({"--density", "300", "--fluid", "60,1e-5"}).starts_with("  in its fluid    falls at "));
+}
+
 TEST_CASE("lr_bake: an open mesh is refused as a solid and baked as a sheet") {
     const Scratch scratch;
     const std::string mesh = scratch.write("card.obj", "v 0 0 0\nv 8 0 0\nv 8 4 0\nv 0 4 0\nf 1 2 3 4\n");
