@@ -19,12 +19,13 @@ std::string manner(const Falls& falls) {
     return falls.shares[order[0]] < 0.5 ? first + " or " + words[order[1]] : first;
 }
 
-// Two digits without an exponent, rounded by the function.
-std::string two_digits(double speed, double (*rounded)(double)) {
+// In m/s with two digits, without an exponent.
+std::string two_digits(double speed) {
+    if (speed < 1e-9) return "0 m/s";
     const auto last_digit = [](double x) { return std::floor(std::log10(x) + 1e-9) - 1.0; };
-    const double power = std::pow(10.0, last_digit(speed)), value = rounded(speed / power) * power;
+    const double power = std::pow(10.0, last_digit(speed)), value = std::round(speed / power) * power;
     char text[32];
-    std::snprintf(text, sizeof text, "%.*f m/s, ", std::max(0, static_cast<int>(-last_digit(value))), value);
+    std::snprintf(text, sizeof text, "%.*f m/s", std::max(0, static_cast<int>(-last_digit(value))), value);
     return text;
 }
 } // namespace
@@ -40,7 +41,10 @@ Falls drop_and_measure(const lr_asset* asset, const Drop& options, std::vector<F
             if (kept && kept->size() < keep) kept->push_back(std::move(t));
         }
     }
-    return summarise(falls);
+    Falls all = summarise(falls);
+    // A fall in turbulence ends in a downdraught more often than not, so its last quarter is faster for ever.
+    all.settled = all.settled || options.turbulence > 0.0;
+    return all;
 }
 
 std::string sentence(const Falls& falls, const Shape& shape) {
@@ -48,11 +52,9 @@ std::string sentence(const Falls& falls, const Shape& shape) {
     if (speed < 0.02 * shape.length) return "floats";
     const bool liquid = shape.fluid_density > 100.0;
     const std::string verb = falls.descent.mean < 0.0 ? "rises" : liquid ? "sinks" : "falls";
-    const double last = std::abs(falls.last_quarter);
-    const bool faster = !falls.settled && last > std::abs(falls.third_quarter);
-    return verb +
-           (faster ? " faster than " + two_digits(last, std::floor) : " at about " + two_digits(speed, std::round)) +
-           manner(falls);
+    if (!falls.settled)
+        return verb + " at " + two_digits(std::abs(falls.last_quarter)) + " (not settled yet), " + manner(falls);
+    return verb + " at about " + two_digits(speed) + ", " + manner(falls);
 }
 
 std::string how_it_falls(const lr_asset* asset) {

@@ -259,7 +259,9 @@ void draw_shares(Picture& picture, const Results& results) {
         write_text(picture, {bars + most + 12.0, y}, 14.0, words, text);
     }
     const falls::Falls& f = results.falls;
-    const auto line = [&](const std::string& text) { write_text(picture, {left, y += 30.0}, 14.0, black, text); };
+    const auto line = [&](const std::string& text) {
+        write_text(picture, {left, y += 30.0}, std::min(14.0, 14.0 * side / text_width(14.0, text)), black, text);
+    };
     line(falls::sentence(f, results.shape));
     if (f.arrived > 0)
         line("time of fall " + number(f.time.mean) + " s, " + number(f.time.p5) + " to " + number(f.time.p95));

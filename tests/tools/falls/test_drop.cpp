@@ -115,7 +115,7 @@ TEST_CASE("drop: sentences are true in water too") {
     CHECK(how_it_falls(ellipsoid(0.03, 0.03, 0.004, 1100.0, 998.0).get()).starts_with("sinks "));
     CHECK(how_it_falls(ellipsoid(0.03, 0.03, 0.004, 800.0, 998.0).get()).starts_with("rises "));
     CHECK(how_it_falls(ellipsoid(0.03, 0.03, 0.004, 998.0, 998.0).get()) == "floats");
-    CHECK(how_it_falls(ellipsoid(0.1, 0.1, 0.1, 8000.0).get()).starts_with("falls faster than "));
+    CHECK(how_it_falls(ellipsoid(0.1, 0.1, 0.1, 8000.0).get()).find("(not settled yet)") != std::string::npos);
     Drop options;
     options.count = 10;
     options.fluid_density = 998.0, options.fluid_viscosity = 1e-6; // instead of the air of the bake

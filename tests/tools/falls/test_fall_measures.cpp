@@ -180,7 +180,7 @@ TEST_CASE("fall measures: landings, shares and words") {
     for (Fall& f : falls) f.descent = 12.3;
     CHECK(sentence(summarise(falls), wet) == "sinks at about 12 m/s, tumbles");
     for (Fall& f : falls) f.last_quarter = 1.39;
-    CHECK(sentence(summarise(falls), sheet()) == "falls faster than 1.3 m/s, tumbles");
+    CHECK(sentence(summarise(falls), sheet()) == "falls at 1.4 m/s (not settled yet), tumbles");
     for (Fall& f : falls) f.descent = 1e-4;
     CHECK(sentence(summarise(falls), sheet()) == "floats");
 

@@ -110,7 +110,7 @@ TEST_CASE("lr_drop: pictures of one body, of one that floats, and of one that ri
     }
     CHECK(contains(lr_drop({asset, "--fluid", "water", "--count", "8"}).out, "m/s upward"));
     CHECK(contains(lr_drop({asset, "--fluid", "400,1e-6", "--count", "2"}).out, "2 did not arrive"));
-    CHECK(contains(lr_drop({asset, "--height", "0.05", "--count", "20"}).out, "not settled"));
+    CHECK(contains(lr_drop({asset, "--height", "0.01", "--count", "20"}).out, "not settled"));
 }
 
 TEST_CASE("lr_drop: help and version are no errors, wrong usage is 2") {
