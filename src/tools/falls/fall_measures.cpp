@@ -148,7 +148,8 @@ Falls summarise(const std::vector<Fall>& falls) {
     out.arrived = static_cast<uint32_t>(out.time.count);
     if (falls.empty()) return out;
 
-    // Settled: the last quarter is as fast as the third to 5 %, or to what scatter explains.
+    // Settled: the last quarter is as fast as the third, to 5 % or to what scatter explains. Bodies whose speed varies reach the
+    // floor when they are fast, by some part of that variation.
     const Statistic gain = over(
         falls, [](const Fall& f) { return f.last_quarter - f.third_quarter; }, any);
     out.third_quarter = over(
@@ -157,7 +158,8 @@ Falls summarise(const std::vector<Fall>& falls) {
     out.last_quarter = over(
                            falls, [](const Fall& f) { return f.last_quarter; }, any)
                            .mean;
-    out.settled = std::abs(gain.mean) <= std::max(0.05 * std::abs(out.last_quarter), 3.0 * gain.standard_error);
+    out.settled = std::abs(gain.mean) <=
+                  std::max({0.05 * std::abs(out.last_quarter), 3.0 * gain.standard_error, 0.2 * gain.deviation});
 
     const auto count = static_cast<double>(falls.size());
     for (const Fall& f : falls) {

@@ -65,10 +65,13 @@ std::string how_it_falls(const lr_asset* asset) {
     options.longest = 3000.0 * options.step;
     Falls falls;
     std::vector<Fall> each;
-    for (const double lengths : {30.0, 120.0, 480.0, 1920.0}) {
-        options.height = lengths * shape.length;
+    // Manners take lengths to develop; speed takes heights of (terminal speed)^2 / g, about thickness times excess of density.
+    const double excess = std::abs(shape.density / shape.fluid_density - 1.0);
+    options.height = std::max(100.0 * shape.length, 5.0 * excess * shape.thickness);
+    falls = drop_and_measure(asset, options, each);
+    if (!falls.settled && falls.arrived == falls.count) {
+        options.height *= 4.0;
         falls = drop_and_measure(asset, options, each);
-        if (falls.settled || falls.arrived < falls.count) break;
     }
     return sentence(falls, shape);
 }

@@ -12,6 +12,6 @@ Falls drop_and_measure(const lr_asset* asset, const Drop& options, std::vector<F
 // For falls with these options. A body that moves less than a fiftieth of its length in a second floats.
 std::string sentence(const Falls& falls, const Shape& shape);
 
-// For a random release of 64 bodies in the fluid of the asset, from heights that grow until the speed has settled.
+// For a random release of 64 bodies in the fluid of the asset, from a height at which the speed settles, if 3000 steps suffice.
 std::string how_it_falls(const lr_asset* asset);
 } // namespace lr::falls
