@@ -1,5 +1,6 @@
 #include "tools/lr_scorecard/fall_recording.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lr::scorecard {
@@ -64,10 +65,12 @@ std::vector<Track> record(const Asset& asset, const Run& run, const std::vector<
     wd.seed = run.seed;
     wd.simd_target = run.simd_target;
     wd.gravity[1] = static_cast<float>(-run.gravity);
+    wd.fluid_viscosity = static_cast<float>(run.viscosity);
     const World world = make_world(wd);
     float wind[3];
     store(run.wind, wind);
     require(lr_world_set_uniform_wind(world.get(), wind[0], wind[1], wind[2]), "lr_world_set_uniform_wind");
+    if (run.prepare) run.prepare(world.get());
     const lr_batch batch = add_bodies(world, asset, run.loads, starts);
 
     const auto frames = static_cast<size_t>(std::floor(run.duration / run.interval + 1e-9)) + 1;
@@ -92,6 +95,7 @@ std::vector<Track> record(const Asset& asset, const Run& run, const std::vector<
             const double part = (static_cast<double>(frame) * run.interval - begin) / dt;
             for (size_t i = 0; i < tracks.size(); ++i) tracks[i].samples.push_back(between(before[i], after[i], part));
         }
+        if (std::all_of(after.begin(), after.end(), [&](const Sample& s) { return s.position.y() < run.floor; })) break;
     }
     return tracks;
 }

@@ -16,6 +16,7 @@ enum class Rule : uint8_t {
     absolute, // |value - reference| <= tolerance
     at_most,  // value <= reference
     at_least, // value >= reference
+    counted,  // as relative, but without a verdict of its own: another check counts those within the tolerance
     shown     // no verdict
 };
 
@@ -25,7 +26,8 @@ struct Check {
     double value = 0.0, reference = 0.0, tolerance = 0.0;
     std::string unit;
 
-    bool holds() const; // false for a value that is not finite; true for Rule::shown
+    bool within() const; // false for a value that is not finite, except with Rule::shown
+    bool holds() const { return rule == Rule::counted || within(); }
 };
 
 struct Picture {
@@ -51,7 +53,7 @@ struct LoadChoice {
 class Context {
 public:
     bool quick = false;
-    uint32_t seeds = 2000; // falls per disc; other rows derive their numbers from it
+    uint32_t seeds = 600; // falls per cell of discs and set of seeds
     uint32_t phase_seeds = 48;
     uint32_t threads = 1;
     LoadChoice loads{"default", LR_LOADS_DEFAULT}; // for rows without loads of their own
