@@ -92,7 +92,8 @@ std::string to_markdown(const std::vector<Finished>& rows, const Context& contex
         "# Scorecard\n\nThis page compares the library with all known references for falling bodies, with "
         "verdicts. "
         "`lr_scorecard` writes it; how it measures: [measurements.md](measurements.md).\n\n";
-    out += "Loads: " + context.loads.name + ". Falls per cell of discs and set of seeds: " + std::to_string(context.seeds) +
+    out += "Loads: " + context.loads.name +
+           ". Falls per cell of discs and set of seeds: " + std::to_string(context.seeds) +
            ". Releases per point of the phase map: " + std::to_string(context.quick ? 8 : context.phase_seeds) +
            (context.quick ? ". Quick: fewer and shorter runs than the full one" : "") + ".\n\n";
     out += "| row | | reference | checks that hold | verdict |\n|---|---|---|---|---|\n";
