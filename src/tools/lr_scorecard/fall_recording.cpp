@@ -36,11 +36,15 @@ std::vector<Sample> read(const World& world, lr_batch batch) {
     return samples;
 }
 
-Sample between(const Sample& a, const Sample& b, double part) {
+// Cubic in the position, by the velocities at both ends: chords would shorten the way of long steps by up to 5 %.
+Sample between(const Sample& a, const Sample& b, double part, double dt) {
     const auto mix = [part](const Eigen::Vector3d& x, const Eigen::Vector3d& y) -> Eigen::Vector3d {
         return x + part * (y - x);
     };
-    return {mix(a.position, b.position), mix(a.velocity, b.velocity), mix(a.spin, b.spin),
+    const double rest = 1.0 - part;
+    const Eigen::Vector3d step = b.position - a.position,
+                          bend = rest * (dt * a.velocity - step) - part * (dt * b.velocity - step);
+    return {mix(a.position, b.position) + part * rest * bend, mix(a.velocity, b.velocity), mix(a.spin, b.spin),
             a.orientation.slerp(part, b.orientation)};
 }
 
@@ -93,7 +97,8 @@ std::vector<Track> record(const Asset& asset, const Run& run, const std::vector<
         after = read(world, batch);
         for (; due(); ++frame) {
             const double part = (static_cast<double>(frame) * run.interval - begin) / dt;
-            for (size_t i = 0; i < tracks.size(); ++i) tracks[i].samples.push_back(between(before[i], after[i], part));
+            for (size_t i = 0; i < tracks.size(); ++i)
+                tracks[i].samples.push_back(between(before[i], after[i], part, dt));
         }
         if (std::all_of(after.begin(), after.end(), [&](const Sample& s) { return s.position.y() < run.floor; })) break;
     }

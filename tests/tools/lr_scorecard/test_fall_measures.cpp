@@ -267,6 +267,20 @@ TEST_CASE("a recording of a body in vacuum's stead falls as Galileo says, at tim
     }
 }
 
+TEST_CASE("a recording with long steps keeps to the curve between them") {
+    const Asset ball = make_ellipsoid({0.05, 0.05, 0.05}, 1e4, {1e-3, 1.5e-5});
+    Run run;
+    run.loads.load_model = LR_LOADS_NONE;
+    run.dt = 0.05f;
+    run.duration = 0.5;
+    run.interval = 0.0125;
+    const std::vector<Track> tracks = record(ball, run, {Start{}});
+    for (size_t i = 0; i < tracks[0].samples.size(); ++i) {
+        const double t = run.interval * static_cast<double>(i);
+        CHECK(std::abs(tracks[0].samples[i].position.y() + 0.5 * 9.81 * t * t) < 1e-5); // a chord is off by 3 mm
+    }
+}
+
 TEST_CASE("a recording ends when all bodies are below its floor") {
     const Asset ball = make_ellipsoid({0.05, 0.05, 0.05}, 1e4, {1e-3, 1.5e-5});
     Run run;
