@@ -37,7 +37,7 @@ std::string reference(const Check& c) {
 std::string tolerance(const Check& c) {
     switch (c.rule) {
     case Rule::relative:
-    case Rule::counted:
+    case Rule::compared:
         return number(100.0 * c.tolerance) + " %";
     case Rule::absolute:
         return number(c.tolerance);
@@ -57,12 +57,12 @@ std::string in_table(const std::string& text) {
 }
 
 const char* verdict(const Check& c) {
-    if (c.rule == Rule::counted) return c.within() ? "within" : "outside";
+    if (c.rule == Rule::compared) return c.within() ? "within" : "outside";
     return c.rule == Rule::shown ? "" : c.holds() ? "pass" : "FAIL";
 }
 
 const char* rule_name(Rule rule) {
-    static constexpr const char* names[] = {"relative", "absolute", "at most", "at least", "counted", "shown"};
+    static constexpr const char* names[] = {"relative", "absolute", "at most", "at least", "compared", "shown"};
     return names[static_cast<size_t>(rule)];
 }
 } // namespace
@@ -100,7 +100,7 @@ std::string to_markdown(const std::vector<Finished>& rows, const Context& contex
     for (const Finished& f : rows) {
         size_t held = 0, all = 0;
         for (const Check& c : f.result.checks) {
-            if (c.rule == Rule::shown || c.rule == Rule::counted) continue;
+            if (c.rule == Rule::shown || c.rule == Rule::compared) continue;
             ++all;
             held += c.holds();
         }

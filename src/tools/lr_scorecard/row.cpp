@@ -13,7 +13,7 @@ bool Check::within() const {
     if (!std::isfinite(value)) return rule == Rule::shown;
     switch (rule) {
     case Rule::relative:
-    case Rule::counted:
+    case Rule::compared:
         return std::abs(value / reference - 1.0) <= tolerance;
     case Rule::absolute:
         return std::abs(value - reference) <= tolerance;

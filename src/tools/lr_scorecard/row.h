@@ -16,7 +16,7 @@ enum class Rule : uint8_t {
     absolute, // |value - reference| <= tolerance
     at_most,  // value <= reference
     at_least, // value >= reference
-    counted,  // as relative, but without a verdict of its own: another check counts those within the tolerance
+    compared, // as relative, but without a verdict of its own: another check may count such values
     shown     // no verdict
 };
 
@@ -27,7 +27,7 @@ struct Check {
     std::string unit;
 
     bool within() const; // false for a value that is not finite, except with Rule::shown
-    bool holds() const { return rule == Rule::counted || within(); }
+    bool holds() const { return rule == Rule::compared || within(); }
 };
 
 struct Picture {

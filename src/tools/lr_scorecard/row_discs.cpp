@@ -199,7 +199,7 @@ void add_cell(RowResult& result, const MeasuredCell& cell, const CellStatistics&
     for (size_t k = 0; k < vh.size(); ++k) {
         const double part = vz_parts[2 * k];
         result.add("instantaneous horizontal speed, " + std::to_string(std::lround(100.0 * part)) + " % quantile" + of,
-                   Rule::counted, vh[k], cell.vh[k], 0.2, "m/s");
+                   Rule::compared, vh[k], cell.vh[k], 0.2, "m/s");
     }
     if (cell.release == Release::flat) {
         result.add("median time to 5 cm sideways" + of, Rule::absolute, ours.sideways.p50, 0.475, 0.125, "s");
@@ -234,7 +234,7 @@ RowResult run_discs(const Context& context) {
     result.add("falls that cannot be measured", Rule::at_most, lost, 0.0, 0.0);
     for (size_t q = 0; q < quantities.size(); ++q)
         for (size_t i = 0; i < cells; ++i)
-            result.add(std::string(quantities[q].name) + ", " + name_of(measured[i]), Rule::counted,
+            result.add(std::string(quantities[q].name) + ", " + name_of(measured[i]), Rule::compared,
                        all[i].of_all.quantity[q].mean, measured[i].mean[q], 0.15, quantities[q].unit);
     for (size_t i = 0; i < cells; ++i) add_cell(result, measured[i], all[i].of_all);
     result.remarks.push_back(std::to_string(sets) + " sets of " + std::to_string(options.falls) +

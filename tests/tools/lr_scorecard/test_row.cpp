@@ -25,7 +25,7 @@ Finished sample_row(const Row& row) {
     result.add("a | b", Rule::relative, 1.05, 1.0, 0.1, "m/s");
     result.add("too large", Rule::at_most, 2.0, 1.0, 0.0);
     result.show("by the way", 3.0);
-    result.add("one of many", Rule::counted, 1.3, 1.0, 0.2);
+    result.add("one of many", Rule::compared, 1.3, 1.0, 0.2);
     result.remarks.push_back("A remark.");
     result.pictures.push_back({"p.svg", "<svg/>", "A picture."});
     return {&row, result};
@@ -52,9 +52,9 @@ TEST_CASE("verdicts: each rule at its edges, and nothing holds that is not a num
         CHECK(holds(Rule::shown, bad, 0.0));
     }
     CHECK_FALSE(holds(Rule::relative, 0.0, 0.0, 0.1)); // nothing is relative to zero
-    CHECK(holds(Rule::counted, 2.0, 1.0, 0.1));        // another check judges it
-    CHECK_FALSE(Check{"", Rule::counted, 1.11, 1.0, 0.1, ""}.within());
-    CHECK(Check{"", Rule::counted, 1.09, 1.0, 0.1, ""}.within());
+    CHECK(holds(Rule::compared, 2.0, 1.0, 0.1));       // another check judges it
+    CHECK_FALSE(Check{"", Rule::compared, 1.11, 1.0, 0.1, ""}.within());
+    CHECK(Check{"", Rule::compared, 1.09, 1.0, 0.1, ""}.within());
 }
 
 TEST_CASE("jobs: each once, with progress to the end, on any number of threads, failures come out") {
