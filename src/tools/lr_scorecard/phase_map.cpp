@@ -105,7 +105,8 @@ PhaseResult run_phase_point(const Asset& disc, const PhasePoint& point, const Ph
     std::vector<Track> tracks = fall(options.duration);
     result.measured = {speed * d / run.viscosity, point.inertia};
     result.regimes = classify_all(tracks, options.limits);
-    for (Regime r : result.regimes) result.share[static_cast<size_t>(r)] += 1.0 / static_cast<double>(tracks.size());
+    for (Regime r : result.regimes) result.share[static_cast<size_t>(r)] += 1.0;
+    for (double& share : result.share) share /= static_cast<double>(tracks.size());
     if (keep_tracks) result.tracks = std::move(tracks);
     return result;
 }
@@ -123,7 +124,10 @@ std::vector<Regime> classify_all(std::span<const Track> tracks, const RegimeLimi
 
 Onset onset_of_motion(const std::function<PhaseResult(double)>& run, int halvings) {
     PhaseResult low = run(40.0), high = run(640.0);
-    const auto periodic = [](const PhaseResult& r) { return r.share[static_cast<size_t>(Regime::periodic)]; };
+    const auto periodic = [](const PhaseResult& r) {
+        const auto share = [&r](Regime regime) { return r.share[static_cast<size_t>(regime)]; };
+        return share(Regime::periodic) / (1.0 - share(Regime::steady));
+    };
     if (!low.most(Regime::steady)) return {low.measured.reynolds, periodic(low)};
     if (high.most(Regime::steady)) return {std::numeric_limits<double>::infinity(), 0.0};
     for (int i = 0; i < halvings; ++i) {

@@ -48,7 +48,7 @@ std::vector<Regime> classify_all(std::span<const Track> tracks, const RegimeLimi
 
 struct Onset {
     double reynolds = 0.0;
-    double periodic = 0.0; // share of the releases just above it
+    double periodic = 0.0; // share of the releases that are not steady just above it
 };
 // The smallest Re between 40 and 640 at which most releases are no longer steady, by bisection; infinite if there is none.
 Onset onset_of_motion(const std::function<PhaseResult(double reynolds)>& run, int halvings);

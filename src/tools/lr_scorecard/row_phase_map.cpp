@@ -217,7 +217,7 @@ RowResult run_phase_map(const Context& context) {
         char what[64];
         std::snprintf(what, sizeof what, "smallest Re of discs that are not steady, I* %g", onset_inertia[i]);
         result.add(what, Rule::absolute, onsets[i].reynolds, 125.0, 35.0);
-        result.add("share of them that is periodic there", Rule::at_least, onsets[i].periodic, 0.5, 0.0);
+        result.add("share of these that is periodic", Rule::at_least, onsets[i].periodic, 0.5, 0.0);
     }
     add_agreement(result, points);
     result.add("discs of 1 mm in air: share that tumbles, beyond that of 3 mm", Rule::at_least,
