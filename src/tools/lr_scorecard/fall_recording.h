@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include <limits>
 #include <vector>
 
 namespace lr::scorecard {
@@ -37,6 +38,10 @@ struct Run {
     uint32_t threads = 1;   // in all
     int32_t simd_target = LR_SIMD_AUTO;
     Eigen::Vector3d wind = Eigen::Vector3d::Zero();
+    double viscosity = 0.0; // m^2/s; 0: that of the asset's fluid
+    // m: recording ends when all bodies are below it. Default: at the end of the duration.
+    double floor = -std::numeric_limits<double>::infinity();
+    std::function<void(lr_world*)> prepare; // called for the new world, to add wind to it; can be empty
 };
 
 // One track for each start, in the same order.

@@ -106,7 +106,9 @@ int main(int argc, char** argv) {
         ->check(CLI::IsMember({"exact", "measured", "paper"}))
         ->delimiter(',');
     app.add_flag("--quick", o.context.quick, "fewer and shorter runs: seconds instead of minutes");
-    app.add_option("--seeds", o.context.seeds, "falls per disc")->check(CLI::Range(2, 1000000))->capture_default_str();
+    app.add_option("--seeds", o.context.seeds, "falls per cell of discs and set of seeds")
+        ->check(CLI::Range(2, 1000000))
+        ->capture_default_str();
     app.add_option("--phase-seeds", o.context.phase_seeds, "releases per point of the phase map")
         ->check(CLI::Range(1, 10000))
         ->capture_default_str();

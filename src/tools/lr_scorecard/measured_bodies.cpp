@@ -1,7 +1,12 @@
 #include "tools/lr_scorecard/measured_bodies.h"
 
+#include <Eigen/Geometry>
+
 #include <cmath>
+#include <fstream>
 #include <numbers>
+#include <sstream>
+#include <stdexcept>
 
 namespace lr::scorecard {
 
@@ -84,6 +89,36 @@ Asset paper_leaf() {
 
 Asset rubber_ellipsoid() {
     return make_ellipsoid({0.04, 0.02, 0.01}, 1100.0, water);
+}
+
+Triangles upper_page(const std::string& path) {
+    std::ifstream file(path);
+    if (!file) throw std::runtime_error("cannot read " + path);
+    Triangles mesh;
+    const auto vertex = [&](uint32_t i) { return Eigen::Vector3d(&mesh.positions.at(size_t{3} * i)); };
+    for (std::string line; std::getline(file, line);) {
+        std::istringstream text(line);
+        std::string kind;
+        text >> kind;
+        if (kind == "v")
+            for (double x = 0.0; text >> x;) mesh.positions.push_back(x);
+        if (kind != "f") continue;
+        std::array<uint32_t, 3> f{};
+        for (uint32_t& i : f) {
+            std::string corner; // "vertex/texture"
+            text >> corner;
+            i = static_cast<uint32_t>(std::stoul(corner)) - 1;
+        }
+        const Eigen::Vector3d a = vertex(f[0]), normal = (vertex(f[1]) - a).cross(vertex(f[2]) - a);
+        if (normal.z() > 0.0) mesh.indices.insert(mesh.indices.end(), f.begin(), f.end());
+    }
+    return mesh;
+}
+
+Asset disc_sinking_at(double reynolds, double diameter) {
+    const Fluid air;
+    const double speed = reynolds * air.viscosity / diameter, drag_coefficient = 1.17 + 20.4 / reynolds;
+    return bake_disc(0.5 * diameter, 1e-4, 0.5 * air.density * speed * speed * drag_coefficient / 9.81, air);
 }
 
 Asset bake_disc(double radius, double thickness, double areal_density, const Fluid& fluid, uint32_t rings) {

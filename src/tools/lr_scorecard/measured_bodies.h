@@ -4,6 +4,7 @@
 #include "tools/lr_scorecard/runtime_handles.h"
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace lr::scorecard {
@@ -40,6 +41,12 @@ Asset paper_leaf();
 
 // The paper's ellipsoid: semi-axes 4, 2 and 1 cm, in water.
 Asset rubber_ellipsoid();
+
+// The upper page of one of the assets' closed sheets: its faces with a normal towards +z, as an open surface.
+Triangles upper_page(const std::string& path);
+
+// A disc of 0.1 mm in air, as heavy as it must be to sink broadside at this Reynolds number.
+Asset disc_sinking_at(double reynolds, double diameter);
 
 Asset bake_disc(double radius, double thickness, double areal_density, const Fluid& fluid, uint32_t rings = 16);
 } // namespace lr::scorecard

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace lr::scorecard {
@@ -13,15 +14,16 @@ namespace {
 using std::numbers::pi;
 
 constexpr double fluid_density = 1000.0;
-constexpr double earth = 9.81;
-
-// Re is set by the viscosity near Earth's gravity, then corrected by gravity alone, so that each point is baked once.
 constexpr double reynolds_tolerance = 0.03;
-constexpr int most_corrections = 6;
+constexpr int most_corrections = 8;
 
 // Initial guess: the fit of Clift, Grace and Weber for discs up to Re 130, constant above.
 double drag_coefficient(double re) {
     return std::max(1.1, 20.37 / re * (1.0 + 0.138 * std::pow(re, 0.792)));
+}
+
+double areal_density(double inertia, const PhaseOptions& options) {
+    return 64.0 * fluid_density * options.diameter * inertia / pi;
 }
 
 std::vector<Start> starts(const PhaseOptions& options) {
@@ -48,39 +50,47 @@ double mean_speed(const std::vector<Track>& tracks) {
     return sum / static_cast<double>(tracks.size());
 }
 
-void classify_all(const std::vector<Track>& tracks, const RegimeLimits& limits, PhaseResult& result) {
-    for (const Track& t : tracks) {
-        std::vector<Eigen::Vector3d> normals;
-        for (size_t i = t.samples.size() / 2; i < t.samples.size(); ++i)
-            normals.push_back(t.samples[i].orientation * Eigen::Vector3d::UnitZ());
-        result.measures.push_back(measure_regime(normals, up(), limits));
-        result.regimes.push_back(classify(result.measures.back(), normals.size(), limits));
-        result.share[static_cast<size_t>(result.regimes.back())] += 1.0 / static_cast<double>(tracks.size());
-    }
+// I* of a boundary at this Re, straight between its points on logarithmic axes, constant beyond its ends.
+double inertia_at(std::span<const PhasePoint> boundary, double reynolds) {
+    if (reynolds <= boundary.front().reynolds) return boundary.front().inertia;
+    for (size_t i = 1; i < boundary.size(); ++i)
+        if (reynolds <= boundary[i].reynolds) {
+            const PhasePoint &a = boundary[i - 1], &b = boundary[i];
+            const double part = std::log(reynolds / a.reynolds) / std::log(b.reynolds / a.reynolds);
+            return a.inertia * std::pow(b.inertia / a.inertia, part);
+        }
+    return boundary.back().inertia;
+}
+
+std::optional<Regime> region(const PhasePoint& p) {
+    if (p.reynolds < first_onset) return Regime::steady;
+    if (p.reynolds <= last_onset) return std::nullopt;
+    if (p.inertia > inertia_at(tumbling_boundary(), p.reynolds)) return Regime::tumbling;
+    return p.inertia > inertia_at(chaotic_boundary(), p.reynolds) ? Regime::chaotic : Regime::periodic;
 }
 } // namespace
 
-PhaseResult run_phase_point(const PhasePoint& point, const PhaseOptions& options, bool keep_tracks) {
-    const double d = options.diameter, thickness = options.thickness_ratio * d;
-    const double areal_density = 64.0 * fluid_density * d * point.inertia / pi;
-    const double pressure =
-        earth * (areal_density - fluid_density * thickness); // weight in the fluid over the disc's area
-    double speed = std::sqrt(2.0 * pressure / (fluid_density * drag_coefficient(point.reynolds)));
-    const double viscosity = speed * d / point.reynolds;
-    const Asset disc = bake_disc(0.5 * d, thickness, areal_density, {fluid_density, viscosity}, 8);
+Asset phase_disc(double inertia, const PhaseOptions& options) {
+    const double d = options.diameter;
+    return bake_disc(0.5 * d, options.thickness_ratio * d, areal_density(inertia, options),
+                     {fluid_density, options.speed * d / 1000.0});
+}
 
+PhaseResult run_phase_point(const Asset& disc, const PhasePoint& point, const PhaseOptions& options, bool keep_tracks) {
+    const double d = options.diameter, unit = d / options.speed;
     PhaseResult result;
     result.asked = point;
     Run run;
     run.loads = options.loads;
     run.seed = options.seed;
     run.threads = options.threads;
-    run.gravity = earth;
-    const double wanted = point.reynolds * viscosity / d;
+    run.viscosity = options.speed * d / point.reynolds;
+    run.gravity = 0.5 * fluid_density * options.speed * options.speed * drag_coefficient(point.reynolds) /
+                  (areal_density(point.inertia, options) - fluid_density * options.thickness_ratio * d);
     const std::vector<Start> released = starts(options);
-    const double unit = d / wanted;
     run.dt = static_cast<float>(std::min(options.step * unit, 1e-3));
     run.interval = 0.1 * unit;
+    double speed = 0.0;
     const auto fall = [&](double duration) {
         run.duration = duration * unit;
         std::vector<Track> tracks = record(disc, run, released);
@@ -89,72 +99,73 @@ PhaseResult run_phase_point(const PhasePoint& point, const PhaseOptions& options
     };
     for (int i = 0; i < most_corrections; ++i) { // a fraction of the duration suffices for the speed
         fall(0.4 * options.duration);
-        if (std::abs(speed / wanted - 1.0) <= reynolds_tolerance) break;
-        run.gravity *= std::clamp(std::pow(wanted / speed, 1.8), 0.1, 10.0);
+        if (std::abs(speed / options.speed - 1.0) <= reynolds_tolerance) break;
+        run.gravity *= speed > 0.0 ? std::clamp(std::pow(options.speed / speed, 1.8), 0.1, 10.0) : 10.0;
     }
     std::vector<Track> tracks = fall(options.duration);
-    result.speed = speed;
-    result.interval = run.interval;
-    result.measured = {speed * d / viscosity, point.inertia};
-    classify_all(tracks, options.limits, result);
+    result.measured = {speed * d / run.viscosity, point.inertia};
+    result.regimes = classify_all(tracks, options.limits);
+    for (Regime r : result.regimes) result.share[static_cast<size_t>(r)] += 1.0;
+    for (double& share : result.share) share /= static_cast<double>(tracks.size());
     if (keep_tracks) result.tracks = std::move(tracks);
     return result;
 }
 
-std::span<const BoundaryPoint> boundary_points() {
-    using enum BoundaryKind;
-    // Fig. 2 of Field et al. 1997, as in physics.md. For small I* the first boundary is between Re 89 and 161.
-    static constexpr BoundaryPoint points[] = {
-        {steady_periodic, {89.0, 0.004}},     {steady_periodic, {161.0, 0.004}},   {periodic_chaotic, {155.0, 0.057}},
-        {periodic_chaotic, {198.0, 0.018}},   {periodic_chaotic, {345.0, 0.0114}}, {periodic_chaotic, {739.0, 0.0090}},
-        {periodic_chaotic, {1386.0, 0.0083}}, {periodic_chaotic, {2.7e4, 0.0109}}, {chaotic_tumbling, {160.0, 0.0376}},
-        {chaotic_tumbling, {2e3, 0.0401}},    {chaotic_tumbling, {3.4e4, 0.0449}}};
+std::vector<Regime> classify_all(std::span<const Track> tracks, const RegimeLimits& limits) {
+    std::vector<Regime> regimes;
+    for (const Track& t : tracks) {
+        std::vector<Eigen::Vector3d> normals;
+        for (size_t i = t.samples.size() / 2; i < t.samples.size(); ++i)
+            normals.push_back(t.samples[i].orientation * Eigen::Vector3d::UnitZ());
+        regimes.push_back(classify(normals, up(), limits));
+    }
+    return regimes;
+}
+
+Onset onset_of_motion(const std::function<PhaseResult(double)>& run, int halvings) {
+    PhaseResult low = run(40.0), high = run(640.0);
+    const auto periodic = [](const PhaseResult& r) {
+        const auto share = [&r](Regime regime) { return r.share[static_cast<size_t>(regime)]; };
+        return share(Regime::periodic) / (1.0 - share(Regime::steady));
+    };
+    if (!low.most(Regime::steady)) return {low.measured.reynolds, periodic(low)};
+    if (high.most(Regime::steady)) return {std::numeric_limits<double>::infinity(), 0.0};
+    for (int i = 0; i < halvings; ++i) {
+        PhaseResult middle = run(std::sqrt(low.asked.reynolds * high.asked.reynolds));
+        (middle.most(Regime::steady) ? low : high) = std::move(middle);
+    }
+    return {std::sqrt(low.measured.reynolds * high.measured.reynolds), periodic(high)};
+}
+
+// Both boundaries: Fig. 2 of Field et al. 1997, as in physics.md.
+std::span<const PhasePoint> chaotic_boundary() {
+    static constexpr PhasePoint points[] = {{155.0, 0.057},  {198.0, 0.018},   {345.0, 0.0114},
+                                            {739.0, 0.0090}, {1386.0, 0.0083}, {2.7e4, 0.0109}};
     return points;
 }
 
-std::vector<ExpectedPoint> expected_points() {
-    using enum Regime;
-    std::vector<ExpectedPoint> out;
-    const std::span<const BoundaryPoint> boundary = boundary_points();
-    for (size_t i = 0; i < boundary.size(); ++i) {
-        const PhasePoint at = boundary[i].at;
-        const auto across_inertia = [&](double factor, std::vector<Regime> allowed) {
-            out.push_back({{at.reynolds, at.inertia * factor}, std::move(allowed), i});
-        };
-        const auto across_reynolds = [&](double factor, std::vector<Regime> allowed) {
-            out.push_back({{at.reynolds * factor, at.inertia}, std::move(allowed), i});
-        };
-        for (double factor : {1.3, 1.7}) switch (boundary[i].kind) {
-            case BoundaryKind::steady_periodic: // no points inside the band
-                if (at.reynolds < 100.0)
-                    across_reynolds(1.0 / factor, {steady});
-                else
-                    across_reynolds(factor, {periodic});
-                break;
-            case BoundaryKind::periodic_chaotic:
-                if (at.inertia > 0.0376) {
-                    // The boundary is steep here, towards that of tumbling: cross it along Re.
-                    across_reynolds(1.0 / factor, {steady, periodic});
-                    across_reynolds(factor, {chaotic, tumbling});
-                } else {
-                    across_inertia(1.0 / factor, {periodic});
-                    across_inertia(factor, {chaotic});
-                }
-                break;
-            case BoundaryKind::chaotic_tumbling:
-                // Below about Re 180 the chaotic motion becomes periodic.
-                across_inertia(1.0 / factor,
-                               at.reynolds < 180.0 ? std::vector{periodic, chaotic} : std::vector{chaotic});
-                across_inertia(factor, {tumbling});
-                break;
-            }
-    }
-    return out;
+std::span<const PhasePoint> tumbling_boundary() {
+    static constexpr PhasePoint points[] = {{160.0, 0.0376}, {2e3, 0.0401}, {3.4e4, 0.0449}};
+    return points;
 }
 
-double agreement(const PhaseResult& result, const ExpectedPoint& expected) {
-    double sum = 0.0;
-    for (Regime r : expected.allowed) sum += result.share[static_cast<size_t>(r)];
-    return sum;
+std::optional<Regime> published_regime(const PhasePoint& point, double margin) {
+    const std::optional<Regime> here = region(point);
+    for (double re : {1.0 / margin, margin})
+        for (double inertia : {1.0 / margin, margin})
+            if (region({point.reynolds * re, point.inertia * inertia}) != here) return std::nullopt;
+    return here;
+}
+
+std::vector<ExpectedPoint> expected_points() {
+    constexpr int across = 11, along = 8;
+    std::vector<ExpectedPoint> out;
+    for (int j = 0; j < along; ++j) // by I*, so that points of one disc follow each other
+        for (int i = 0; i < across; ++i) {
+            const PhasePoint at{40.0 * std::pow(3e4 / 40.0, static_cast<double>(i) / (across - 1)),
+                                5e-4 * std::pow(0.1 / 5e-4, static_cast<double>(j) / (along - 1))};
+            if (const std::optional<Regime> regime = published_regime(at)) out.push_back({at, *regime});
+        }
+    return out;
 }
 } // namespace lr::scorecard

@@ -1,10 +1,10 @@
-// Discs falling through a liquid, on both sides of the boundaries of Field et al. 1997 in Re and I*; docs/maintainers/measurements.md.
+// Discs falling through a liquid, over the phase map of Field et al. 1997 in Re and I*; docs/maintainers/measurements.md.
 #pragma once
 
 #include "tools/lr_scorecard/fall_recording.h"
 #include "tools/lr_scorecard/regime.h"
-#include "tools/lr_scorecard/statistics.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,11 +15,12 @@ struct PhaseOptions {
     uint32_t seeds = 24;
     uint64_t seed = 1;
     uint32_t threads = 1;
-    double step = 0.01;            // time step in d/U, limited to 1 ms
-    double duration = 400.0;       // in d/U; the second half is classified
-    double largest_tilt = 5.0;     // degrees, at release
-    double thickness_ratio = 0.01; // t/d
-    double diameter = 0.02;        // m
+    double step = 0.01;             // time step in d/U, limited to 1 ms
+    double duration = 400.0;        // in d/U; the second half is classified
+    double largest_tilt = 5.0;      // degrees, at release
+    double thickness_ratio = 0.004; // t/d
+    double diameter = 0.02;         // m
+    double speed = 0.2;             // m/s, of the fall
     RegimeLimits limits;
 };
 
@@ -30,33 +31,40 @@ struct PhasePoint {
 
 struct PhaseResult {
     PhasePoint asked, measured;
-    double speed = 0.0;            // m/s, mean vertical speed over all seeds
-    double interval = 0.0;         // s between samples
     std::array<double, 4> share{}; // fraction of the seeds in each Regime
     std::vector<Regime> regimes;   // one per seed
-    std::vector<RegimeMeasures> measures;
-    std::vector<Track> tracks; // if asked for
+    std::vector<Track> tracks;     // if asked for
+
+    bool most(Regime r) const { return share[static_cast<size_t>(r)] > 0.5; }
 };
 
-PhaseResult run_phase_point(const PhasePoint& point, const PhaseOptions& options, bool keep_tracks = false);
+// A sheet of this I*, for all Re. Re is set by the liquid's viscosity, and to 3 % by the strength of gravity.
+Asset phase_disc(double inertia, const PhaseOptions& options);
+PhaseResult run_phase_point(const Asset& disc, const PhasePoint& point, const PhaseOptions& options,
+                            bool keep_tracks = false);
 
-// A point of the map and its allowed regimes.
+// Regimes of the second halves of tracks of a disc with its normal along z.
+std::vector<Regime> classify_all(std::span<const Track> tracks, const RegimeLimits& limits = {});
+
+struct Onset {
+    double reynolds = 0.0;
+    double periodic = 0.0; // share of the releases that are not steady just above it
+};
+// The smallest Re between 40 and 640 at which most releases are no longer steady, by bisection; infinite if there is none.
+Onset onset_of_motion(const std::function<PhaseResult(double reynolds)>& run, int halvings);
+
+// Published boundaries, by growing Re.
+inline constexpr double first_onset = 89.0, last_onset = 161.0; // Re, steady to periodic
+std::span<const PhasePoint> chaotic_boundary();                 // periodic to chaotic
+std::span<const PhasePoint> tumbling_boundary();                // chaotic to tumbling
+
+// The regime on the published map; nothing within `margin`, a factor in Re and I*, of a boundary.
+std::optional<Regime> published_regime(const PhasePoint& point, double margin = 1.15);
+
 struct ExpectedPoint {
     PhasePoint at;
-    std::vector<Regime> allowed;
-    size_t boundary; // index of its boundary point
+    Regime regime;
 };
-
-enum class BoundaryKind : uint8_t { steady_periodic, periodic_chaotic, chaotic_tumbling };
-struct BoundaryPoint {
-    BoundaryKind kind;
-    PhasePoint at;
-};
-
-std::span<const BoundaryPoint> boundary_points();
-// Points on both sides of each boundary point, at factors of 1.3 and 1.7.
+// Re from 40 to 3e4, I* from 5e-4 to 0.1, evenly on both logarithmic axes, without the neighbourhood of boundaries.
 std::vector<ExpectedPoint> expected_points();
-
-// The fraction of seeds in an allowed regime.
-double agreement(const PhaseResult& result, const ExpectedPoint& expected);
 } // namespace lr::scorecard

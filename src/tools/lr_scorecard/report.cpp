@@ -37,6 +37,7 @@ std::string reference(const Check& c) {
 std::string tolerance(const Check& c) {
     switch (c.rule) {
     case Rule::relative:
+    case Rule::compared:
         return number(100.0 * c.tolerance) + " %";
     case Rule::absolute:
         return number(c.tolerance);
@@ -56,11 +57,12 @@ std::string in_table(const std::string& text) {
 }
 
 const char* verdict(const Check& c) {
+    if (c.rule == Rule::compared) return c.within() ? "within" : "outside";
     return c.rule == Rule::shown ? "" : c.holds() ? "pass" : "FAIL";
 }
 
 const char* rule_name(Rule rule) {
-    static constexpr const char* names[] = {"relative", "absolute", "at most", "at least", "shown"};
+    static constexpr const char* names[] = {"relative", "absolute", "at most", "at least", "compared", "shown"};
     return names[static_cast<size_t>(rule)];
 }
 } // namespace
@@ -90,14 +92,15 @@ std::string to_markdown(const std::vector<Finished>& rows, const Context& contex
         "# Scorecard\n\nThis page compares the library with all known references for falling bodies, with "
         "verdicts. "
         "`lr_scorecard` writes it; how it measures: [measurements.md](measurements.md).\n\n";
-    out += "Loads: " + context.loads.name + ". Falls of a disc: " + std::to_string(context.seeds) +
+    out += "Loads: " + context.loads.name +
+           ". Falls per cell of discs and set of seeds: " + std::to_string(context.seeds) +
            ". Releases per point of the phase map: " + std::to_string(context.quick ? 8 : context.phase_seeds) +
            (context.quick ? ". Quick: fewer and shorter runs than the full one" : "") + ".\n\n";
     out += "| row | | reference | checks that hold | verdict |\n|---|---|---|---|---|\n";
     for (const Finished& f : rows) {
         size_t held = 0, all = 0;
         for (const Check& c : f.result.checks) {
-            if (c.rule == Rule::shown) continue;
+            if (c.rule == Rule::shown || c.rule == Rule::compared) continue;
             ++all;
             held += c.holds();
         }
@@ -158,8 +161,8 @@ std::string to_json(const std::vector<Finished>& rows, const Context& context) {
             check["rule"] = rule_name(c.rule);
             if (c.rule != Rule::shown) {
                 check["reference"] = c.reference;
-                if (c.rule == Rule::relative || c.rule == Rule::absolute) check["tolerance"] = c.tolerance;
-                check["holds"] = c.holds();
+                if (!tolerance(c).empty()) check["tolerance"] = c.tolerance;
+                check["holds"] = c.within();
             }
             row["checks"].push_back(std::move(check));
         }

@@ -16,6 +16,7 @@ enum class Rule : uint8_t {
     absolute, // |value - reference| <= tolerance
     at_most,  // value <= reference
     at_least, // value >= reference
+    compared, // as relative, but without a verdict of its own: another check may count such values
     shown     // no verdict
 };
 
@@ -25,7 +26,8 @@ struct Check {
     double value = 0.0, reference = 0.0, tolerance = 0.0;
     std::string unit;
 
-    bool holds() const; // false for a value that is not finite; true for Rule::shown
+    bool within() const; // false for a value that is not finite, except with Rule::shown
+    bool holds() const { return rule == Rule::compared || within(); }
 };
 
 struct Picture {
@@ -51,7 +53,7 @@ struct LoadChoice {
 class Context {
 public:
     bool quick = false;
-    uint32_t seeds = 2000; // falls per disc; other rows derive their numbers from it
+    uint32_t seeds = 600; // falls per cell of discs and set of seeds
     uint32_t phase_seeds = 48;
     uint32_t threads = 1;
     LoadChoice loads{"default", LR_LOADS_DEFAULT}; // for rows without loads of their own
@@ -86,7 +88,10 @@ RowResult run_langevin(const Context&);
 RowResult run_card(const Context&);
 RowResult run_discs(const Context&);
 RowResult run_time_step(const Context&);
+RowResult run_steady_drag(const Context&);
+RowResult run_leaves(const Context&);
 RowResult run_phase_map(const Context&);
+RowResult run_turbulence_fall(const Context&);
 RowResult run_leaf(const Context&);
 RowResult run_paper_plane(const Context&);
 RowResult run_rubber_ellipsoid(const Context&);

@@ -65,7 +65,7 @@ TEST_CASE("lr_scorecard: runs a row, writes what it found, and does not depend o
 
 TEST_CASE("lr_scorecard: exit code 1 when a row does not hold, 3 when a file cannot be written") {
     const Scratch scratch;
-    // Two falls cannot hold 16 means to 10 %.
+    // Two falls cannot hold 38 of 40 means to 15 %.
     CHECK(scorecard({"--quick", "--quiet", "--only", "discs", "--seeds", "2"}).exit_code == 1);
     const Outcome quiet = scorecard({"--quiet", "--only", "sphere"});
     CHECK(quiet.exit_code == 0);

@@ -5,6 +5,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <functional>
 #include <numbers>
 
 using namespace lr::scorecard;
@@ -12,47 +14,203 @@ using namespace lr::scorecard;
 namespace {
 
 constexpr double pi = std::numbers::pi;
+constexpr double frame = 1.0 / frame_rate;
 
-// Glides along x at `glide`, sinks at `sink`, sways along z, and rotates about x, across the camera's line of sight (z).
-Track turning(double glide, double sink, double turns_per_second, double duration) {
+using Place = std::function<Eigen::Vector3d(double)>;
+
+// A fall from time 0, with a normal that turns in the plane of x and y; 3 s long, also below the floor.
+Track film(const Place& place, const std::function<double(double)>& angle) {
     Track t;
-    t.interval = 1.0 / 98.0;
-    for (double time = 0.0; time <= duration; time += t.interval) {
+    t.interval = frame;
+    for (double time = 0.0; time <= longest_fall; time += frame) {
         Sample s;
-        s.position = {glide * time, -sink * time, 0.0};
-        s.velocity = {glide, -sink, 0.0};
-        s.spin = {2.0 * pi * turns_per_second, 0.0, 0.0};
-        s.orientation = Eigen::AngleAxisd(2.0 * pi * turns_per_second * time, Eigen::Vector3d::UnitX());
+        s.position = place(time);
+        s.velocity = s.spin = Eigen::Vector3d::Zero();
+        const Eigen::Vector3d normal(std::cos(angle(time)), std::sin(angle(time)), 0.0);
+        s.orientation = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), normal);
         t.samples.push_back(s);
     }
     return t;
 }
+double upright(double) {
+    return 0.5 * pi;
+}
+Fall measured(const Track& track, Release release = Release::flat) {
+    std::optional<Fall> fall = measure_fall(track, release);
+    REQUIRE(fall.has_value());
+    return *fall;
+}
+enum Index { descent, horizontal_speed, drift, landing, area_peaks };
 
 } // namespace
 
-TEST_CASE("fall measures: a glide with a steady turn") {
-    for (double rate : {1.5, 3.0, 8.0}) {
-        const FallMeasures m = measure_fall(turning(0.3, 0.6, rate, 20.0), Eigen::Vector3d::UnitZ(), 0.1);
-        CHECK(m.descent == doctest::Approx(0.6));
-        CHECK(m.horizontal_speed == doctest::Approx(0.3));
-        CHECK(m.drift_angle == doctest::Approx(std::atan(0.5) * 180.0 / pi));
-        CHECK(m.peak_rate == doctest::Approx(2.0 * rate).epsilon(0.02)); // two per turn
-    }
-    // A short window loses no peak at its cuts, except the last.
-    double sum = 0.0;
-    for (int i = 0; i < 100; ++i)
-        sum += measure_fall(turning(0.0, 1.0, 3.0 + 0.01 * i, 1.5), Eigen::Vector3d::UnitZ(), 0.1).peak_rate / 100.0;
-    CHECK(sum == doctest::Approx(7.0).epsilon(0.06));
+TEST_CASE("fall measures: a straight glide to the floor") {
+    const Fall f = measured(film([](double t) { return Eigen::Vector3d(0.0, 0.98 - 0.7 * t, 0.5 * t); }, upright));
+    CHECK(f.quantity[descent] == doctest::Approx(0.7));
+    CHECK(f.quantity[horizontal_speed] == doctest::Approx(0.5));
+    CHECK(f.quantity[drift] == doctest::Approx(std::atan(0.5 / 0.7) * 180.0 / pi));
+    // The floor is reached after 1.4 s, in frame 138: the first that is on it or below.
+    CHECK(f.quantity[landing] == doctest::Approx(0.5 * 138.0 * frame));
+    CHECK(f.time == doctest::Approx(139.0 * frame));
+    // 5 cm sideways after 0.1 s, counted from frame 6.
+    CHECK(f.sideways == doctest::Approx(0.06 + 0.1).epsilon(0.1));
+    for (double v : f.vz) CHECK(v == doctest::Approx(0.7));
+    for (double v : f.vh) CHECK(v == doctest::Approx(0.5));
 }
 
-TEST_CASE("fall measures: only the second half counts") {
-    Track t = turning(0.0, 1.0, 0.0, 2.0);
-    for (size_t i = 0; i < t.samples.size() / 2; ++i)
-        t.samples[i].position.x() -= 100.0 * std::sin(static_cast<double>(i));
-    const FallMeasures m = measure_fall(t, Eigen::Vector3d::UnitZ(), 0.1);
-    CHECK(m.horizontal_speed == doctest::Approx(0.0));
-    CHECK(m.drift_angle == doctest::Approx(0.0));
-    CHECK(m.peak_rate == 0.0);
+TEST_CASE("fall measures: only the second half counts, from frame n/2, except for landing") {
+    const auto place = [](double t) {
+        const double side = t < 0.65 ? 0.2 * std::sin(40.0 * t) : 0.2 * std::sin(26.0) + 0.3 * (t - 0.65);
+        return Eigen::Vector3d(side, 0.98 - 0.7 * t, 0.0);
+    };
+    const Fall f = measured(film(place, upright));
+    CHECK(f.quantity[horizontal_speed] == doctest::Approx(0.3));
+    CHECK(f.quantity[drift] == doctest::Approx(std::atan(0.3 / 0.7) * 180.0 / pi));
+    CHECK(f.quantity[landing] == doctest::Approx(0.2 * std::sin(26.0) + 0.3 * (138.0 * frame - 0.65)));
+}
+
+TEST_CASE("fall measures: a fall released on edge is in sight from 1.1 m on") {
+    const auto place = [](double t) { return Eigen::Vector3d(2.0 * t, 1.16 - 0.8 * t, 0.0); };
+    const Fall f = measured(film(place, upright), Release::edge);
+    CHECK(f.path.front().y() <= 1.1);
+    CHECK(f.path.front().y() > 1.1 - 0.8 * frame);
+    CHECK(f.quantity[landing] == doctest::Approx(2.0 * static_cast<double>(f.path.size() - 1) * frame));
+    CHECK(measured(film(place, upright), Release::flat).path.front().y() == 1.16);
+    CHECK_FALSE(measure_fall(film([](double) { return Eigen::Vector3d(0.0, 2.0, 0.0); }, upright), Release::edge));
+}
+
+TEST_CASE("fall measures: positions are means of five frames, fewer at the ends") {
+    const auto place = [](double t) {
+        const double n = std::round(t / frame);
+        return Eigen::Vector3d(n == 50.0 ? 1.0 : 0.0, 0.98 - 0.7 * t, 0.0);
+    };
+    const std::vector<Eigen::Vector3d> path = measured(film(place, upright)).path;
+    for (size_t i = 40; i < 60; ++i) CHECK(path[i].x() == doctest::Approx(i >= 48 && i <= 52 ? 0.2 : 0.0));
+    CHECK(path[0].y() == doctest::Approx(0.98));
+    CHECK(path[1].y() == doctest::Approx(0.98 - 0.7 * frame));
+}
+
+TEST_CASE("fall measures: time to 5 cm sideways of a disc that starts to slide late") {
+    for (double start : {0.2, 0.4, 0.6}) {
+        const auto place = [start](double t) {
+            const double slide = std::max(0.0, t - start);
+            return Eigen::Vector3d(0.0, 0.98 - 0.7 * t, slide * slide);
+        };
+        CHECK(std::abs(measured(film(place, upright)).sideways - (start + std::sqrt(0.05))) < 1.01 * frame);
+    }
+    const auto straight = [](double t) { return Eigen::Vector3d(0.0, 0.98 - 0.7 * t, 0.0); };
+    CHECK(measured(film(straight, upright)).sideways == longest_fall);
+}
+
+TEST_CASE("camera: broadside from a metre is 1, and perspective makes the far side smaller") {
+    const Eigen::Vector3d sight = Eigen::Vector3d(0.3, -0.8, 0.5).normalized();
+    for (double distance : {0.5, 1.0, 2.0}) {
+        const Eigen::Vector3d place = camera + distance * sight;
+        CHECK(seen_area(place, sight) == doctest::Approx(1.0 / (distance * distance)));
+        CHECK(seen_area(place, -sight) == doctest::Approx(1.0 / (distance * distance)));
+        CHECK(seen_area(place, sight.unitOrthogonal()) == doctest::Approx(0.0));
+    }
+    // A flat disc on the floor below the drop point is seen from 56 degrees above the horizontal; farther away from lower.
+    CHECK(seen_area({0, 0, 0}, Eigen::Vector3d::UnitY()) * camera.squaredNorm() ==
+          doctest::Approx(1.81 / std::hypot(1.81, 1.2)));
+    CHECK(seen_area({0.5, 0, 0}, Eigen::Vector3d::UnitY()) < seen_area({0, 0, 0}, Eigen::Vector3d::UnitY()));
+}
+
+TEST_CASE("area peaks: two for each turn") {
+    // Far from the camera's side of the floor perspective changes little during a fall of 1.4 s.
+    const auto place = [](double t) { return Eigen::Vector3d(20.0, 0.98 - 0.7 * t, 0.0); };
+    for (double rate : {1.5, 3.0, 5.0}) {
+        double sum = 0.0;
+        const int phases = 60;
+        for (int k = 0; k < phases; ++k)
+            sum += measured(film(place, [&](double t) {
+                       return 2.0 * pi * rate * t + pi * k / phases;
+                   })).quantity[area_peaks];
+        // On average over the phase a window of 0.7 s gains or loses up to a peak at its ends.
+        CHECK(std::abs(sum / phases - 2.0 * rate) < 1.0 / 0.7);
+    }
+}
+
+TEST_CASE("area peaks: bumps below 15 % of the range are left out, and so are those of a single frame") {
+    const auto place = [](double t) { return Eigen::Vector3d(20.0, 0.98 - 0.7 * t, 0.0); };
+    // Broadside until 0.8 s, then 0.3 of it, with a bump at 1.1 s. The first frame of the window, at 0.7 s, is a maximum.
+    const auto peaks_with_bump = [&](double height, double duration) {
+        const Fall f = measured(film(place, [=](double t) {
+            const double area = t < 0.8 ? 1.0 : std::abs(t - 108.0 * frame) < 0.5 * duration ? 0.3 + height : 0.3;
+            return std::acos(area);
+        }));
+        return std::lround(f.quantity[area_peaks] * 69.0 * frame);
+    };
+    CHECK(peaks_with_bump(0.0, 0.1) == 1);
+    CHECK(peaks_with_bump(0.09, 0.1) == 1);
+    CHECK(peaks_with_bump(0.15, 0.1) == 2);
+    CHECK(peaks_with_bump(0.42, 0.9 * frame) == 1);
+    CHECK(peaks_with_bump(0.42, 2.9 * frame) == 2);
+}
+
+TEST_CASE(
+    "area peaks: the window's first frame counts if the area falls after it, and so does its last if it is high") {
+    const auto place = [](double t) { return Eigen::Vector3d(20.0, 0.98 - 0.7 * t, 0.0); };
+    // From broadside at the window's begin, 0.7 s, to edge-on at its end, and the other way round.
+    const auto hides = [](double t) { return t < 0.7 ? 0.0 : 0.5 * pi * (t - 0.7) / 0.7; };
+    const auto shows = [](double t) { return 0.5 * pi * std::clamp(1.4 - t, 0.0, 0.7) / 0.7; };
+    const double window = (138.0 - 69.0) * frame;
+    CHECK(measured(film(place, hides)).quantity[area_peaks] == doctest::Approx(1.0 / window));
+    CHECK(measured(film(place, shows)).quantity[area_peaks] == doctest::Approx(1.0 / window));
+    // So does a constant one, for the frame that is missing behind it; a disc seen edge-on has no area to fall.
+    CHECK(measured(film(place, [](double) { return 0.3; })).quantity[area_peaks] == doctest::Approx(1.0 / window));
+    Track hidden = film(place, upright); // the camera is in the plane z = 0 with them
+    for (Sample& sample : hidden.samples) sample.orientation = Eigen::Quaterniond::Identity();
+    CHECK(measured(hidden).quantity[area_peaks] == 0.0);
+}
+
+TEST_CASE("cells: statistics are pooled over falls, growth by time") {
+    const auto speeding = [](double t) { return Eigen::Vector3d(0.5 * 0.4 * t * t, 0.98 - 0.7 * t, 0.0); };
+    const std::vector<Fall> falls(3, measured(film(speeding, upright)));
+    const CellStatistics s = summarise_falls(falls);
+    CHECK(s.quantity[descent].mean == doctest::Approx(0.7));
+    CHECK(s.quantity[descent].deviation == doctest::Approx(0.0));
+    CHECK(s.vh.count == 3 * 69);
+    CHECK(s.vh.p50 == doctest::Approx(0.4 * 1.05).epsilon(0.02));
+    CHECK(s.vz.deviation == doctest::Approx(0.0));
+    for (size_t bin = 0; bin < s.growth.size(); ++bin) {
+        CHECK(s.growth[bin] == doctest::Approx(0.4 * (0.15 + 0.1 * static_cast<double>(bin))).epsilon(0.05));
+        CHECK(s.growth_descent[bin] == doctest::Approx(0.7));
+    }
+}
+
+TEST_CASE("releases: flat within 4.6 degrees, edge-on within 3.4, to all sides, at rest") {
+    const std::vector<Start> flat = releases(Release::flat, 2000, 3), edge = releases(Release::edge, 2000, 3);
+    double mean = 0.0, side = 0.0;
+    for (const Start& s : flat) {
+        const Eigen::Vector3d n = s.orientation * Eigen::Vector3d::UnitZ();
+        const double tilt = std::acos(std::min(1.0, n.y())) * 180.0 / pi;
+        CHECK(tilt <= 4.6 + 1e-6);
+        mean += tilt / 2000.0;
+        side += n.x() / 2000.0;
+        CHECK(s.position == Eigen::Vector3d(0.0, 0.98, 0.0));
+        CHECK(s.velocity.norm() + s.spin.norm() == 0.0);
+    }
+    CHECK(mean == doctest::Approx(2.3).epsilon(0.03));
+    CHECK(std::abs(side) < 0.003);
+    for (const Start& s : edge) {
+        const double height = (s.orientation * Eigen::Vector3d::UnitZ()).y();
+        CHECK(std::abs(std::asin(height)) * 180.0 / pi <= 3.4 + 1e-6);
+        CHECK(s.position.y() == 1.16);
+    }
+}
+
+TEST_CASE("measured falls: four sizes, each released in two ways, thirds around the mean radius") {
+    REQUIRE(measured_cells().size() == 8);
+    for (size_t i = 0; i < 8; ++i) {
+        const MeasuredCell& cell = measured_cells()[i];
+        CHECK((cell.release == Release::flat) == (i % 2 == 0));
+        CHECK((cell.radii[0] + cell.radii[1] + cell.radii[2]) / 3.0 == doctest::Approx(cell.radius).epsilon(0.02));
+        CHECK(std::is_sorted(cell.vz.begin(), cell.vz.end()));
+        CHECK((cell.sideways > 0.0) == (cell.release == Release::flat));
+        // Descent and drift are of one line: its horizontal part is at most the mean horizontal speed.
+        CHECK(cell.mean[descent] * std::tan(cell.mean[drift] * pi / 180.0) < 1.05 * cell.mean[horizontal_speed]);
+    }
 }
 
 TEST_CASE("peaks: those lower than the hysteresis and the ends do not count") {
@@ -125,4 +283,45 @@ TEST_CASE("a recording of a body in vacuum's stead falls as Galileo says, at tim
         CHECK((x - Eigen::Vector3d(std::cos(2.0 * t), 0.0, -std::sin(2.0 * t))).norm() < 1e-3);
         CHECK(std::abs(tracks[1].samples[i].position.x()) < 1e-9);
     }
+}
+
+TEST_CASE("a recording with long steps keeps to the curve between them") {
+    const Asset ball = make_ellipsoid({0.05, 0.05, 0.05}, 1e4, {1e-3, 1.5e-5});
+    Run run;
+    run.loads.load_model = LR_LOADS_NONE;
+    run.dt = 0.05f;
+    run.duration = 0.5;
+    run.interval = 0.0125;
+    const std::vector<Track> tracks = record(ball, run, {Start{}});
+    for (size_t i = 0; i < tracks[0].samples.size(); ++i) {
+        const double t = run.interval * static_cast<double>(i);
+        CHECK(std::abs(tracks[0].samples[i].position.y() + 0.5 * 9.81 * t * t) < 1e-5); // a chord is off by 3 mm
+    }
+}
+
+TEST_CASE("a recording ends when all bodies are below its floor") {
+    const Asset ball = make_ellipsoid({0.05, 0.05, 0.05}, 1e4, {1e-3, 1.5e-5});
+    Run run;
+    run.loads.load_model = LR_LOADS_NONE;
+    run.duration = 3.0;
+    run.floor = -0.5 * 9.81;
+    Start late;
+    late.position.y() = 0.5 * 9.81 * (1.44 - 1.0); // reaches it after 1.2 s
+    const std::vector<Track> tracks = record(ball, run, {Start{}, late});
+    for (const Track& t : tracks) CHECK(std::abs(static_cast<double>(t.samples.size()) - 121.0) <= 1.0);
+    CHECK(tracks[1].samples.back().position.y() < run.floor);
+}
+
+TEST_CASE("a leaf's upper page has half of its faces and its outline's area") {
+    const Triangles page = upper_page(LR_ASSETS "/leaf.obj");
+    CHECK(page.indices.size() == 3 * 600);
+    const lr_asset_info info = info_of(load(page.bake(sheet_options(3e-4, 0.08, Fluid{}))));
+    CHECK(info.mass / 0.08 == doctest::Approx(0.7 * 0.07 * 0.04).epsilon(0.15)); // an oval is 0.7 of its box
+    CHECK_THROWS(upper_page("no such file"));
+}
+
+TEST_CASE("a disc made for a Reynolds number weighs what its drag at that speed carries") {
+    const double d = 3e-3, re = 360.0, speed = re * 1.5e-5 / d;
+    const lr_asset_info info = info_of(disc_sinking_at(re, d));
+    CHECK(info.mass * 9.81 == doctest::Approx(0.5 * 1.2 * speed * speed * 0.25 * pi * d * d * (1.17 + 20.4 / re)));
 }

@@ -25,6 +25,7 @@ Finished sample_row(const Row& row) {
     result.add("a | b", Rule::relative, 1.05, 1.0, 0.1, "m/s");
     result.add("too large", Rule::at_most, 2.0, 1.0, 0.0);
     result.show("by the way", 3.0);
+    result.add("one of many", Rule::compared, 1.3, 1.0, 0.2);
     result.remarks.push_back("A remark.");
     result.pictures.push_back({"p.svg", "<svg/>", "A picture."});
     return {&row, result};
@@ -51,6 +52,9 @@ TEST_CASE("verdicts: each rule at its edges, and nothing holds that is not a num
         CHECK(holds(Rule::shown, bad, 0.0));
     }
     CHECK_FALSE(holds(Rule::relative, 0.0, 0.0, 0.1)); // nothing is relative to zero
+    CHECK(holds(Rule::compared, 2.0, 1.0, 0.1));       // another check judges it
+    CHECK_FALSE(Check{"", Rule::compared, 1.11, 1.0, 0.1, ""}.within());
+    CHECK(Check{"", Rule::compared, 1.09, 1.0, 0.1, ""}.within());
 }
 
 TEST_CASE("jobs: each once, with progress to the end, on any number of threads, failures come out") {
@@ -105,8 +109,10 @@ TEST_CASE("reports: all three say the same") {
     const lr::test::Json json = lr::test::Json::parse(to_json({f}, Context{}));
     CHECK(json["holds"] == false);
     const lr::test::Json checks = json["rows"][0]["checks"];
-    REQUIRE(checks.size() == 3);
+    REQUIRE(checks.size() == 4);
     CHECK(checks[0]["holds"] == true);
     CHECK(checks[1]["holds"] == false);
     CHECK_FALSE(checks[2].contains("holds"));
+    CHECK(checks[3]["holds"] == false);
+    CHECK(page.find("| one of many | 1.3 | 1 | 20 % | outside |") != std::string::npos);
 }
