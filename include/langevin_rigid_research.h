@@ -33,27 +33,49 @@ typedef struct lr_aerodynamics {
     /* Lift rho G x v with G_k = spin_lift_k w_k - lift_k v_i v_j/s. */
     double lift[3];        /* m^2, positive where the body is thinner along j than along i */
     double spin_lift[3];   /* m^3 */
-    double lift_moment[3]; /* m^3, moment of the lift about k: rho lift_moment_k v_i v_j */
+    double lift_moment[3]; /* ignored since 0.3 */
     /* Couple -rho (spin_drag_k |w| + spin_drag_stream_k s + spin_drag_stokes_k nu) w_k. All >= 0. */
-    double spin_drag[3];        /* m^5 */
-    double spin_drag_stream[3]; /* m^4 */
-    double spin_drag_stokes[3]; /* m^3 */
-    double intensity;           /* velocity fluctuations in the body's own wake, per axis, over s. Above 0.4, gains
+    double spin_drag[3];           /* m^5 */
+    double spin_drag_stream[3];    /* m^4 */
+    double spin_drag_stokes[3];    /* m^3 */
+    double intensity;              /* velocity fluctuations in the body's own wake, per axis, over s. Above 0.4, gains
                                    included, it acts as 0.4: a stronger wake would feed itself */
-    double length;              /* m: the fluctuations are correlated over length/s */
-    double wake_reynolds;       /* scales the fluctuations by Re/(Re + wake_reynolds): slow wakes are laminar */
-    /* Stall: sigma = sum_i broadside_i (v_i/s)^2 multiplies lift by 1 - lift_stall sigma and adds lift_moment_stalled_k
-     * sigma to lift_moment_k. */
-    double broadside[3]; /* 0 to 1 */
-    double lift_stall;
-    double lift_moment_stalled[3]; /* m^3 */
-    /* Couple -rho g_k (g . w)/s with g_k = sqrt(roll_damping_k) v_k. Damps the spin about the stream, as a wing damps
-     * roll; in plane motion this spin is 0. All >= 0. */
-    double roll_damping[3]; /* m^4 */
-    double center[3];       /* m, where the loads act, from the centre of buoyancy, body frame; within 2 d; default 0 */
+    double length;                 /* m: the fluctuations are correlated over length/s */
+    double wake_reynolds;          /* scales the fluctuations by Re/(Re + wake_reynolds): slow wakes are laminar */
+    double broadside[3];           /* 0 to 1: the fluctuations grow with sum_i broadside_i (v_i/s)^2 */
+    double lift_stall;             /* ignored since 0.3 */
+    double lift_moment_stalled[3]; /* ignored since 0.3 */
+    double roll_damping[3];        /* ignored since 0.3 */
+    double center[3]; /* m, where the loads act, from the centre of buoyancy, body frame; within 2 d; default 0 */
+    /* A plate whose normal n is the axis with the largest broadside, with the part v_n of the stream along it and v_t in
+     * the plate. The normal force is -1/2 rho N; attached, N = plate_lift |v_t| v_n + plate_vortex |v_n| v_n; separated,
+     * N = plate_drag s v_n (1 + 0.8 v_t^2/s^2); half of each where v_n^2/s^2 is plate_stall. A stream along axis i of the
+     * plate has the values with index i. */
+    double plate_lift[3];   /* m^2, >= 0 */
+    double plate_vortex[3]; /* m^2, >= 0 */
+    double plate_stall[3];  /* 0 to 1 */
+    /* This share of the added momentum along n, 0 to 1, does not move with the body while the stream is separated and sheds
+     * vortices: it reduces the Munk moment. */
+    double plate_separated_shedding;
+    double plate_drag; /* m^2, >= 0: drag coefficient broadside times area */
+    double start_drag; /* >= 0: adds to N start_drag plate_drag |u - v| ((v - u) . v/s^2) v_n */
+    /* Memory: u follows v at the rate max(s, |u|)/(wake_lag wake_length). Attached, N takes wake_share of its stream from
+     * u. */
+    double wake_length; /* m, > 0 */
+    double wake_lag;    /* > 0 */
+    double wake_share;  /* 0 to 1 */
+    /* Vortex shedding above the Reynolds number shedding_reynolds of wake_length: an oscillator q in the plate with the
+     * frequency strouhal s/wake_length and the moment rho v_n^2 n x (shedding_moment q + shedding_rate_moment r) times
+     * 1 - (shedding_reynolds/Re)^2, r the rate of q over 2 pi times the frequency. It starts from the fluctuations. */
+    double strouhal;
+    double shedding_growth;      /* >= 0 */
+    double shedding_reynolds;    /* >= 0 */
+    double shedding_noise;       /* >= 0: of r by the fluctuations */
+    double shedding_moment;      /* m^3 */
+    double shedding_rate_moment; /* m^3 */
 } lr_aerodynamics;
 
-/* Sets the axes to the body's, `length` to 1 and everything else to 0: no loads. */
+/* Sets the axes to the body's, `length`, `wake_length` and `wake_lag` to 1 and everything else to 0: no loads. */
 LR_API lr_status lr_aerodynamics_init(lr_aerodynamics* aerodynamics, uint32_t struct_size);
 
 /* Reads an asset's baked coefficients. aerodynamics: initialised by lr_aerodynamics_init, or with struct_size set.
@@ -131,7 +153,7 @@ LR_API lr_status lr_batch_get_turbulence_table(const lr_world* world, lr_batch b
 /* Initial values, as in langevin_rigid.h. */
 /* clang-format off */
 #define LR_AERODYNAMICS_INIT {sizeof(lr_aerodynamics), 0, {1, 0, 0, 0, 1, 0, 0, 0, 1}, {0}, {0}, {0}, {0}, {0}, {0}, \
-    {0}, {0}, {0}, {0}, 0, 1, 0, {0}, 0, {0}, {0}, {0}}
+    {0}, {0}, {0}, {0}, 0, 1, 0, {0}, 0, {0}, {0}, {0}, {0}, {0}, {0}, 0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0}
 #define LR_RIGID_DESC_INIT {sizeof(lr_rigid_desc), 0, 0, 0, {0}, {0}, {0}, 1.2, 1.5e-5, {0}, 1, 0}
 #define LR_TURBULENCE_TABLE_INIT {sizeof(lr_turbulence_table), 0, 0, 0, 0, 0, 0, 6.5f, 0, 0}
 /* clang-format on */

@@ -250,7 +250,7 @@ lr_status lr_batch_write_velocities(const lr_world* world, lr_batch batch, void*
 lr_status lr_batch_set_aerodynamics(lr_world* world, lr_batch batch, const lr_aerodynamics* aerodynamics) {
     const auto set = [](lr_world&, Batch& b, const lr_aerodynamics* given) -> Outcome {
         if (!given) return b.set_aerodynamics(b.asset().data.aerodynamics, b.gains()) ? LR_OK : LR_ERROR_INTERNAL;
-        AerodynamicData loads;
+        AerodynamicData loads = b.asset().data.aerodynamics;
         if (const lr_status status = read_loads(given, loads); status != LR_OK) return status;
         if (const char* why = wrong_in(loads)) return invalid(why);
         return b.set_aerodynamics(loads, b.gains()) ? Outcome{} : invalid("center is farther than 2 d");

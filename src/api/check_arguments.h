@@ -6,8 +6,9 @@
 #include "base/last_error.h"
 #include "base/supported_platform.h"
 #include "kernel/limits.h"
-#include "langevin_rigid.h"
+#include "langevin_rigid_research.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -23,9 +24,13 @@ inline lr_status told(const char* function, const Outcome& outcome) {
 // Far above the size of any struct of this API: a larger struct_size is uninitialised memory.
 inline constexpr uint32_t max_struct_size = 65536;
 
-// The size of this header's struct, or the larger size of a newer header's.
+// The size of a struct when it was first released: callers with that header are served. Later fields then have their initial values.
+template <class T> inline constexpr size_t first_size = sizeof(T);
+template <> inline constexpr size_t first_size<lr_aerodynamics> = offsetof(lr_aerodynamics, plate_lift);
+
+// The size of this header's struct, that of the first release, or the larger size of a newer header's.
 template <class T> bool is_struct_size(uint32_t size) {
-    return size >= sizeof(T) && size <= max_struct_size;
+    return (size >= sizeof(T) || size == first_size<T>)&&size <= max_struct_size;
 }
 
 template <class T>
@@ -34,24 +39,29 @@ concept Sized = requires(T s) {
 };
 
 // The tail of a newer, larger struct must be zero: a set field would request a feature that this library lacks.
-inline lr_status check_size(const void* given, size_t own) {
+inline lr_status check_size(const void* given, size_t own, size_t first) { // first: of the first release
     if (!given) return LR_ERROR_NULL_ARGUMENT;
     uint32_t size = 0; // the first field
     std::memcpy(&size, given, sizeof size);
-    if (size < own || size > max_struct_size) return LR_ERROR_STRUCT_SIZE;
+    if ((size < own && size != first) || size > max_struct_size) return LR_ERROR_STRUCT_SIZE;
     const auto* bytes = static_cast<const unsigned char*>(given);
     for (size_t i = own; i < size; ++i)
         if (bytes[i] != 0) return LR_ERROR_STRUCT_SIZE;
     return LR_OK;
 }
+inline lr_status check_size(const void* given, size_t own) {
+    return check_size(given, own, own);
+}
 template <class T> lr_status check_size(const T* given) {
-    return check_size(given, sizeof(T));
+    return check_size(given, sizeof(T), first_size<T>);
 }
 
-// After check_size(). The copy has this header's struct_size, because snapshots and recordings contain it.
+// After check_size(). The copy has this header's struct_size, because snapshots and recordings contain it, or that of the first release, without the
+// later fields of `out`.
 template <class T> void copy_struct(const T* given, T& out) {
-    out = *given;
-    out.struct_size = sizeof(T);
+    const size_t size = std::min<size_t>(given->struct_size, sizeof(T));
+    std::memcpy(static_cast<void*>(&out), given, size);
+    out.struct_size = static_cast<uint32_t>(size);
 }
 template <class T> lr_status read_struct(const T* given, T& out) {
     const lr_status status = check_size(given);
@@ -85,7 +95,7 @@ private:
 // After check_size(). Writes a result but keeps the caller's struct_size.
 template <class T> void write_struct(const T& from, T* to) {
     const uint32_t size = to->struct_size;
-    *to = from;
+    std::memcpy(static_cast<void*>(to), &from, std::min<size_t>(size, sizeof(T)));
     to->struct_size = size;
 }
 

@@ -92,7 +92,7 @@ public:
         return true;
     }
     template <class T> bool structure(const T* given) {
-        T unused;
+        T unused{};
         return structure(given, unused);
     }
     // `each` records the arrays that an element points to.

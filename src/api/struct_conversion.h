@@ -36,9 +36,9 @@ inline lr_aerodynamics to_struct(const AerodynamicData& from) {
     return to;
 }
 
-// Does not check ranges; wrong_in does.
+// Does not check ranges; wrong_in does. out: what the struct of an older caller lacks keeps its value.
 inline lr_status read_loads(const lr_aerodynamics* from, AerodynamicData& out) {
-    lr_aerodynamics a;
+    lr_aerodynamics a = to_struct(out);
     const lr_status status = read_struct(from, a);
     if (status != LR_OK) return status;
     bool all_finite = true;

@@ -4,12 +4,12 @@
 namespace lr::api {
 namespace {
 
-// The caller's struct is larger if its header is newer.
+// The caller's struct is larger or smaller if its header is newer or older.
 template <Sized T> lr_status init(T* s, uint32_t struct_size, const T& initial) {
     if (!s) return LR_ERROR_NULL_ARGUMENT;
     if (!is_struct_size<T>(struct_size)) return LR_ERROR_STRUCT_SIZE;
     std::memset(static_cast<void*>(s), 0, struct_size);
-    std::memcpy(static_cast<void*>(s), &initial, sizeof initial);
+    std::memcpy(static_cast<void*>(s), &initial, std::min<size_t>(struct_size, sizeof initial));
     s->struct_size = struct_size;
     return LR_OK;
 }

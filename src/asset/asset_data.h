@@ -8,7 +8,7 @@
 
 namespace lr {
 
-inline constexpr uint32_t asset_format_version = 1;
+inline constexpr uint32_t asset_format_version = 2;
 
 // Non-dimensional k-epsilon samples: t* = t u0/l, chi* = chi l/u0, epsilon* = epsilon l/u0^3.
 struct TurbulenceData {
@@ -45,26 +45,33 @@ struct AerodynamicData {
     // Lift rho Gamma x v_r, Gamma_k = spin_lift_k w_k - lift_k v_i v_j/s.
     std::array<double, 3> lift{};      // m^2, positive if j is the thinner direction
     std::array<double, 3> spin_lift{}; // m^3
-    // Moment of that lift about the centre: rho lift_moment_k v_i v_j; minus the part of the Munk moment that separated flow does not create.
-    std::array<double, 3> lift_moment{}; // m^3
-    // Stall: sigma = sum_i broadside_i (v_i/s)^2 takes lift_stall sigma off `lift` and adds lift_moment_stalled_k sigma.
-    std::array<double, 3> broadside{};
-    double lift_stall = 0.0;
-    std::array<double, 3> lift_moment_stalled{}; // m^3
     // Spin drag -rho [spin_drag_k |w| + spin_drag_stream_k s + spin_drag_stokes_k nu] w_k.
     std::array<double, 3> spin_drag{};        // m^5
     std::array<double, 3> spin_drag_stream{}; // m^4
     std::array<double, 3> spin_drag_stokes{}; // m^3
-    // Roll damping -rho g_k (g . w)/s, g_k = sqrt(roll_damping_k) v_k: of the part of the spin about the stream.
-    std::array<double, 3> roll_damping{}; // m^4
-    // Velocity of the fluid in the wake: per axis intensity times s Re/(Re + wake_reynolds), correlated over length/s. Below some 100s it is laminar.
+    // A plate, its normal n the axis of the largest broadside: docs/maintainers/physics.md, "Plates". One value for streams along each axis.
+    std::array<double, 3> plate_lift{};    // m^2, slope of the attached normal force times area
+    std::array<double, 3> plate_vortex{};  // m^2, the part with the square of the incidence
+    std::array<double, 3> plate_stall{};   // squared sine of the stall angle
+    double plate_separated_shedding = 0.0; // share of the added momentum along n that a separated stream sheds
+    double plate_drag = 0.0;               // m^2, broadside
+    double start_drag = 0.0;               // while the wake is being made
+    // Its wake: `wake_length` long; it keeps the stream of some `wake_lag` lengths before, of which the lift takes `wake_share`.
+    double wake_length = 1.0; // m
+    double wake_lag = 1.0, wake_share = 0.0;
+    // Vortex shedding, above a Reynolds number: frequency strouhal s/wake_length.
+    double strouhal = 0.0, shedding_growth = 0.0, shedding_reynolds = 0.0, shedding_noise = 0.0;
+    double shedding_moment = 0.0, shedding_rate_moment = 0.0; // m^3
+    // Gusts: velocity of the fluid in the wake, per axis intensity times s Re/(Re + wake_reynolds) sum_i broadside_i (v_i/s)^2, correlated over
+    // length/s. Below some 100s it is laminar.
+    std::array<double, 3> broadside{};
     double intensity = 0.0;
     double wake_reynolds = 0.0;
     double length = 1.0;            // m
     std::array<double, 3> center{}; // m, from the centre of buoyancy, body frame
 };
 
-// Its coefficients for loops: X(name, least, most, power), limits in units of d^power. Folded surfaces have many times the area of their silhouette.
+// Its vectors and numbers for loops: X(name, least, most, power), limits in units of d^power. Folded surfaces have many times the area of their silhouette.
 #define LR_AERODYNAMIC_VECTORS(X)                                                                                      \
     X(drag, 0.0, 1e6, 2.0)                                                                                             \
     X(drag_blunt, 0.0, 1e6, 2.0)                                                                                       \
@@ -72,17 +79,30 @@ struct AerodynamicData {
     X(drag_stokes, 0.0, 1e6, 1.0)                                                                                      \
     X(lift, -1e6, 1e6, 2.0)                                                                                            \
     X(spin_lift, -1e6, 1e6, 3.0)                                                                                       \
-    X(lift_moment, -1e6, 1e6, 3.0)                                                                                     \
     X(spin_drag, 0.0, 1e6, 5.0)                                                                                        \
     X(spin_drag_stream, 0.0, 1e6, 4.0)                                                                                 \
     X(spin_drag_stokes, 0.0, 1e6, 3.0)                                                                                 \
     X(broadside, 0.0, 1.0, 0.0)                                                                                        \
-    X(lift_moment_stalled, -1e6, 1e6, 3.0)                                                                             \
-    X(roll_damping, 0.0, 1e6, 4.0)                                                                                     \
+    X(plate_lift, 0.0, 1e6, 2.0)                                                                                       \
+    X(plate_vortex, 0.0, 1e6, 2.0)                                                                                     \
+    X(plate_stall, 0.0, 1.0, 0.0)                                                                                      \
     X(center, -2.0, 2.0, 1.0)
-// Numbers: X(name, least, most).
 #define LR_AERODYNAMIC_NUMBERS(X)                                                                                      \
-    X(intensity, 0.0, 10.0) X(length, 1e-9, 1e6) X(wake_reynolds, 0.0, 1e9) X(lift_stall, -10.0, 10.0)
+    X(intensity, 0.0, 10.0, 0.0)                                                                                       \
+    X(length, 1e-9, 1e6, 0.0)                                                                                          \
+    X(wake_reynolds, 0.0, 1e9, 0.0)                                                                                    \
+    X(plate_separated_shedding, 0.0, 1.0, 0.0)                                                                         \
+    X(plate_drag, 0.0, 1e6, 2.0)                                                                                       \
+    X(start_drag, 0.0, 10.0, 0.0)                                                                                      \
+    X(wake_length, 1e-9, 1e6, 0.0)                                                                                     \
+    X(wake_lag, 1e-3, 1e6, 0.0)                                                                                        \
+    X(wake_share, 0.0, 1.0, 0.0)                                                                                       \
+    X(strouhal, 0.0, 10.0, 0.0)                                                                                        \
+    X(shedding_growth, 0.0, 100.0, 0.0)                                                                                \
+    X(shedding_reynolds, 0.0, 1e9, 0.0)                                                                                \
+    X(shedding_noise, 0.0, 10.0, 0.0)                                                                                  \
+    X(shedding_moment, -1e6, 1e6, 3.0)                                                                                 \
+    X(shedding_rate_moment, -1e6, 1e6, 3.0)
 
 // Null if a body of any size can have these loads, else the reason.
 const char* wrong_in(const AerodynamicData& loads);

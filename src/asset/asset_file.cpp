@@ -51,7 +51,7 @@ public:
             std::copy(from->begin(), from->end(), to.begin());
     }
     void vector3(const format::Vec3* from, std::array<double, 3>& to, const char* field) {
-        if (aligned(from, alignof(double), field)) to = {from->x(), from->y(), from->z()};
+        if (from && aligned(from, alignof(double), field)) to = {from->x(), from->y(), from->z()};
     }
     bool aligned(const void* at, size_t alignment, const char* field) {
         if (reinterpret_cast<uintptr_t>(at) % alignment == 0) return true;

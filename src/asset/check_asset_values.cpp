@@ -216,7 +216,8 @@ struct Coefficient {
 };
 #define LR_VECTOR(name, least, most, power)                                                                            \
     {nullptr, &AerodynamicData::name, "aerodynamics." #name, least, most, power},
-#define LR_NUMBER(name, least, most) {&AerodynamicData::name, nullptr, "aerodynamics." #name, least, most, 0.0},
+#define LR_NUMBER(name, least, most, power)                                                                            \
+    {&AerodynamicData::name, nullptr, "aerodynamics." #name, least, most, power},
 constexpr Coefficient coefficients[] = {LR_AERODYNAMIC_VECTORS(LR_VECTOR) LR_AERODYNAMIC_NUMBERS(LR_NUMBER)};
 #undef LR_VECTOR
 #undef LR_NUMBER
@@ -231,7 +232,7 @@ void check_aerodynamics(const AssetData& d, Checker& check) {
         double unit = 1.0;
         for (int halves = static_cast<int>(2.0 * c.power); halves > 0; halves -= 2)
             unit *= halves == 1 ? std::sqrt(d.length_d) : d.length_d;
-        if (c.number) check.range(a.*c.number, c.name, c.least, c.most);
+        if (c.number) check.range(a.*c.number, c.name, c.least * unit, c.most * unit);
         for (size_t k = 0; c.vector && k < 3; ++k)
             check.range((a.*c.vector)[k], std::string(c.name) + "[" + std::to_string(k) + "]", c.least * unit,
                         c.most * unit);

@@ -29,6 +29,14 @@ enum Field : size_t {
     field_gust_x,
     field_gust_y,
     field_gust_z, // m/s, world: the body's own gust, AERODYNAMIC loads only
+    // The body's wake, AERODYNAMIC loads only, along the axes of the loads.
+    field_lag_x,
+    field_lag_y,
+    field_lag_z, // m/s: the stream as it left the wake
+    field_shedding_0,
+    field_shedding_1, // the wake's oscillator, along the two axes after the plate's normal
+    field_shedding_rate_0,
+    field_shedding_rate_1, // its rate over the shedding frequency
     field_count
 };
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numbers>
 
 namespace lr {
 namespace {
@@ -145,6 +146,43 @@ void set_speed_turbulence(const TurbulenceSample& s, const Gains& gains, BodyCon
     out.speed_beta = static_cast<float>(langevin_beta_squared(epsilon_star(s), s.c0, gains) * d_over_l);
 }
 
+namespace {
+// drag, lift: rho over the mass unit, with the gains.
+void set_plate(const AssetData& a, const AerodynamicData& loads, double drag, double lift, double rho,
+               BodyConstantsOf<double>& c) {
+    AerodynamicConstantsOf<double>& out = c.aerodynamics;
+    const double d = a.length_d;
+    const auto widest = std::max_element(loads.broadside.begin(), loads.broadside.end());
+    const auto n = static_cast<size_t>(widest - loads.broadside.begin());
+    for (size_t row = 0; row < 2; ++row) out.plate_axes[row * 3 + (n + 1 + row) % 3] = 1.0;
+    out.normal_axis[n] = 1.0;
+    for (size_t i = 0; i < 3; ++i) out.normal[i] = loads.axes[n * 3 + i];
+    derived::cross3(out.arm, out.normal, out.normal_arm);
+    double added = 0.0; // along the normal
+    for (size_t i = 0; i < 3; ++i)
+        for (size_t j = 0; j < 3; ++j) added += out.normal[i] * a.added_mass[i * 6 + j] * out.normal[j];
+    added *= rho / c.unit_mass;
+    for (size_t i = 0; i < 3; ++i) {
+        const bool along = i != n;
+        out.plate_lift[i] = along ? 0.5 * lift * d * loads.plate_lift[i] : 0.0;
+        out.plate_vortex[i] = along ? 0.5 * lift * d * loads.plate_vortex[i] : 0.0;
+        out.plate_stall[i] = along ? 1.0 / std::max(loads.plate_stall[i], 1e-3) : 0.0;
+    }
+    out.most_shed = added;
+    out.separated_shed = added * loads.plate_separated_shedding;
+    out.plate_drag = 0.5 * drag * d * loads.plate_drag;
+    out.start_drag = loads.start_drag * out.plate_drag;
+    out.wake_rate = d / (loads.wake_lag * loads.wake_length);
+    out.wake_share = loads.wake_share;
+    out.shedding_rate = 2.0 * std::numbers::pi * loads.strouhal * d / loads.wake_length;
+    out.shedding_growth = loads.shedding_growth;
+    out.shedding_reynolds = loads.shedding_reynolds * d / loads.wake_length;
+    out.shedding_noise = loads.shedding_noise;
+    out.shedding_moment = lift * loads.shedding_moment;
+    out.shedding_rate_moment = lift * loads.shedding_rate_moment;
+}
+} // namespace
+
 bool make_aerodynamics(const AssetData& a, const AerodynamicData& loads, const Gains& gains, bool diagonal, double rho,
                        double viscosity, BodyConstants& body) {
     const double d = a.length_d;
@@ -165,10 +203,7 @@ bool make_aerodynamics(const AssetData& a, const AerodynamicData& loads, const G
     scaled(loads.drag_stokes, stokes, out.drag_stokes);
     scaled(loads.lift, lift * d, out.lift);
     scaled(loads.spin_lift, lift, out.spin_lift);
-    scaled(loads.lift_moment, lift, out.lift_moment);
-    scaled(loads.lift_moment_stalled, lift, out.lift_moment_stalled);
     scaled(loads.broadside, 1.0, out.broadside);
-    out.lift_stall = loads.lift_stall;
     scaled(loads.spin_drag, spin_drag / (d * d), out.spin_drag);
     scaled(loads.spin_drag_stream, spin_drag / d, out.spin_drag_stream);
     scaled(loads.spin_drag_stokes, spin_drag, out.spin_drag_stokes);
@@ -177,11 +212,11 @@ bool make_aerodynamics(const AssetData& a, const AerodynamicData& loads, const G
         const size_t i = (k + 1) % 3, j = (k + 2) % 3;
         out.lift_layer[k] = layer * (loads.drag_layer[j] - loads.drag_layer[i]);
         out.lift_stokes[k] = stokes * (loads.drag_stokes[j] - loads.drag_stokes[i]);
-        out.roll[k] = std::sqrt(spin_drag / d * loads.roll_damping[k]);
         out.spin_weight[k] = strongest > 0.0 ? loads.spin_drag[k] / strongest : 0.0;
         out.arm[k] = (a.center_of_buoyancy[k] + loads.center[k]) / d;
     }
     std::copy(loads.axes.begin(), loads.axes.end(), out.axes);
+    set_plate(a, loads, drag, lift, rho, c);
     out.rate_of_gusts = d / loads.length;
     const double intensity = loads.intensity * gains.turbulence * gains.noise;
     out.variance_of_gusts = std::min(intensity * intensity, most_variance);
@@ -191,6 +226,8 @@ bool make_aerodynamics(const AssetData& a, const AerodynamicData& loads, const G
     Matrix6 inverse;
     if (!invert_spd(kernel_mass(a, diagonal, rho), inverse)) return false;
     upper_triangle(inverse, 0, 6, c.full_inverse);
+    const double inverse_spin_mass[3] = {inverse[21], inverse[28], inverse[35]};
+    derived::set_munk_of_normal(inverse_spin_mass, out);
     derived::set_frame(0.0, 1.0, eigen3, c);
     // M^-1 P^T for each direction of P: the response to a force or couple.
     for (size_t i = 0; i < 6; ++i) {

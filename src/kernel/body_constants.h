@@ -17,11 +17,18 @@ enum class Integrator : int32_t { splitting, rk4 };
 template <class T> struct AerodynamicConstantsOf {
     T viscosity; // nu, m^2/s
     T drag[3], drag_blunt[3], drag_layer[3], drag_stokes[3];
-    T lift[3], lift_layer[3], lift_stokes[3], spin_lift[3], lift_moment[3];
-    T broadside[3], lift_stall, lift_moment_stalled[3];
+    T lift[3], lift_layer[3], lift_stokes[3], spin_lift[3], broadside[3];
     T spin_drag[3], spin_drag_stream[3], spin_drag_stokes[3];
     T spin_weight[3]; // spin_drag over its largest
-    T roll[3];        // square root of roll_damping
+    // A plate. Along the load axes: plate_axes the two after the normal, normal_axis the normal; in the body frame: normal.
+    T plate_axes[6], normal_axis[3], normal[3], normal_arm[3]; // normal_arm: arm x normal
+    T munk_of_normal[3];                                       // diagonal path: as munk, of a mass along the normal
+    T plate_lift[3], plate_vortex[3], plate_drag, start_drag;
+    T plate_stall[3];                                                    // the inverse
+    T separated_shed, most_shed;                                         // of the added mass along the normal
+    T wake_rate, wake_share;                                             // over d: 1/(wake_lag wake_length)
+    T shedding_rate, shedding_growth, shedding_reynolds, shedding_noise; // rate: 2 pi strouhal/wake_length
+    T shedding_moment, shedding_rate_moment;
     // Full path. Q: from body axes to load axes. P = Q (1, -[r]x): velocity of the load centre.
     T axes[9], arm[3]; // Q; r: from the centre of mass to the load centre, over d
     T mobility[6];     // P M^-1 P^T, upper triangle
@@ -34,7 +41,6 @@ template <class T> struct AerodynamicConstantsOf {
     T spin_answer[6];            // its columns over their diagonal entry, without it: x's y, z; y's x, z; z's x, y
     T fall[18];                  // response to gravity along body axes in a uniform wind: P over Q (M^-1)_u, 6x3
     T velocity_of_couple[9];     // velocity of the load centre per change of spin by a couple
-    T spin_response[18];         // twist per change of spin by a couple, body axes, 6x3
     // Gusts with the SPEED clock: correlation rate per speed, variance per square of the speed.
     T rate_of_gusts, variance_of_gusts;
     T wake_reynolds;

@@ -58,6 +58,12 @@ template <class N> HWY_INLINE void set_turning(BodyConstantsOf<N>& c) {
     }
 }
 
+// Diagonal path: the Munk moment of a mass along the plate's normal.
+template <class N> HWY_INLINE void set_munk_of_normal(const N* inverse_spin_mass, AerodynamicConstantsOf<N>& a) {
+    for (size_t i = 0; i < 3; ++i)
+        a.munk_of_normal[i] = (a.normal[(i + 1) % 3] - a.normal[(i + 2) % 3]) * inverse_spin_mass[i];
+}
+
 // Full path, from the mass matrix.
 template <class N> HWY_INLINE void set_slip(N one, BodyConstantsOf<N>& c) {
     const N* const m = c.full_mass;
@@ -120,10 +126,6 @@ template <class N, class Eigen> HWY_INLINE void set_frame(N zero, N one, const E
     const N over[3] = {one / spin[0], one / spin[3], one / spin[5]};
     const N beside[6] = {spin[1], spin[2], spin[1], spin[4], spin[2], spin[4]};
     for (size_t i = 0; i < 6; ++i) a.spin_answer[i] = beside[i] * over[i / 2];
-    for (size_t i = 0; i < 6; ++i) {
-        const N couple[3] = {spin_response[0][i], spin_response[1][i], spin_response[2][i]};
-        times_symmetric3(inverse_spin, couple, a.spin_response + 3 * i);
-    }
     eigen(n, vectors);
     for (size_t j = 0; j < 3; ++j) {
         a.rate[j] = n[j][j];

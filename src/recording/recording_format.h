@@ -16,7 +16,7 @@ struct FileHeader {
     uint32_t library; // lr_version()
 };
 inline constexpr char magic[8] = {'L', 'R', 'R', 'E', 'C', 'O', 'R', 'D'};
-inline constexpr uint32_t format_version = 1;
+inline constexpr uint32_t format_version = 2;
 
 // Frames follow. A record is one frame or several; all but its last have frame_continues.
 struct FrameHeader {

@@ -68,7 +68,7 @@ TEST_CASE("a file and its bytes at any alignment are the same asset") {
     const Asset from_file(raw);
     const lr_asset_info info = info_of(from_file);
     CHECK(std::string(info.name) == "leaf");
-    CHECK(info.format_version == 1);
+    CHECK(info.format_version == 2);
     CHECK(info.density == 800.0);
     CHECK(info.mass == doctest::Approx(800.0 * 4.0 / 3.0 * 3.141592653589793 * 0.04 * 0.01 * 0.0005));
     CHECK(info.center_of_mass[0] == 0.002);
@@ -250,8 +250,9 @@ TEST_CASE("an asset has the coefficients of its loads: a sphere's by hand, a lea
         CHECK(sphere.drag_stokes[k] == doctest::Approx(6.0 * pi * r));
         CHECK(sphere.spin_drag_stokes[k] == doctest::Approx(8.0 * pi * r * r * r));
         CHECK(sphere.drag[k] + sphere.drag_blunt[k] == doctest::Approx(0.46 * pi * r * r).epsilon(0.05));
-        CHECK((sphere.lift[k] == 0.0 && sphere.lift_moment[k] == 0.0));
+        CHECK((sphere.lift[k] == 0.0 && sphere.plate_lift[k] == 0.0));
     }
+    CHECK((sphere.plate_drag == 0.0 && sphere.shedding_moment == 0.0));
     CHECK(sphere.length > 0.1 * r);
 
     lr_asset* raw = nullptr;

@@ -8,16 +8,21 @@ using namespace test;
 
 namespace {
 
-// Sizes from callers built with this header, or with a newer one whose structs are larger.
+// Structs that have grown since their first release.
+template <class T> constexpr auto first_size = static_cast<uint32_t>(sizeof(T));
+template <> constexpr auto first_size<lr_aerodynamics> = static_cast<uint32_t>(offsetof(lr_aerodynamics, plate_lift));
+
+// Sizes from callers built with this header, with an older one, or with a newer one whose structs are larger.
 template <class T> std::vector<uint32_t> good_sizes() {
     constexpr auto size = static_cast<uint32_t>(sizeof(T));
-    return {size, size + 4, size + 64};
+    return {first_size<T>, size, size + 4, size + 64};
 }
 
 // No caller has these sizes.
 template <class T> std::vector<uint32_t> bad_sizes() {
     std::vector<uint32_t> sizes = {65537, 0x7fffffff, 0xffffffff};
-    for (uint32_t size = 0; size < sizeof(T); ++size) sizes.push_back(size);
+    for (uint32_t size = 0; size < sizeof(T); ++size)
+        if (size != first_size<T>) sizes.push_back(size);
     return sizes;
 }
 

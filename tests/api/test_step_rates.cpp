@@ -187,7 +187,7 @@ TEST_CASE("a divisor has no effect beyond the longest substep") {
     for (int i = 0; i < 8; ++i) {
         steps(world, 1, 1.0f / 60.0f, 8);
         CHECK(pace_of(world, large).substeps == 1);
-        CHECK(pace_of(world, small).substeps == 3); // 3.8 of 8 fit into its longest
+        CHECK(pace_of(world, small).substeps == 4); // 2.9 of 8 fit into its longest
         CHECK(report_of(world).lost == 0.0);
     }
     // A world with longer substeps than that steps as usual.

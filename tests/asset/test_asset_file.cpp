@@ -18,12 +18,26 @@ namespace {
 const double not_a_number = std::numeric_limits<double>::quiet_NaN(),
              infinite = std::numeric_limits<double>::infinity();
 
+// Every coefficient, by its name in the file, with its limits: numbers have size 1.
+struct Coefficient {
+    const char* name;
+    std::function<double*(AerodynamicData&)> at;
+    size_t size;
+    double least, most, power;
+};
+std::vector<Coefficient> coefficients() {
+#define LR_VECTOR(name, least, most, power)                                                                            \
+    {#name, [](AerodynamicData& a) { return a.name.data(); }, 3, least, most, power},
+#define LR_NUMBER(name, least, most, power) {#name, [](AerodynamicData& a) { return &a.name; }, 1, least, most, power},
+    return {LR_AERODYNAMIC_VECTORS(LR_VECTOR) LR_AERODYNAMIC_NUMBERS(LR_NUMBER)};
+#undef LR_VECTOR
+#undef LR_NUMBER
+}
+
 bool same(const AerodynamicData& a, const AerodynamicData& b) {
-    return a.axes == b.axes && a.drag == b.drag && a.drag_blunt == b.drag_blunt && a.drag_layer == b.drag_layer &&
-           a.drag_stokes == b.drag_stokes && a.lift == b.lift && a.spin_lift == b.spin_lift &&
-           a.lift_moment == b.lift_moment && a.spin_drag == b.spin_drag && a.spin_drag_stream == b.spin_drag_stream &&
-           a.spin_drag_stokes == b.spin_drag_stokes && a.intensity == b.intensity && a.length == b.length &&
-           a.roll_damping == b.roll_damping;
+#define LR_SAME(name, ...) &&a.name == b.name
+    return a.axes == b.axes LR_AERODYNAMIC_VECTORS(LR_SAME) LR_AERODYNAMIC_NUMBERS(LR_SAME);
+#undef LR_SAME
 }
 
 bool same(const AssetData& a, const AssetData& b) {
@@ -61,10 +75,9 @@ TEST_CASE("written data is read back, the same bytes for the same data") {
     d.turbulence.max_divergence = 1e-7;
     d.added_mass_error[7] = 1e-9;
     d.aerodynamics.axes = {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0};
-    d.aerodynamics.lift_moment = {1e-9, -2e-9, 3e-9};
-    d.aerodynamics.spin_drag_stream = {1e-12, 2e-12, 3e-12};
-    d.aerodynamics.roll_damping = {4e-12, 5e-12, 6e-12};
-    d.aerodynamics.center = {1e-3, -2e-3, 3e-3};
+    double next = 1e-13; // all different, and allowed for a body of this size
+    for (const Coefficient& c : coefficients())
+        for (size_t k = 0; k < c.size; ++k) c.at(d.aerodynamics)[k] = c.least > 0.0 ? c.least + next : next += 1e-13;
     const std::vector<uint8_t> bytes = write_asset(d);
     CHECK(write_asset(d) == bytes);
     CHECK(std::memcmp(bytes.data() + 4, "LRBA", 4) == 0);
@@ -98,20 +111,6 @@ TEST_CASE("the content hash sees everything that moves a body, and no names") {
         [](AssetData& a) { a.turbulence.c0 = 1.0; },
         [](AssetData& a) { a.turbulence.dt *= 2.0; },
         [](AssetData& a) { std::swap(a.aerodynamics.axes[0], a.aerodynamics.axes[1]); },
-        [](AssetData& a) { a.aerodynamics.drag[1] *= 1.1; },
-        [](AssetData& a) { a.aerodynamics.drag_blunt[1] *= 1.1; },
-        [](AssetData& a) { a.aerodynamics.drag_layer[1] *= 1.1; },
-        [](AssetData& a) { a.aerodynamics.drag_stokes[1] *= 1.1; },
-        [](AssetData& a) { a.aerodynamics.lift[0] *= 1.1; },
-        [](AssetData& a) { a.aerodynamics.spin_lift[0] *= 1.1; },
-        [](AssetData& a) { a.aerodynamics.lift_moment[2] = -1e-9; },
-        [](AssetData& a) { a.aerodynamics.spin_drag[0] *= 1.1; },
-        [](AssetData& a) { a.aerodynamics.spin_drag_stream[2] = 1e-12; },
-        [](AssetData& a) { a.aerodynamics.roll_damping[1] = 1e-12; },
-        [](AssetData& a) { a.aerodynamics.spin_drag_stokes[0] *= 1.1; },
-        [](AssetData& a) { a.aerodynamics.intensity = 0.1; },
-        [](AssetData& a) { a.aerodynamics.length *= 2.0; },
-        [](AssetData& a) { a.aerodynamics.center[1] = 1e-9; },
         [](AssetData& a) { a.hull.vertices[0] += 0.1f; },
         [](AssetData& a) { std::swap(a.hull.triangles[0], a.hull.triangles[1]); }};
     for (const auto& change : matter) {
@@ -119,6 +118,13 @@ TEST_CASE("the content hash sees everything that moves a body, and no names") {
         change(other);
         CHECK(content_hash(other) != hash);
     }
+    for (const Coefficient& c : coefficients())
+        for (size_t k = 0; k < c.size; ++k) {
+            AssetData other = d;
+            c.at(other.aerodynamics)[k] += 1e-3;
+            CAPTURE(c.name);
+            CHECK(content_hash(other) != hash);
+        }
     AssetData renamed = d;
     renamed.name = "other";
     renamed.provenance.source = "elsewhere.obj";
@@ -128,10 +134,10 @@ TEST_CASE("the content hash sees everything that moves a body, and no names") {
 TEST_CASE("each impossible number has its fault, at its field") {
     struct Case {
         FaultId id;
-        const char* where;
+        std::string where;
         std::function<void(AssetData&)> change;
     };
-    const std::vector<Case> cases = {
+    std::vector<Case> cases = {
         {FaultId::asset_not_finite, "mass", [](AssetData& a) { a.mass = not_a_number; }},
         {FaultId::asset_out_of_range, "mass", [](AssetData& a) { a.mass = -1.0; }},
         {FaultId::asset_out_of_range, "volume", [](AssetData& a) { a.volume = 0.0; }},
@@ -213,36 +219,21 @@ TEST_CASE("each impossible number has its fault, at its field") {
         {FaultId::asset_bad_axes, "aerodynamics.axes", [](AssetData& a) { a.aerodynamics.axes[1] = 0.001; }},
         {FaultId::asset_bad_axes, "aerodynamics.axes", [](AssetData& a) { a.aerodynamics.axes[8] = -1.0; }},
         {FaultId::asset_bad_axes, "aerodynamics.axes", [](AssetData& a) { a.aerodynamics.axes.fill(0.0); }},
-        {FaultId::asset_out_of_range, "aerodynamics.drag[2]", [](AssetData& a) { a.aerodynamics.drag[2] = -1e-9; }},
-        {FaultId::asset_not_finite, "aerodynamics.drag_blunt[0]",
-         [](AssetData& a) { a.aerodynamics.drag_blunt[0] = infinite; }},
-        {FaultId::asset_out_of_range, "aerodynamics.drag_layer[1]",
-         [](AssetData& a) { a.aerodynamics.drag_layer[1] = 1e9; }},
-        {FaultId::asset_out_of_range, "aerodynamics.drag_stokes[1]",
-         [](AssetData& a) { a.aerodynamics.drag_stokes[1] = -1.0; }},
-        {FaultId::asset_not_finite, "aerodynamics.lift[0]",
-         [](AssetData& a) { a.aerodynamics.lift[0] = not_a_number; }},
-        {FaultId::asset_out_of_range, "aerodynamics.spin_lift[0]",
-         [](AssetData& a) { a.aerodynamics.spin_lift[0] = -1e9; }},
-        {FaultId::asset_not_finite, "aerodynamics.lift_moment[2]",
-         [](AssetData& a) { a.aerodynamics.lift_moment[2] = -infinite; }},
-        {FaultId::asset_out_of_range, "aerodynamics.spin_drag[0]",
-         [](AssetData& a) { a.aerodynamics.spin_drag[0] = -1e-20; }},
-        {FaultId::asset_not_finite, "aerodynamics.spin_drag_stream[0]",
-         [](AssetData& a) { a.aerodynamics.spin_drag_stream[0] = not_a_number; }},
-        {FaultId::asset_out_of_range, "aerodynamics.roll_damping[1]",
-         [](AssetData& a) { a.aerodynamics.roll_damping[1] = -1e-20; }},
-        {FaultId::asset_out_of_range, "aerodynamics.spin_drag_stokes[2]",
-         [](AssetData& a) { a.aerodynamics.spin_drag_stokes[2] = 1e9; }},
-        {FaultId::asset_out_of_range, "aerodynamics.intensity", [](AssetData& a) { a.aerodynamics.intensity = -0.1; }},
-        {FaultId::asset_out_of_range, "aerodynamics.length", [](AssetData& a) { a.aerodynamics.length = 0.0; }},
-        {FaultId::asset_out_of_range, "aerodynamics.center[2]",
-         [](AssetData& a) { a.aerodynamics.center[2] = -2.1 * a.length_d; }},
-        {FaultId::asset_not_finite, "aerodynamics.center[0]",
-         [](AssetData& a) { a.aerodynamics.center[0] = not_a_number; }},
         {FaultId::asset_out_of_range, "name", [](AssetData& a) { a.name.assign(5000, 'x'); }}};
+    for (const Coefficient& c : coefficients())
+        for (size_t k = 0; k < c.size; ++k) {
+            const std::string where =
+                std::string("aerodynamics.") + c.name + (c.size > 1 ? "[" + std::to_string(k) + "]" : "");
+            const double unit = std::pow(test::leaf_data().length_d, c.power);
+            const auto becomes = [=](double v) { return [=](AssetData& a) { c.at(a.aerodynamics)[k] = v; }; };
+            cases.push_back({FaultId::asset_not_finite, where, becomes(not_a_number)});
+            cases.push_back({FaultId::asset_not_finite, where, becomes(-infinite)});
+            cases.push_back(
+                {FaultId::asset_out_of_range, where, becomes(c.least * unit * (c.least > 0.0 ? 0.9 : 1.1) - 1e-20)});
+            cases.push_back({FaultId::asset_out_of_range, where, becomes(c.most * unit * 1.1)});
+        }
     for (const Case& c : cases) {
-        CAPTURE(std::string(c.where));
+        CAPTURE(c.where);
         AssetData d = test::leaf_data();
         c.change(d);
         const std::vector<uint8_t> bytes = write_asset(d);

@@ -332,9 +332,11 @@ TEST_CASE("aerodynamics: noise on the vertices moves the coefficients no more th
                 v += 1e-4 * Eigen::Vector3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
             const AerodynamicData n = shape::default_aerodynamics(geometry_of(noisy, 1e-3));
             for (std::size_t i = 0; i < 9; ++i) CHECK(std::abs(n.axes[i] - identity[i]) < 2e-3);
+            CHECK(n.plate_drag == Approx(c.plate_drag).epsilon(5e-3));
             for (std::size_t k = 0; k < 3; ++k) {
-                CHECK(std::abs(n.drag[k] - c.drag[k]) < 5e-3 * c.drag[2]);
-                CHECK(std::abs(n.lift[k] - c.lift[k]) < 5e-3 * c.drag[2]);
+                CHECK(std::abs(n.drag[k] - c.drag[k]) < 5e-3 * c.plate_drag);
+                CHECK(std::abs(n.lift[k] - c.lift[k]) < 5e-3 * c.plate_drag);
+                CHECK(std::abs(n.plate_lift[k] - c.plate_lift[k]) < 5e-3 * c.plate_drag);
                 CHECK(std::abs(n.spin_drag[k] - c.spin_drag[k]) < 5e-3 * c.spin_drag[1]);
             }
         }
@@ -352,26 +354,20 @@ TEST_CASE("aerodynamics: a bake puts them into the asset, the report and the fil
         shape::default_aerodynamics(geometry_of(shapes::rectangle(0.08, 0.04, 4, 2), 1e-4));
     CHECK(a.axes == identity);
     CHECK(a.length == Approx(expected.length));
+    CHECK(a.plate_drag == Approx(expected.plate_drag).epsilon(1e-6));
+    CHECK(a.wake_length == Approx(expected.wake_length).epsilon(1e-6));
     for (std::size_t k = 0; k < 3; ++k) {
         CHECK(a.drag[k] == Approx(expected.drag[k]).epsilon(1e-6));
         CHECK(a.lift[k] == Approx(expected.lift[k]).epsilon(1e-6));
+        CHECK(a.plate_lift[k] == Approx(expected.plate_lift[k]).epsilon(1e-6));
         CHECK(a.spin_drag[k] == Approx(expected.spin_drag[k]).epsilon(1e-6));
     }
     const lr::test::Json j = lr::test::Json::parse(report_json(asset))["aerodynamics"];
     CHECK(j["axes"] == a.axes);
-    CHECK(j["drag"] == a.drag);
-    CHECK(j["drag_blunt"] == a.drag_blunt);
-    CHECK(j["drag_layer"] == a.drag_layer);
-    CHECK(j["drag_stokes"] == a.drag_stokes);
-    CHECK(j["lift"] == a.lift);
-    CHECK(j["spin_lift"] == a.spin_lift);
-    CHECK(j["lift_moment"] == a.lift_moment);
-    CHECK(j["spin_drag"] == a.spin_drag);
-    CHECK(j["spin_drag_stream"] == a.spin_drag_stream);
-    CHECK(j["roll_damping"] == a.roll_damping);
-    CHECK(j["spin_drag_stokes"] == a.spin_drag_stokes);
-    CHECK(j["intensity"] == a.intensity);
-    CHECK(j["length"] == a.length);
+#define LR_REPORTED(name, ...) CHECK(j[#name] == a.name);
+    LR_AERODYNAMIC_VECTORS(LR_REPORTED)
+    LR_AERODYNAMIC_NUMBERS(LR_REPORTED)
+#undef LR_REPORTED
     CHECK(j["center"] == std::array<double, 3>{});
 }
 

@@ -75,7 +75,7 @@ int many_bodies(uint32_t count) {
     int bad = 0;
     bad += verdict(i.body_count == count, "bodies", "%llu", static_cast<unsigned long long>(i.body_count));
     const double bytes = static_cast<double>(i.memory_bytes) / count;
-    bad += verdict(bytes < 96.0 + 50000.0 / count, "memory of the world", "%.2f bytes a body", bytes);
+    bad += verdict(bytes < 124.0 + 50000.0 / count, "memory of the world", "%.2f bytes a body", bytes);
     const uint64_t here = resident_bytes();
     const double resident = static_cast<double>(here > before ? here - before : 0) / count;
     bad += verdict(resident < 1.05 * bytes + 4e6 / count, "memory of the process", "%.2f bytes a body", resident);

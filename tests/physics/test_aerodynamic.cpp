@@ -171,6 +171,24 @@ TEST_CASE("without its wake a fall is the same for any seed, with it it is not")
     CHECK(length(end(1.0f, 1.0f, 1) - end(1.0f, 1.0f, 2)) > 1e-3);
 }
 
+TEST_CASE("coefficients that 0.3 ignores change no bit of a fall, whatever they are") {
+    const auto end = [](double value) {
+        const World world = make(world_desc());
+        const lr_batch batch = add_batch(world, aerodynamic(), curled_leaf(), 1);
+        lr_aerodynamics a = initialised(lr_aerodynamics_init);
+        REQUIRE(lr_batch_get_aerodynamics(world.get(), batch, &a) == LR_OK);
+        a.lift_stall = value;
+        for (size_t k = 0; k < 3; ++k) a.lift_moment[k] = a.lift_moment_stalled[k] = a.roll_damping[k] = value;
+        REQUIRE(lr_batch_set_aerodynamics(world.get(), batch, &a) == LR_OK);
+        lr_body_desc b = body_desc();
+        b.orientation[0] = 0.3f;
+        add_body(world, batch, b);
+        steps(world, 60, 1.0f / 60.0f);
+        return hash_of(world);
+    };
+    for (const double value : {1.0, -1e9, std::nan("")}) CHECK(end(value) == end(0.0));
+}
+
 TEST_CASE("loads act at their centre: a vane turns as force times arm says") {
     lr_aerodynamics loads = initialised(lr_aerodynamics_init);
     loads.drag[2] = drag_area;

@@ -1,5 +1,6 @@
 #include "support/hostile_world.h"
 
+#include "support/aerodynamic_fields.h"
 #include "support/colliders.h"
 #include "support/contact_events.h"
 #include "support/lifecycle.h"
@@ -230,8 +231,9 @@ void HostileWorld::add_batches(Random& random) {
         if (chance(random, 3)) {
             lr_aerodynamics a = initialised(lr_aerodynamics_init);
             REQUIRE(lr_batch_get_aerodynamics(world.get(), batch, &a) == LR_OK);
-            for (double* of : {a.drag, a.lift, a.spin_lift, a.lift_moment, a.spin_drag_stream, a.roll_damping})
-                for (size_t k = 0; k < 3; ++k) of[k] *= random.logarithmic(1e-3, 1e6);
+            for (const AerodynamicField& f : aerodynamic_fields)
+                for (size_t k = 0; k < f.size && f.offset != offsetof(lr_aerodynamics, center); ++k)
+                    f.in(a)[k] = std::clamp(f.in(a)[k] * random.logarithmic(1e-3, 1e6), f.least, f.most);
             lr_batch_set_aerodynamics(world.get(), batch, &a);
         }
         if (chance(random, 3)) REQUIRE(lr_batch_set_rate(world.get(), batch, 1 + random.below(6)) == LR_OK);

@@ -5,6 +5,7 @@
 #include "langevin_rigid_research.h"
 #include "support/vector.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace test {
@@ -20,6 +21,53 @@ struct ReferenceLoads {
         Vec force, torque;
     };
 
+    // The state of the wake: the stream that it remembers, and the oscillator (q, r), along the load axes.
+    Vec lag{};
+    double shedding[4] = {};
+
+    size_t normal() const { // the first of equals
+        return static_cast<size_t>(std::max_element(at.broadside, at.broadside + 3) - at.broadside);
+    }
+    Vec normal_of_body() const { return {at.axes[3 * normal()], at.axes[3 * normal() + 1], at.axes[3 * normal() + 2]}; }
+
+    // A plate in a stream v along the load axes: normal force over rho, and the share of the added momentum that it sheds.
+    struct Plate {
+        double force, shed;
+    };
+    Plate plate(Vec v) const {
+        const size_t n = normal();
+        const double s = std::max(test::length(v), 1e-10);
+        const Vec u = v + at.wake_share * (lag - v);
+        const double u2 = dot(u, u), along = u2 - u[n] * u[n];
+        double slope = 0.0, vortex = 0.0, stall = 0.0;
+        for (size_t i = 0; i < 3; ++i) {
+            if (i == n || !(along > 0.0)) continue;
+            const double part = u[i] * u[i] / along;
+            slope += part * at.plate_lift[i], vortex += part * at.plate_vortex[i];
+            stall += part / at.plate_stall[i];
+        }
+        const double sine2 = u[n] * u[n] / u2, limit = 1.0 / stall;
+        const double attached =
+            along > 0.0 ? (1.0 - sine2) / (1.0 - sine2 + (1.0 - limit) * std::pow(sine2 / limit, 4.0)) : 0.0;
+        const Vec behind = lag - v;
+        const double start = at.start_drag * at.plate_drag * test::length(behind) * -dot(behind, v) / (s * s);
+        const double separated = at.plate_drag * (s + 0.8 * (s * s - v[n] * v[n]) / s);
+        const double force = attached * u[n] * (slope * std::sqrt(along) + vortex * std::abs(u[n])) +
+                             ((1.0 - attached) * separated + start) * v[n];
+        return {0.5 * scale * scale * force, (1.0 - attached) * at.plate_separated_shedding * shedding_share(s)};
+    }
+    double shedding_share(double s) const {
+        const double x = at.shedding_reynolds * viscosity / (s * at.wake_length * scale);
+        return std::max(1.0 - x * x, 0.0);
+    }
+    Vec along_axes(Vec a) const {
+        Vec out{};
+        for (size_t i = 0; i < 3; ++i)
+            for (size_t j = 0; j < 3; ++j) out[i] += at.axes[i * 3 + j] * a[j];
+        return out;
+    }
+    double shed(Vec velocity, Vec spin) const { return plate(along_axes(velocity + cross(spin, arm))).shed; }
+
     Wrench operator()(Vec velocity, Vec spin) const {
         const auto turned = [&](Vec a, bool back) {
             Vec out{};
@@ -31,28 +79,29 @@ struct ReferenceLoads {
         const double s = std::max(test::length(v), 1e-10);
         const double s2 = scale * scale, s3 = s2 * scale, s4 = s3 * scale, s5 = s4 * scale;
         const double reynolds = s * length * scale / viscosity, separated = reynolds / (reynolds + 8710.0);
-        double sigma = 0.0, whirl = 0.0, most = 0.0;
-        for (size_t i = 0; i < 3; ++i) {
-            sigma += at.broadside[i] * v[i] * v[i] / (s * s);
-            most = std::max(most, at.spin_drag[i]);
-        }
+        double whirl = 0.0, most = 0.0;
+        for (size_t i = 0; i < 3; ++i) most = std::max(most, at.spin_drag[i]);
         for (size_t i = 0; i < 3; ++i)
             if (most > 0.0) whirl += at.spin_drag[i] / most * w[i] * w[i];
         whirl = std::sqrt(whirl);
-        Vec force{}, torque{}, circulation{}, roll{};
-        for (size_t k = 0; k < 3; ++k) roll[k] = std::sqrt(at.roll_damping[k] * s4) * v[k];
-        const double rolling = roll[0] * w[0] + roll[1] * w[1] + roll[2] * w[2];
+        Vec force{}, torque{}, circulation{};
         for (size_t k = 0; k < 3; ++k) {
             const size_t i = (k + 1) % 3, j = (k + 2) % 3;
-            circulation[k] =
-                at.spin_lift[k] * s3 * w[k] - at.lift[k] * s2 * (1.0 - at.lift_stall * sigma) * v[i] * v[j] / s;
-            torque[k] = density * s3 * (at.lift_moment[k] + at.lift_moment_stalled[k] * sigma) * v[i] * v[j] -
-                        density *
-                            (at.spin_drag[k] * s5 * whirl + at.spin_drag_stream[k] * s4 * s +
-                             at.spin_drag_stokes[k] * s3 * viscosity) *
-                            w[k] -
-                        density * roll[k] * rolling / s;
+            circulation[k] = at.spin_lift[k] * s3 * w[k] - at.lift[k] * s2 * v[i] * v[j] / s;
+            torque[k] = -density *
+                        (at.spin_drag[k] * s5 * whirl + at.spin_drag_stream[k] * s4 * s +
+                         at.spin_drag_stokes[k] * s3 * viscosity) *
+                        w[k];
         }
+        const size_t n = normal(), first = (n + 1) % 3, second = (n + 2) % 3;
+        const double on = shedding_share(s);
+        const auto moment = [&](size_t i) {
+            return density * s3 * v[n] * v[n] * on *
+                   (at.shedding_moment * shedding[i] + at.shedding_rate_moment * shedding[i + 2]);
+        };
+        torque[second] += moment(0);
+        torque[first] -= moment(1);
+        force[n] -= density * plate(v).force;
         double opposing = 0.0; // the part of the drag against the velocity
         for (size_t i = 0; i < 3; ++i) {
             const double part = v[i] * v[i] / (s * s);

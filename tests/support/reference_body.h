@@ -85,6 +85,7 @@ public:
                 const double own = i < 3 || j < 3 ? (i == j ? info.mass : 0.0) : info.inertia[(i - 3) * 3 + j - 3];
                 const double added = info.added_mass[i * 6 + j];
                 mass[i][j] = power(i, j) * (own + added);
+                added_[i][j] = power(i, j) * added;
                 if ((i < 3) == (j < 3))
                     dragged[i][j] = power(i, j) *
                                     (added + (i < 3 ? (i == j ? info.fluid_density * info.volume : 0.0) : floor * own));
@@ -119,11 +120,23 @@ public:
     Vec spin(const State& s) const { return to_world(s.q, lower(s.twist)); }
 
 private:
+    // The added mass along a direction.
+    double added_along(Vec n) const {
+        double sum = 0.0;
+        for (size_t i = 0; i < 3; ++i)
+            for (size_t j = 0; j < 3; ++j) sum += n[i] * added_[i][j] * n[j];
+        return sum;
+    }
     State rate(const State& s) const {
         const Vec v = upper(s.twist), w = lower(s.twist), g = to_body(s.q, gravity);
         const Six momentum = mass * s.twist, drag = dragged * s.twist;
         const double a = alpha(length(v), s.age);
-        const Vec p = upper(momentum), l = lower(momentum);
+        Vec p = upper(momentum), l = lower(momentum);
+        if (aerodynamic) { // the momentum that stays with the wake
+            const Vec n = loads.normal_of_body(), arm = cross(loads.arm, n);
+            const double lost = loads.shed(v, w) * added_along(n) * (dot(n, v) + dot(arm, w));
+            p = p - lost * n, l = l - lost * arm;
+        }
         Vec force = cross(p, w) + weight * g - a * upper(drag) + to_body(s.q, upper(world_force)) + upper(body_force);
         Vec torque = cross(l, w) + cross(p, v) - displaced * cross(buoyancy_arm, g) - a * lower(drag) +
                      to_body(s.q, lower(world_force)) + lower(body_force);
@@ -143,7 +156,7 @@ private:
         return s;
     }
 
-    Matrix6 inverse_mass_{};
+    Matrix6 inverse_mass_{}, added_{};
 };
 
 } // namespace test

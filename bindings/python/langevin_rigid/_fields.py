@@ -269,6 +269,21 @@ class AerodynamicsOptions(TypedDict, total=False):
     lift_moment_stalled: ArrayLike
     roll_damping: ArrayLike
     center: ArrayLike
+    plate_lift: ArrayLike
+    plate_vortex: ArrayLike
+    plate_stall: ArrayLike
+    plate_separated_shedding: float
+    plate_drag: float
+    start_drag: float
+    wake_length: float
+    wake_lag: float
+    wake_share: float
+    strouhal: float
+    shedding_growth: float
+    shedding_reynolds: float
+    shedding_noise: float
+    shedding_moment: float
+    shedding_rate_moment: float
 
 
 class RigidOptions(TypedDict, total=False):
@@ -685,20 +700,35 @@ class Aerodynamics(Record):
     drag_stokes: m, creeping flow
     lift: Lift rho G x v with G_k = spin_lift_k w_k - lift_k v_i v_j/s. m^2, positive where the body is thinner along j than along i
     spin_lift: m^3
-    lift_moment: m^3, moment of the lift about k: rho lift_moment_k v_i v_j
+    lift_moment: ignored since 0.3
     spin_drag: Couple -rho (spin_drag_k |w| + spin_drag_stream_k s + spin_drag_stokes_k nu) w_k. All >= 0. m^5
     spin_drag_stream: m^4
     spin_drag_stokes: m^3
     intensity: velocity fluctuations in the body's own wake, per axis, over s. Above 0.4, gains included, it acts as 0.4: a stronger wake would feed itself
     length: m: the fluctuations are correlated over length/s
     wake_reynolds: scales the fluctuations by Re/(Re + wake_reynolds): slow wakes are laminar
-    broadside: Stall: sigma = sum_i broadside_i (v_i/s)^2 multiplies lift by 1 - lift_stall sigma and adds lift_moment_stalled_k sigma to lift_moment_k. 0 to 1
-    lift_stall
-    lift_moment_stalled: m^3
-    roll_damping: Couple -rho g_k (g . w)/s with g_k = sqrt(roll_damping_k) v_k. Damps the spin about the stream, as a wing damps roll; in plane motion this spin is 0. All >= 0. m^4
+    broadside: 0 to 1: the fluctuations grow with sum_i broadside_i (v_i/s)^2
+    lift_stall: ignored since 0.3
+    lift_moment_stalled: ignored since 0.3
+    roll_damping: ignored since 0.3
     center: m, where the loads act, from the centre of buoyancy, body frame; within 2 d; default 0
+    plate_lift: A plate whose normal n is the axis with the largest broadside, with the part v_n of the stream along it and v_t in the plate. The normal force is -1/2 rho N; attached, N = plate_lift |v_t| v_n + plate_vortex |v_n| v_n; separated, N = plate_drag s v_n (1 + 0.8 v_t^2/s^2); half of each where v_n^2/s^2 is plate_stall. A stream along axis i of the plate has the values with index i. m^2, >= 0
+    plate_vortex: m^2, >= 0
+    plate_stall: 0 to 1
+    plate_separated_shedding: This share of the added momentum along n, 0 to 1, does not move with the body while the stream is separated and sheds vortices: it reduces the Munk moment.
+    plate_drag: m^2, >= 0: drag coefficient broadside times area
+    start_drag: >= 0: adds to N start_drag plate_drag |u - v| ((v - u) . v/s^2) v_n
+    wake_length: Memory: u follows v at the rate max(s, |u|)/(wake_lag wake_length). Attached, N takes wake_share of its stream from u. m, > 0
+    wake_lag: > 0
+    wake_share: 0 to 1
+    strouhal: Vortex shedding above the Reynolds number shedding_reynolds of wake_length: an oscillator q in the plate with the frequency strouhal s/wake_length and the moment rho v_n^2 n x (shedding_moment q + shedding_rate_moment r) times 1 - (shedding_reynolds/Re)^2, r the rate of q over 2 pi times the frequency. It starts from the fluctuations.
+    shedding_growth: >= 0
+    shedding_reynolds: >= 0
+    shedding_noise: >= 0: of r by the fluctuations
+    shedding_moment: m^3
+    shedding_rate_moment: m^3
     """
-    __slots__ = ('axes', 'drag', 'drag_blunt', 'drag_layer', 'drag_stokes', 'lift', 'spin_lift', 'lift_moment', 'spin_drag', 'spin_drag_stream', 'spin_drag_stokes', 'intensity', 'length', 'wake_reynolds', 'broadside', 'lift_stall', 'lift_moment_stalled', 'roll_damping', 'center')
+    __slots__ = ('axes', 'drag', 'drag_blunt', 'drag_layer', 'drag_stokes', 'lift', 'spin_lift', 'lift_moment', 'spin_drag', 'spin_drag_stream', 'spin_drag_stokes', 'intensity', 'length', 'wake_reynolds', 'broadside', 'lift_stall', 'lift_moment_stalled', 'roll_damping', 'center', 'plate_lift', 'plate_vortex', 'plate_stall', 'plate_separated_shedding', 'plate_drag', 'start_drag', 'wake_length', 'wake_lag', 'wake_share', 'strouhal', 'shedding_growth', 'shedding_reynolds', 'shedding_noise', 'shedding_moment', 'shedding_rate_moment')
     axes: np.ndarray
     drag: np.ndarray
     drag_blunt: np.ndarray
@@ -718,3 +748,18 @@ class Aerodynamics(Record):
     lift_moment_stalled: np.ndarray
     roll_damping: np.ndarray
     center: np.ndarray
+    plate_lift: np.ndarray
+    plate_vortex: np.ndarray
+    plate_stall: np.ndarray
+    plate_separated_shedding: float
+    plate_drag: float
+    start_drag: float
+    wake_length: float
+    wake_lag: float
+    wake_share: float
+    strouhal: float
+    shedding_growth: float
+    shedding_reynolds: float
+    shedding_noise: float
+    shedding_moment: float
+    shedding_rate_moment: float

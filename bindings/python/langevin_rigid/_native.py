@@ -898,6 +898,21 @@ class lr_aerodynamics(ctypes.Structure):
         ('lift_moment_stalled', ctypes.c_double * 3),
         ('roll_damping', ctypes.c_double * 3),
         ('center', ctypes.c_double * 3),
+        ('plate_lift', ctypes.c_double * 3),
+        ('plate_vortex', ctypes.c_double * 3),
+        ('plate_stall', ctypes.c_double * 3),
+        ('plate_separated_shedding', ctypes.c_double),
+        ('plate_drag', ctypes.c_double),
+        ('start_drag', ctypes.c_double),
+        ('wake_length', ctypes.c_double),
+        ('wake_lag', ctypes.c_double),
+        ('wake_share', ctypes.c_double),
+        ('strouhal', ctypes.c_double),
+        ('shedding_growth', ctypes.c_double),
+        ('shedding_reynolds', ctypes.c_double),
+        ('shedding_noise', ctypes.c_double),
+        ('shedding_moment', ctypes.c_double),
+        ('shedding_rate_moment', ctypes.c_double),
     ]
 
 
@@ -1355,18 +1370,33 @@ FIELD_DOCS = {
         'drag_stokes': 'm, creeping flow',
         'lift': 'Lift rho G x v with G_k = spin_lift_k w_k - lift_k v_i v_j/s. m^2, positive where the body is thinner along j than along i',
         'spin_lift': 'm^3',
-        'lift_moment': 'm^3, moment of the lift about k: rho lift_moment_k v_i v_j',
+        'lift_moment': 'ignored since 0.3',
         'spin_drag': 'Couple -rho (spin_drag_k |w| + spin_drag_stream_k s + spin_drag_stokes_k nu) w_k. All >= 0. m^5',
         'spin_drag_stream': 'm^4',
         'spin_drag_stokes': 'm^3',
         'intensity': "velocity fluctuations in the body's own wake, per axis, over s. Above 0.4, gains included, it acts as 0.4: a stronger wake would feed itself",
         'length': 'm: the fluctuations are correlated over length/s',
         'wake_reynolds': 'scales the fluctuations by Re/(Re + wake_reynolds): slow wakes are laminar',
-        'broadside': 'Stall: sigma = sum_i broadside_i (v_i/s)^2 multiplies lift by 1 - lift_stall sigma and adds lift_moment_stalled_k sigma to lift_moment_k. 0 to 1',
-        'lift_stall': '',
-        'lift_moment_stalled': 'm^3',
-        'roll_damping': 'Couple -rho g_k (g . w)/s with g_k = sqrt(roll_damping_k) v_k. Damps the spin about the stream, as a wing damps roll; in plane motion this spin is 0. All >= 0. m^4',
+        'broadside': '0 to 1: the fluctuations grow with sum_i broadside_i (v_i/s)^2',
+        'lift_stall': 'ignored since 0.3',
+        'lift_moment_stalled': 'ignored since 0.3',
+        'roll_damping': 'ignored since 0.3',
         'center': 'm, where the loads act, from the centre of buoyancy, body frame; within 2 d; default 0',
+        'plate_lift': 'A plate whose normal n is the axis with the largest broadside, with the part v_n of the stream along it and v_t in the plate. The normal force is -1/2 rho N; attached, N = plate_lift |v_t| v_n + plate_vortex |v_n| v_n; separated, N = plate_drag s v_n (1 + 0.8 v_t^2/s^2); half of each where v_n^2/s^2 is plate_stall. A stream along axis i of the plate has the values with index i. m^2, >= 0',
+        'plate_vortex': 'm^2, >= 0',
+        'plate_stall': '0 to 1',
+        'plate_separated_shedding': 'This share of the added momentum along n, 0 to 1, does not move with the body while the stream is separated and sheds vortices: it reduces the Munk moment.',
+        'plate_drag': 'm^2, >= 0: drag coefficient broadside times area',
+        'start_drag': '>= 0: adds to N start_drag plate_drag |u - v| ((v - u) . v/s^2) v_n',
+        'wake_length': 'Memory: u follows v at the rate max(s, |u|)/(wake_lag wake_length). Attached, N takes wake_share of its stream from u. m, > 0',
+        'wake_lag': '> 0',
+        'wake_share': '0 to 1',
+        'strouhal': 'Vortex shedding above the Reynolds number shedding_reynolds of wake_length: an oscillator q in the plate with the frequency strouhal s/wake_length and the moment rho v_n^2 n x (shedding_moment q + shedding_rate_moment r) times 1 - (shedding_reynolds/Re)^2, r the rate of q over 2 pi times the frequency. It starts from the fluctuations.',
+        'shedding_growth': '>= 0',
+        'shedding_reynolds': '>= 0',
+        'shedding_noise': '>= 0: of r by the fluctuations',
+        'shedding_moment': 'm^3',
+        'shedding_rate_moment': 'm^3',
     },
     'lr_rigid_desc': {
         'mass': 'kg, > 0',
@@ -2440,7 +2470,7 @@ PROTOTYPES = {
         Sets how often a batch is stepped: level of detail for bodies that are far away, small or out of sight. A batch of
         divisor n takes one substep where other batches take n: fewer in each step or, if n exceeds the world's substeps, one
         every few steps that covers them all. Substeps are never so long that fall statistics change: at most 1/60 s, and
-        length_d / 1.5 m/s for bodies under 2.5 cm. Larger divisors have no further effect. docs/reference/stepping.md.
+        length_d / 2 m/s for bodies under 3.3 cm. Larger divisors have no further effect. docs/reference/stepping.md.
         Takes effect at the next step and may change at any time: a waiting batch catches up when it is next stepped. Part of
         snapshots. While a batch waits
          - views and lr_body_get_state show bodies as of their last step, lr_batch_pace.behind ago;
@@ -3294,7 +3324,7 @@ PROTOTYPES = {
         ('aerodynamics', 'struct_size'),
         """lr_status lr_aerodynamics_init(lr_aerodynamics* aerodynamics, uint32_t struct_size)
 
-        Sets the axes to the body's, `length` to 1 and everything else to 0: no loads.
+        Sets the axes to the body's, `length`, `wake_length` and `wake_lag` to 1 and everything else to 0: no loads.
 
         struct_size: sizeof the struct in the caller's header
         """,

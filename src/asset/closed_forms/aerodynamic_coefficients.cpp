@@ -17,10 +17,12 @@ constexpr double drag_blunt_share = 0.445;                  // part of a sphere'
 constexpr double layer_friction = 0.558;                    // Blasius, 0.664 a side, over chord/sqrt(2)
 constexpr double layer_pressure = 0.42, layer_separation = 0.414; // faces across the stream; rounded faces
 constexpr double turbulent_friction = 0.004;                      // of the surface along the stream
-constexpr double translation_lift = 1.2;                          // C_T of a plate in two dimensions
-constexpr double magnus = 0.5;                                    // of the volume, about an axis of revolution
-constexpr double strip_half = 4.0;                                // span over chord, less 1, half-way to a strip
-constexpr double roll_half = 4.0;                                 // span over chord
+constexpr double translation_lift = 1.2,
+                 lift_span = 1.68; // C_T of a plate in two dimensions; falls with chord over span
+constexpr double magnus = 0.5;     // of the volume, about an axis of revolution
+constexpr double strip_half = 4.0; // span over chord, less 1, half-way to a strip
+constexpr double disc_aspect = 4.0 / std::numbers::pi;
+constexpr double strip_stall = 0.09; // squared sine of 17.5 degrees
 constexpr double spin_friction = 0.008;
 
 // 0 for a flat face, 1 for a face as round as a sphere or rounder.
@@ -39,62 +41,80 @@ double sheetness(const AerodynamicGeometry& g, size_t k) {
     return g.area[k] > other ? 1.0 - other / g.area[k] : 0.0;
 }
 
-// Span over chord, less one, in the plane across k.
-double slenderness(double a, double b) {
-    const double narrow = std::min(a, b);
-    return narrow > 0.0 ? std::max(a, b) / narrow - 1.0 : 0.0;
-}
-
 // From a disc's coefficient to that of a long strip.
 double by_slenderness(double disc, double strip, double slenderness) {
     return disc + (strip - disc) * share(slenderness, strip_half);
 }
 
-void set_drag(const AerodynamicGeometry& g, size_t k, const PlateCoefficients& plate, AerodynamicData& out) {
+// Lift slope of a wing over that of a long one, by its aspect ratio (Helmbold 1942).
+double slope_of(double aspect) {
+    return aspect / (2.0 + std::sqrt(aspect * aspect + 4.0));
+}
+
+void set_drag(const AerodynamicGeometry& g, size_t k, AerodynamicData& out) {
     const size_t i = (k + 1) % 3, j = (k + 2) % 3;
-    const double beta = g.bluntness[k], area = g.area[k], round = roundness(beta);
+    const double beta = g.bluntness[k], area = g.area[k], round = roundness(beta), thick = 1.0 - sheetness(g, k);
     const double wide = std::max(g.extent[i], g.extent[j]), narrow = std::min(g.extent[i], g.extent[j]);
-    const double sheet = sheetness(g, k) * sheetness(g, k);
-    const double unsteady =
-        1.0 + sheet * (by_slenderness(plate.unsteady_disc, plate.unsteady_strip, slenderness(wide, narrow)) - 1.0);
-    const double coefficient = std::max(streamlined_drag, blunt_slope * beta + blunt_offset) *
-                               (1.0 + aspect_gain * share(wide, aspect_half * narrow)) * unsteady;
+    const double coefficient = thick * std::max(streamlined_drag, blunt_slope * beta + blunt_offset) *
+                               (1.0 + aspect_gain * share(wide, aspect_half * narrow));
     const double across = 2.0 * beta * area; // int n_k^2 dA
     const double along = std::max(0.0, g.surface - across);
     const double blunt = drag_blunt_share * round;
-    out.drag[k] += (1.0 - blunt) * coefficient * area + turbulent_friction * along;
+    out.drag[k] = (1.0 - blunt) * coefficient * area + turbulent_friction * along;
     out.drag_blunt[k] = blunt * coefficient * area;
-    // Edge on, a sheet's own layers of vorticity slow it more than friction does.
-    const double edge_drag = by_slenderness(plate.edge_drag, plate.edge_strip, slenderness(wide, narrow));
-    for (const size_t edge : {i, j}) out.drag[edge] += edge_drag * sheet * (area - g.area[edge]);
     // The layer grows along the body, and from the middle of its front to the rim.
     const double width2 = 4.0 / std::numbers::pi * area;
     const double run = std::sqrt(0.5 * (g.extent[k] * g.extent[k] + width2));
-    const double faces = layer_friction * along + (layer_pressure + layer_separation * round) * across;
+    const double faces = layer_friction * along + thick * (layer_pressure + layer_separation * round) * across;
     out.drag_layer[k] = run > 0.0 ? faces / std::sqrt(run) : 0.0;
+}
+
+// The plate across the axis of the largest silhouette.
+void set_plate(const AerodynamicGeometry& g, const PlateCoefficients& plate, AerodynamicData& out) {
+    const size_t n = static_cast<size_t>(std::max_element(g.area.begin(), g.area.end()) - g.area.begin());
+    const size_t i = (n + 1) % 3, j = (n + 2) % 3;
+    const double wide = std::max(g.extent[i], g.extent[j]), narrow = std::min(g.extent[i], g.extent[j]);
+    if (!(narrow > 0.0)) return;
+    const double sheet = sheetness(g, n), area = sheet * g.area[n];
+    const auto aspect_drag = [](double ratio) { return 1.0 + aspect_gain * share(ratio, aspect_half); };
+    out.plate_drag = plate.drag * area * aspect_drag(wide / narrow) / aspect_drag(1.0);
+    for (const size_t along : {i, j}) {
+        const double span = g.extent[along == i ? j : i], aspect = span * span / g.area[n];
+        const double slope = slope_of(aspect), disc = slope_of(disc_aspect), relative = aspect / disc_aspect;
+        out.plate_lift[along] = plate.lift * area * slope / disc;
+        out.plate_vortex[along] = plate.vortex * area * 4.0 / (3.0 + relative);
+        const double low = (1.0 + disc_aspect * disc_aspect / 2.25) / (1.0 + aspect * aspect / 2.25);
+        out.plate_stall[along] = std::min(strip_stall + (plate.stall - strip_stall) * low, 1.0);
+    }
+    out.plate_separated_shedding = sheet * plate.separated_shedding;
+    out.start_drag = plate.start;
+    out.wake_length = 4.0 / std::numbers::pi * g.area[n] / wide;
+    out.wake_lag = plate.lag;
+    out.wake_share = plate.share;
+    out.strouhal = plate.strouhal;
+    out.shedding_growth = plate.growth;
+    out.shedding_reynolds = plate.critical_reynolds;
+    out.shedding_noise = plate.noise;
+    out.shedding_moment = plate.moment * area * out.wake_length;
+    out.shedding_rate_moment = plate.rate_moment * area * out.wake_length;
 }
 
 // Circulation about the axis k in a stream along i and j.
 void set_lift(const AerodynamicGeometry& g, size_t k, const PlateCoefficients& plate, AerodynamicData& out) {
     const size_t i = (k + 1) % 3, j = (k + 2) % 3;
     const double plan = std::max(g.area[i], g.area[j]), span = g.extent[k];
-    const double total = g.area[i] + g.area[j], difference = g.area[j] - g.area[i];
-    const double flatness = total > 0.0 ? std::abs(difference) / total : 0.0;
+    const double total = g.area[i] + g.area[j];
+    const double flatness = total > 0.0 ? std::abs(g.area[j] - g.area[i]) / total : 0.0;
     // The extent along the flat side; of a body that is as thick as wide, the mean of both.
     const double chord = total > 0.0 ? (g.area[j] * g.extent[i] + g.area[i] * g.extent[j]) / total : 0.0;
-    out.lift[k] = translation_lift * difference * share(span, plate.lift_span * chord);
+    const double thick = 1.0 - std::max(sheetness(g, i), sheetness(g, j));
+    out.lift[k] = thick * translation_lift * (g.area[j] - g.area[i]) * share(span, lift_span * chord);
     out.spin_lift[k] = 0.5 * plate.rotation * plan * chord * flatness * share(span, plate.rotation_span * chord) +
                        magnus * g.volume * (1.0 - flatness);
-    const double sheet = std::max(sheetness(g, i), sheetness(g, j));
-    out.lift_moment[k] = plate.moment * sheet * difference * chord;
-    out.lift_moment_stalled[k] = plate.moment_stalled * sheet * difference * chord;
     const double moment =
         by_slenderness(plate.spin_disc, plate.spin_strip, chord > 0.0 ? std::max(0.0, span / chord - 1.0) : 0.0);
     out.spin_drag[k] = 0.5 * (moment * g.stroke3[k] + spin_friction * g.rub[k]);
-    out.spin_drag_stream[k] = plate.spin_stream * g.stroke2[k];
-    // A wing of the span across the stream, rolling about it: lifting-line theory's span over chord.
-    const double wing = g.extent[g.area[i] > g.area[j] ? j : i];
-    out.roll_damping[k] = plate.roll * sheet * g.stroke2[k] * (1.0 + roll_half) * share(wing, roll_half * g.extent[k]);
+    out.spin_drag_stream[k] = plate.spin_stream * (1.0 - thick) * g.stroke2[k];
 }
 } // namespace
 
@@ -103,18 +123,15 @@ AerodynamicData default_aerodynamics(const AerodynamicGeometry& g, const PlateCo
     out.axes = g.axes;
     out.center = g.center;
     const double largest = std::max({g.area[0], g.area[1], g.area[2]});
-    double sheet = 0.0;
     for (size_t k = 0; k < 3; ++k) {
-        set_drag(g, k, plate, out);
+        set_drag(g, k, out);
         set_lift(g, k, plate, out);
         out.broadside[k] = largest > 0.0 ? g.area[k] / largest : 0.0;
-        sheet = std::max(sheet, sheetness(g, k));
     }
+    set_plate(g, plate, out);
     const StokesResistance stokes = stokes_resistance({0.5 * g.extent[0], 0.5 * g.extent[1], 0.5 * g.extent[2]});
     out.drag_stokes = stokes.translation;
     out.spin_drag_stokes = stokes.rotation;
-    for (double& couple : out.spin_drag_stokes) couple *= 1.0 - (1.0 - plate.spin_creeping) * sheet;
-    out.lift_stall = plate.stall * sheet;
     out.intensity = plate.intensity;
     out.length = plate.correlation * std::max({g.extent[0], g.extent[1], g.extent[2]});
     out.wake_reynolds = plate.wake_reynolds;

@@ -23,19 +23,21 @@ struct AerodynamicGeometry {
     std::array<double, 3> rub{};     // m^5, int |e_k x r|^3 dA: scales skin friction against spin
 };
 
-// Additions of thin plates in free flight, from measured falls of discs (docs/maintainers/physics.md, "Plates in free flight"); else 0.
+// A plate's loads and wake, for a disc and for long strips (docs/maintainers/physics.md, "Plates"). Fitted to measured falls of discs.
 struct PlateCoefficients {
-    double unsteady_disc = 2.536, unsteady_strip = 1.8; // drag broadside over that in a steady stream
-    double edge_drag = 0.317, edge_strip = 0.6;         // C_D of the planform, edge on
-    double lift_span = 1.68;                            // lift falls as r/(r + this), r span over chord
-    double rotation = 1.1, rotation_span = 0.3327;      // C_R of a long strip; falls likewise
-    double stall = -0.393;
-    double moment = 0.0392, moment_stalled = 0.072; // of the planform times the chord
-    double spin_disc = 1.076, spin_strip = 2.5;     // C_M by span over chord
-    double spin_stream = 0.0152;                    // of stroke2
-    double roll = 0.56;                             // damping of roll, of stroke2, for equal span and chord
-    double spin_creeping = 0.3;                     // of the creeping couple
-    double intensity = 0.0505, correlation = 0.48;  // of the wake; in largest extents
+    double drag = 1.17;                  // C_D broadside
+    double lift = 1.972, vortex = 2.872; // slope of the normal force; its part with the square of the incidence
+    double stall = 0.6;                  // squared sine of the angle
+    double separated_shedding = 0.8;     // share of the added momentum left in the wake
+    double rotation = 1.121, rotation_span = 0.3327; // C_R of a long strip; falls with chord over span
+    double spin_disc = 0.8933, spin_strip = 2.5;     // C_M by span over chord
+    double spin_stream = 1.192;                      // of stroke2
+    double start = 2.462;                            // drag while the wake is being made, of that broadside
+    double lag = 2.033, share = 0.7341;              // of the wake's memory
+    double strouhal = 0.1633, growth = 0.3853, critical_reynolds = 96.35;
+    double moment = 0.04745, rate_moment = -0.01302; // by shedding, of the area times the wake's length
+    double noise = 5.315;                            // of shedding, over the intensity
+    double intensity = 0.1255, correlation = 0.9264; // of gusts; in largest extents
     double wake_reynolds = 600;
 };
 

@@ -211,7 +211,10 @@ struct Body {
     Quaternion q;
     Twist t; // relative to the fluid
     VF age, age_remainder;
-    Vec3 gust; // m/s, world; AERODYNAMIC loads
+    // AERODYNAMIC loads
+    Vec3 gust;      // m/s, world
+    Vec3 lag;       // m/s, along the load axes: the stream as it left the wake
+    VF shedding[4]; // the wake's oscillator along two axes, and its rate
 };
 
 // Beyond this age the sum is compensated (Kahan 1965): a plain sum of 4 ms stops growing after 18 hours. Below, it errs by less than 1e-3 for
@@ -254,6 +257,7 @@ struct Held {
     VF inverse_length; // 1/(d s)
     VF drag, lift;     // AERODYNAMIC: inverse_length times the body's own factors of its loads (vary)
     VF alpha, beta;    // 1/s and m/s^(3/2), AGE clock
+    VF shed;           // AERODYNAMIC: the added mass along the plate's normal that does not move with the body
     Twist noise;       // weighted turbulent force and torque per unit mass
     // The fluid at the body, world axes, in the middle of the substep (docs/reference/wind_and_water.md).
     Vec3 wind;       // m/s
@@ -268,6 +272,17 @@ struct Held {
 template <bool kFull, class C> HWY_INLINE Twist momentum(const C& c, Twist t) {
     if constexpr (kFull) return symmetric6(c.full_mass, t);
     return {scaled_by(c.mass, t.v), scaled_by(c.spin_mass, t.u)};
+}
+// The momentum that moves with the body. A plate leaves a part of its added momentum, of the mass `shed` along the normal, in the wake. Kirchhoff's
+// equations keep the energy for any momentum in their products with velocity and spin.
+template <bool kFull, bool kShed, class C>
+HWY_INLINE Twist moving_momentum(const C& c, VF shed, const Twist& momentum, const Twist& t) {
+    if constexpr (!kShed) return momentum;
+    const Vec3 n = broadcast(c.aerodynamics.normal);
+    if constexpr (!kFull) return {momentum.v - shed * dot(n, t.v) * n, momentum.u};
+    const Vec3 arm = broadcast(c.aerodynamics.normal_arm);
+    const VF lost = shed * (dot(n, t.v) + dot(arm, t.u));
+    return {momentum.v - lost * n, momentum.u - lost * arm};
 }
 template <bool kFull, class C> HWY_INLINE Twist acceleration(const C& c, Twist force) {
     if constexpr (kFull) return symmetric6(c.full_inverse, force);
@@ -355,7 +370,11 @@ template <bool kGust> HWY_INLINE Body load_body(const BatchArrays& a, size_t at)
     b.q = load4(a, at);
     b.age = load1(a, field_age, at);
     b.age_remainder = load1(a, field_age_remainder, at);
-    if constexpr (kGust) b.gust = load3(a, field_gust_x, at);
+    if constexpr (kGust) {
+        b.gust = load3(a, field_gust_x, at);
+        b.lag = load3(a, field_lag_x, at);
+        for (size_t i = 0; i < 4; ++i) b.shedding[i] = load1(a, field_shedding_0 + i, at);
+    }
     return b;
 }
 
@@ -396,7 +415,11 @@ HWY_INLINE void store_body(const BatchArrays& a, size_t at, const Body& b, Vec3 
     auto sane = hn::And(sane_pose(b.x, b.q), sane_motion(v, w));
     if constexpr (kGust) sane = hn::And(sane, dot(b.gust, b.gust) <= constant(fastest_squared));
     store_sane(a, at, sane, seconds, kGust, faults, [&]() LR_LAMBDA {
-        if constexpr (kGust) store3(a, field_gust_x, at, b.gust);
+        if constexpr (kGust) {
+            store3(a, field_gust_x, at, b.gust);
+            store3(a, field_lag_x, at, b.lag);
+            for (size_t i = 0; i < 4; ++i) store1(a, field_shedding_0 + i, at, b.shedding[i]);
+        }
         store3(a, field_x, at, b.x);
         store4(a.field + field_qx, at, b.q);
         store3(a, field_vx, at, without_dust(v));

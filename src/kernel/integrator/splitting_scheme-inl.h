@@ -85,9 +85,10 @@ template <bool kFull, class C> HWY_INLINE Twist middle_increment(const C& c, Twi
 // One Newton step for the implicit midpoint M (z - z0) = g f(z), f = (P x u, L x u + P x v), from the estimate z. With y = dP unknown and
 // N = (1 + [g u]x)^-1: y = N (r_v + g P x du), dv = M11^-1 y - C^T du, dL = C y + S du, where C = M12^T M11^-1 and S = M22 - C M12; three equations
 // for du remain.
-template <bool kFull, class C> HWY_INLINE Twist newton_step(const C& c, Twist start_momentum, Twist z, VF g) {
-    const Twist mu = momentum<kFull>(c, z);
-    const Vec3 a = g * z.u, b = g * z.v, p = g * mu.v, l = g * mu.u;
+template <bool kFull, class C>
+static HWY_NOINLINE Twist newton_step(const C& c, VF shed, Twist start_momentum, Twist z, VF g) {
+    const Twist mu = momentum<kFull>(c, z), moving = moving_momentum<kFull, true>(c, shed, mu, z);
+    const Vec3 a = g * z.u, b = g * z.v, p = g * moving.v, l = g * moving.u;
     const Vec3 rv = start_momentum.v - mu.v + cross(p, z.u);
     const Vec3 ru = start_momentum.u - mu.u + (cross(l, z.u) + cross(p, z.v));
 
@@ -131,17 +132,19 @@ struct Solved {
     Twist increment;
     VF g;
 };
-template <bool kFull, class C> HWY_INLINE Solved solve_middle(const C& c, const Twist& from, VF full_g) {
+template <bool kFull, class C> HWY_INLINE Solved solve_middle(const C& c, VF shed, const Twist& from, VF full_g) {
     const Twist start = momentum<kFull>(c, from);
     const VF energy = dot(from.v, start.v) + dot(from.u, start.u); // twice it, over the mass unit
     const VF lengths = full_g * hn::Sqrt(energy);
     const VF g = full_g / hn::Max(lengths * constant(1.0f / most_lengths), constant(1.0f));
-    const Twist first = newton_step<kFull>(c, start, from, g);
-    const Twist second = newton_step<kFull>(c, start, first, g);
+    const Twist first = newton_step<kFull>(c, shed, start, from, g);
+    const Twist second = newton_step<kFull>(c, shed, start, first, g);
     // The true middle has no more energy than the ends. Newton's step can miss it by far if the time step is too long: take the momenta at the start.
     const Twist second_mu = momentum<kFull>(c, second);
     const auto sound = dot(second.v, second_mu.v) + dot(second.u, second_mu.u) <= energy * constant(1.5f);
-    return {middle_increment<kFull>(c, from, select(sound, second_mu, start), g), g};
+    const Twist mu =
+        moving_momentum<kFull, true>(c, shed, select(sound, second_mu, start), select(sound, second, from));
+    return {middle_increment<kFull>(c, from, mu, g), g};
 }
 
 struct Motion {
@@ -151,12 +154,12 @@ struct Motion {
 
 // Two Newton steps, for bodies that one does not solve, and a middle that keeps the energy whatever they give.
 template <bool kFull, class C>
-static HWY_NOINLINE void resolve_motion(const C& c, const Twist& start, VF g, hn::Mask<DF> where, Motion& m) {
+static HWY_NOINLINE void resolve_motion(const C& c, VF shed, const Twist& start, VF g, hn::Mask<DF> where, Motion& m) {
     const auto energy = [&](const Twist& t) LR_LAMBDA {
         const Twist p = momentum<kFull>(c, t);
         return dot(t.v, p.v) + dot(t.u, p.u);
     };
-    const Solved s = solve_middle<kFull>(c, start, g);
+    const Solved s = solve_middle<kFull>(c, shed, start, g);
     Twist end = start + (s.increment + s.increment);
     // Energy added by rounding: much if a needle turns many times in a step. A body lost in it keeps its state.
     const VF before = energy(start), after = energy(end), zero = hn::Zero(DF());
@@ -194,18 +197,29 @@ HWY_INLINE hn::Mask<DF> unsolved(VF factor, VF moved, VF turned) {
     return hn::Not(solved);
 }
 
-template <class C> HWY_INLINE Motion free_motion(const C& c, Twist start, VF g) {
+template <bool kShed, class C> HWY_INLINE Motion free_motion(const C& c, VF shed, Twist start, VF g) {
     const VF one = constant(1.0f);
     const Vec3 v = start.v, u = start.u, momentum = scaled_by(c.mass, v);
-    const Vec3 a = g * u, b = g * v, p = g * momentum;
+    const Vec3 a = g * u, b = g * v;
+    const Vec3 p = g * moving_momentum<false, kShed>(c, shed, {momentum, u}, start).v;
+    Vec3 munk = broadcast(c.munk);
+    if constexpr (kShed) munk -= shed * broadcast(c.aerodynamics.munk_of_normal);
     const auto products = [](Vec3 w) LR_LAMBDA { return Vec3{w.y * w.z, w.z * w.x, w.x * w.y}; };
     // u' by the gyroscopic and the Munk moment.
     const auto turning = [&](Vec3 spin, Vec3 speed) LR_LAMBDA {
-        return scaled_by(c.gyroscopic, products(spin)) + scaled_by(c.munk, products(speed));
+        return scaled_by(c.gyroscopic, products(spin)) + times(munk, products(speed));
     };
     // Rows of 1 - g (derivative of u').
-    const Vec3 alpha{constant(c.munk_turn[0]) * b.z, constant(c.munk_turn[1]) * b.x, constant(c.munk_turn[2]) * b.y};
-    const Vec3 beta{constant(c.munk_turn[3]) * b.y, constant(c.munk_turn[4]) * b.z, constant(c.munk_turn[5]) * b.x};
+    Vec3 alpha, beta;
+    if constexpr (kShed) {
+        const Vec3 i = broadcast(c.inverse_mass);
+        alpha = {i.y * munk.x * b.z, i.z * munk.y * b.x, i.x * munk.z * b.y};
+        beta = {i.z * munk.x * b.y, i.x * munk.y * b.z, i.y * munk.z * b.x};
+    } else {
+        const auto* const turn = c.munk_turn;
+        alpha = {constant(turn[0]) * b.z, constant(turn[1]) * b.x, constant(turn[2]) * b.y};
+        beta = {constant(turn[3]) * b.y, constant(turn[4]) * b.z, constant(turn[5]) * b.x};
+    }
     const Vec3 rv = first_turn(a, cross(p, u));
     const Vec3 r{alpha.x * rv.y + beta.x * rv.z, alpha.y * rv.z + beta.y * rv.x, alpha.z * rv.x + beta.z * rv.y};
     const auto diagonal = [&](VF al, VF pa, VF be, VF pb) LR_LAMBDA { return be * pb + (one - al * pa); };
@@ -221,7 +235,16 @@ template <class C> HWY_INLINE Motion free_motion(const C& c, Twist start, VF g) 
 
     const Vec3 am = g * um;
     const VF turned = dot(am, am);
-    const Vec3 dp = turned_by(am, turned, momentum);
+    Vec3 dp = turned_by(am, turned, momentum);
+    if constexpr (kShed) {
+        // P = (1 + [a]x)^-1 (P0 + f a x n), f = shed v.n in the middle.
+        const Vec3 axis = broadcast(c.aerodynamics.normal);
+        const VF an = dot(am, axis), inverse = one / (one + turned);
+        const Vec3 wake = inverse * (cross(am, axis) + turned * axis - an * am);
+        const VF lighter = shed * dot(broadcast(c.inverse_mass), times(axis, axis));
+        const VF f = lighter * dot(axis, momentum + dp) / (one - lighter * dot(axis, wake));
+        dp += f * wake;
+    }
     const Vec3 dv = scaled_by(c.inverse_mass, dp), vm = v + dv;
     const Vec3 du = (g + g) * turning(um, vm), u1 = u + du;
     // Kinetic energies at the end less those at the start: 4 P.dv and (l0 + l1).du.
@@ -229,17 +252,18 @@ template <class C> HWY_INLINE Motion free_motion(const C& c, Twist start, VF g) 
     const VF factor = spin_factor(gained, dot(scaled_by(c.spin_mass, u1), u1));
     Motion out{{vm, um}, {vm + dv, factor * u1}, g};
     if (const auto left = unsolved(factor, dot(p, b), turned); !hn::AllFalse(DF(), left))
-        resolve_motion<false>(c, start, g, left, out);
+        resolve_motion<false>(c, shed, start, g, left, out);
     return out;
 }
 
 // The same for any mass matrix: v = M11^-1 P - C^T u and L = C P + S u with C = M12^T M11^-1 and S = M22 - C M12.
-template <class C> HWY_INLINE Motion free_motion_full(const C& c, Twist start, VF g) {
+template <bool kShed, class C> HWY_INLINE Motion free_motion_full(const C& c, VF shed, Twist start, VF g) {
     const Vec3 v = start.v, u = start.u;
     const auto* const s = c.reduced_rotation;
     const Vec3 momentum = symmetric6(c.full_mass, start).v, spin_momentum = symmetric3(s, u);
     const Vec3 angular = rows(c.slip, momentum) + spin_momentum;
-    const Vec3 a = g * u, b = g * v, p = g * momentum, l = g * angular;
+    const Twist moving = moving_momentum<true, kShed>(c, shed, {momentum, angular}, start);
+    const Vec3 a = g * u, b = g * v, p = g * moving.v, l = g * moving.u;
     // Columns of H = (1 + [a]x) C + [b]x - [p]x M11^-1, and of 1 - g (derivative): (1 + [a]x) S - [l]x + [p]x C^T + H [p]x.
     const auto column = [&](const auto& c0, const auto& c1, const auto& c2, const auto& m0, const auto& m1,
                             const auto& m2) LR_LAMBDA {
@@ -253,6 +277,13 @@ template <class C> HWY_INLINE Motion free_motion_full(const C& c, Twist start, V
     h.x.y = h.x.y + b.z, h.x.z = h.x.z - b.y;
     h.y.x = h.y.x - b.z, h.y.z = h.y.z + b.x;
     h.z.x = h.z.x + b.y, h.z.y = h.z.y - b.x;
+    Vec3 axis, arm, moved_along;
+    if constexpr (kShed) {
+        axis = broadcast(c.aerodynamics.normal), arm = broadcast(c.aerodynamics.normal_arm);
+        moved_along = symmetric3(n, axis);
+        const Vec3 lost = shed * cross(b, axis);
+        h.x -= moved_along.x * lost, h.y -= moved_along.y * lost, h.z -= moved_along.z * lost;
+    }
     const auto turning = [&](const auto& s0, const auto& s1, const auto& s2, const auto* ct) LR_LAMBDA {
         const Vec3 e{constant(s0), constant(s1), constant(s2)};
         return e + cross(a, e) + cross(p, broadcast(ct));
@@ -271,11 +302,22 @@ template <class C> HWY_INLINE Motion free_motion_full(const C& c, Twist start, V
 
     const Vec3 am = g * um;
     const VF turned = dot(am, am);
-    const Vec3 dp = turned_by(am, turned, momentum), pm = momentum + dp;
+    Vec3 dp = turned_by(am, turned, momentum);
+    VF f;
+    if constexpr (kShed) {
+        const VF one = constant(1.0f), inverse = one / (one + turned);
+        const Vec3 wake = inverse * (cross(am, axis) + turned * axis - dot(am, axis) * am);
+        const VF carried = dot(arm, um) - dot(axis, columns(k, um));
+        f = shed * (dot(moved_along, momentum + dp) + carried) / (one - shed * dot(moved_along, wake));
+        dp += f * wake;
+    }
+    const Vec3 pm = momentum + dp;
     const Vec3 moved_by = symmetric3(n, dp), dragged_along = rows(c.slip, dp);
     const Vec3 lm = angular + (dragged_along + symmetric3(s, dum));
     const Vec3 vm = v + (moved_by - columns(c.slip, dum));
-    const Vec3 dl = (g + g) * (cross(lm, um) + cross(pm, vm));
+    Vec3 dl = cross(lm, um) + cross(pm, vm);
+    if constexpr (kShed) dl -= f * (cross(arm, um) + cross(axis, vm));
+    dl = (g + g) * dl;
     const Vec3 spun = dl - (dragged_along + dragged_along); // S du
     // S^-1 is the lower block of M^-1, the last six of its upper triangle.
     const Vec3 du = symmetric3(c.full_inverse + 15, spun), u1 = u + du;
@@ -284,7 +326,7 @@ template <class C> HWY_INLINE Motion free_motion_full(const C& c, Twist start, V
     const Vec3 scaled = factor * u1;
     Motion out{{vm, um}, {v + (moved_by + moved_by) - columns(c.slip, scaled - u), scaled}, g};
     if (const auto left = unsolved(factor, dot(p, b), turned); !hn::AllFalse(DF(), left))
-        resolve_motion<true>(c, start, g, left, out);
+        resolve_motion<true>(c, shed, start, g, left, out);
     return out;
 }
 
@@ -465,9 +507,9 @@ HWY_INLINE void free_step(float h, const C& c, const Held& held, Body& b) {
     if constexpr (kStretched) g = stretched(b.t.u, g);
     Motion m;
     if constexpr (kFull)
-        m = free_motion_full(c, b.t, g);
+        m = free_motion_full<kStretched>(c, held.shed, b.t, g);
     else
-        m = free_motion(c, b.t, g);
+        m = free_motion<kStretched>(c, held.shed, b.t, g);
     // Orientation by Cayley's map of h w, on the group; half of it is the middle orientation.
     const Quaternion q1 = normalised(turn(b.q, b.q, constant(1.0f), m.g * m.middle.u));
     if constexpr (kStretched) {

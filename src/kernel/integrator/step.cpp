@@ -54,7 +54,7 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
         const VF length = load1(a, field_scale, at) * constant(c.length);
         Held held;
         held.inverse_length = constant(1.0f) / length;
-        held.alpha = held.beta = hn::Zero(DF());
+        held.alpha = held.beta = held.shed = hn::Zero(DF());
         held.wind = broadcast(in.wind);
         held.gravity = gravity;
         held.weight = weight;

@@ -21,7 +21,7 @@ namespace lr::LR_KERNEL_NAMESPACE {
 // The Munk moment P x v carries the body's own momentum too, which is parallel to v and drops out.
 template <bool kFull, bool kAerodynamic, class C>
 HWY_INLINE Twist twist_rate(const StepInput& in, const C& c, const Held& held, Quaternion q, Twist t) {
-    const Twist p = momentum<kFull>(c, t);
+    const Twist p = moving_momentum<kFull, kAerodynamic>(c, held.shed, momentum<kFull>(c, t), t);
     Twist f;
     f.v = to_body(q, held.weight) + held.inverse_length * cross(p.v, t.u);
     f.u = held.inverse_length * (cross(p.u, t.u) + cross(p.v, t.v));
@@ -57,10 +57,13 @@ HWY_INLINE void rk4_substep(const StepInput& in, const C& c, Held& held, VF beta
         held.noise = dragged<kFull>(c, {beta * broadcast(gauss), spin_beta * broadcast(gauss + 3)});
     }
     const auto rate = [&](Quaternion q, Twist t) LR_LAMBDA {
-        const Twist r = twist_rate<kFull, kAerodynamic>(in, c, held, q, t);
-        if constexpr (!kAerodynamic) return r;
+        if constexpr (!kAerodynamic) return twist_rate<kFull, false>(in, c, held, q, t);
+        const VF nu = constant(c.aerodynamics.viscosity) * held.inverse_length;
+        const Plate plate = plate_at(c.aerodynamics, held, nu, b.lag, centre_velocity<kFull>(c.aerodynamics, t));
+        held.shed = plate.shed;
+        const Twist r = twist_rate<kFull, true>(in, c, held, q, t);
         if (held.sheared) t.u -= to_body(q, held.fluid_spin);
-        return r + acceleration<kFull>(c, aerodynamic_loads<kFull>(c.aerodynamics, held, t));
+        return r + acceleration<kFull>(c, aerodynamic_loads<kFull>(c.aerodynamics, held, plate, b.shedding, t));
     };
     const auto spin = [&](Twist t) LR_LAMBDA { return held.inverse_length * t.u; };
 
@@ -133,36 +136,45 @@ HWY_INLINE Vec3 wind_of_substep(const StepInput& in, uint32_t i) {
     return broadcast(wind);
 }
 
+// Rate and variance of gusts.
+struct Gusts {
+    VF alpha, variance;
+};
+template <class A> HWY_INLINE Gusts gusts_at(const StepInput& in, const A& a, const Held& held, VF nu, VF age, Vec3 v) {
+    if (HWY_LIKELY(in.clock == Clock::speed)) {
+        const VF speed = hn::Sqrt(speed_squared(v)), turbulent = speed / (constant(a.wake_reynolds) * nu + speed);
+        return {constant(a.rate_of_gusts) * held.inverse_length * speed,
+                constant(a.variance_of_gusts) * (turbulent * turbulent) * weighted(a.broadside, times(v, v))};
+    }
+    VF alpha, beta_squared;
+    sample_table(in.table, constant(0.5f) * constant(in.h) + age, alpha, beta_squared);
+    return {alpha, constant(a.gust_gain) * beta_squared / (alpha + alpha + constant(1e-20f))};
+}
+
 // A body in its own patch of moving air: quasi-steady motion through the patch, then the patch's next velocity; the body's world velocity stays.
 template <bool kFull, Integrator kIntegrator, class C>
 HWY_INLINE void aerodynamic_substep(const StepInput& in, const C& c, Held& held, VU noise_seed, uint32_t substep,
                                     Body& b) {
+    const auto& a = c.aerodynamics;
     b.t.v -= to_body(b.q, b.gust);
-    const VF speed = hn::Sqrt(speed_squared(b.t.v));
-    VF alpha, variance;
-    if (HWY_LIKELY(in.clock == Clock::speed)) {
-        alpha = constant(c.aerodynamics.rate_of_gusts) * held.inverse_length * speed;
-        const VF laminar =
-            constant(c.aerodynamics.wake_reynolds) * constant(c.aerodynamics.viscosity) * held.inverse_length;
-        const VF turbulent = speed * speed / (speed + laminar);
-        variance = constant(c.aerodynamics.variance_of_gusts) * (turbulent * turbulent);
-    } else {
-        VF beta_squared;
-        sample_table(in.table, constant(0.5f) * constant(in.h) + b.age, alpha, beta_squared);
-        variance = constant(c.aerodynamics.gust_gain) * beta_squared / (alpha + alpha + constant(1e-20f));
-    }
-    b.x += constant(in.h) * b.gust;
+    const Vec3 v = centre_velocity<kFull>(a, b.t);
+    const VF nu = constant(a.viscosity) * held.inverse_length;
     VF gauss[6];
+    three_gaussians(noise_seed, in.first_substep + substep, in.seed, gauss);
+    advance_wake(in, a, held, nu, hn::Sqrt(gusts_at(in, a, held, nu, b.age, v).variance), gauss, v,
+                 load_spin<kFull>(a, b.t), b);
+    b.x += constant(in.h) * b.gust;
+    Vec3 middle = v;
     if constexpr (kIntegrator == Integrator::splitting) {
-        aerodynamic_splitting_substep<kFull>(in, c, held, b);
+        middle = aerodynamic_splitting_substep<kFull>(in, c, held, nu, b);
         b.x += constant(in.h) * held.wind;
         grow_older(b, constant(in.h));
     } else {
         rk4_substep<kFull, true>(in, c, held, hn::Zero(DF()), gauss, b);
     }
-    three_gaussians(noise_seed, in.first_substep + substep, in.seed, gauss);
     b.t.v += to_body(b.q, b.gust);
-    b.gust = without_dust(next_gust(b.gust, alpha, variance, in.h, gauss));
+    const Gusts gusts = gusts_at(in, a, held, nu, b.age, middle);
+    b.gust = without_dust(next_gust(b.gust, gusts.alpha, gusts.variance, in.h, gauss));
 }
 
 template <bool kFull, bool kAerodynamic, Integrator kIntegrator, bool kUsual = false, class C>

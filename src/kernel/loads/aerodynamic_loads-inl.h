@@ -24,34 +24,166 @@ HWY_INLINE VF speed_squared(Vec3 v) {
     return dot(v, v) + constant(1e-20f);
 }
 
-// Drag is -drag_rate v, per mass unit.
-template <class A> HWY_INLINE VF drag_rate(const A& c, VF b, VF nu, Vec3 v) {
-    const VF s2 = speed_squared(v), s = hn::Sqrt(s2);
-    const Vec3 part = constant(1.0f) / s2 * times(v, v);
-    const VF separated = s / (constant(8710.0f) * nu + s); // Re/(Re + 8710)
-    const VF form = separated * weighted(c.drag_blunt, part) + weighted(c.drag, part);
-    const VF layer = hn::Sqrt(s * nu) * weighted(c.drag_layer, part);
-    return b * (s * form + (nu * weighted(c.drag_stokes, part) + layer));
+// A steady wake, below the critical Reynolds number, sheds nothing.
+template <class A> HWY_INLINE VF shedding_share(const A& c, VF nu, VF inverse_s) {
+    const VF x = constant(c.shedding_reynolds) * nu * inverse_s;
+    return hn::Max(constant(1.0f) - x * x, constant(0.0f));
 }
 
-// sin^2 of the angle of attack for a sheet: 0 edge on.
-template <class A> HWY_INLINE VF stall(const A& c, VF inverse_s2, Vec3 v) {
-    return weighted(c.broadside, times(v, v)) * inverse_s2;
+// The flow past a plate, fixed over the loads of a substep.
+struct Plate {
+    Vec3 lag;
+    VF lift, vortex; // attached
+    VF drag, start;  // separated, and of a wake that is being made
+    VF shed;         // the added mass that does not move with the body
+};
+
+// The stream that the attached flow follows: partly that of the wake.
+template <class A> HWY_INLINE Vec3 followed(const A& c, Vec3 lag, Vec3 v) {
+    return v + constant(c.wake_share) * (lag - v);
 }
 
-// Lift is circulation x v, per mass unit: by translation, by rotation, and by the sideways part of uneven viscous drag.
-template <class A> HWY_INLINE Vec3 circulation(const A& c, VF b, VF nu, Vec3 v, Vec3 u) {
-    const VF s2 = speed_squared(v), s = hn::Sqrt(s2);
-    const VF inverse_s2 = constant(1.0f) / s2, inverse = b * inverse_s2;
-    const VF root = hn::Sqrt(s * nu);
-    const VF attached = constant(1.0f) - constant(c.lift_stall) * stall(c, inverse_s2, v);
-    const VF full = s * attached;
-    const auto along = [&](int k, VF vi, VF vj, VF uk) LR_LAMBDA {
-        const VF sum =
-            constant(c.lift[k]) * full + (constant(c.lift_layer[k]) * root + constant(c.lift_stokes[k]) * nu);
-        return b * constant(c.spin_lift[k]) * uk - inverse * (vi * vj) * sum;
+template <class A> HWY_INLINE Plate plate_at(const A& c, const Held& held, VF nu, Vec3 lag, Vec3 v) {
+    const VF one = constant(1.0f);
+    // A stream exactly along the normal is as one along both other axes by turns.
+    const VF least = constant(1e-20f);
+    const Vec3 u = followed(c, lag, v), squares = times(u, u) + Vec3{least, least, least};
+    const VF across = dot(broadcast(c.normal_axis), u), a2 = across * across;
+    const VF along = dot(broadcast(c.plate_axes) + broadcast(c.plate_axes + 3), squares), inverse = one / along;
+    const VF s2 = along + a2;
+    // (sin a)^2 over that of the stall angle, to the fourth power against (cos a)^2: half of each at the stall angle.
+    const VF stall = hn::Max(weighted(c.plate_stall, squares) * inverse, one);
+    VF x = a2 * stall / s2;
+    x *= x;
+    const VF kept = along * stall, attached = kept / (kept + s2 * (stall - one) * (x * x) + constant(1e-30f));
+    const VF lift = held.lift * attached * inverse;
+    const Vec3 behind = lag - v;
+    const VF inverse_v2 = one / speed_squared(v);
+    const VF growing = hn::Sqrt(speed_squared(behind)) * dot(behind, v) * inverse_v2;
+    const VF rest = constant(c.separated_shed) * shedding_share(c, nu, hn::Sqrt(inverse_v2));
+    Plate out;
+    out.lag = lag;
+    out.lift = lift * weighted(c.plate_lift, squares);
+    out.vortex = lift * weighted(c.plate_vortex, squares);
+    out.drag = held.drag * constant(c.plate_drag) * (one - attached);
+    out.start = -(held.drag * constant(c.start_drag) * growing);
+    out.shed = (one - attached) * rest;
+    return out;
+}
+
+// What it will be after the second half of the loads, in proportion: of second order.
+HWY_INLINE Plate extrapolated(const Plate& begin, const Plate& middle) {
+    const auto end = [](VF a, VF b) LR_LAMBDA { return hn::Max(b + b - a, constant(0.0f)); };
+    return {middle.lag,
+            end(begin.lift, middle.lift),
+            end(begin.vortex, middle.vortex),
+            end(begin.drag, middle.drag),
+            middle.start + middle.start - begin.start,
+            end(begin.shed, middle.shed)};
+}
+
+// Loads of a stream: the force is -drag v + circulation x v, per mass unit.
+struct Stream {
+    VF drag;
+    Vec3 circulation;
+};
+
+// A plate's normal force -N n is drag N v_n/s^2 and circulation N/s^2 (n x v). The drag is never negative: a wake does not push.
+template <bool kDrag, bool kLift, class A>
+HWY_INLINE Stream stream_loads(const A& c, const Held& held, const Plate& plate, VF nu, Vec3 v, Vec3 u) {
+    const VF s2 = speed_squared(v), s = hn::Sqrt(s2), inverse_s2 = constant(1.0f) / s2, root = hn::Sqrt(s * nu);
+    const Vec3 n = broadcast(c.normal_axis), followed_stream = followed(c, plate.lag, v);
+    const VF vn = dot(n, v), un = dot(n, followed_stream);
+    const VF ut = hn::Sqrt(hn::Max(speed_squared(followed_stream) - un * un, constant(0.0f)));
+    const VF sheared_off = s2 - vn * vn;
+    const VF normal =
+        inverse_s2 * (un * (plate.lift * ut + plate.vortex * hn::Abs(un)) +
+                      vn * (plate.drag * (constant(0.8f) * (sheared_off * inverse_s2) * s + s) + plate.start));
+    Stream out;
+    if constexpr (kDrag) {
+        const Vec3 part = inverse_s2 * times(v, v);
+        const VF separated = s / (constant(8710.0f) * nu + s); // Re/(Re + 8710)
+        const VF form = separated * weighted(c.drag_blunt, part) + weighted(c.drag, part);
+        const VF layer = root * weighted(c.drag_layer, part);
+        out.drag = held.drag * (s * form + (nu * weighted(c.drag_stokes, part) + layer)) +
+                   hn::Max(normal * vn, constant(0.0f));
+    }
+    if constexpr (kLift) {
+        const VF inverse = held.lift * inverse_s2;
+        const auto along = [&](int k, VF vi, VF vj, VF uk) LR_LAMBDA {
+            const VF sum =
+                constant(c.lift[k]) * s + (constant(c.lift_layer[k]) * root + constant(c.lift_stokes[k]) * nu);
+            return held.lift * constant(c.spin_lift[k]) * uk - inverse * (vi * vj) * sum;
+        };
+        out.circulation =
+            Vec3{along(0, v.y, v.z, u.x), along(1, v.z, v.x, u.y), along(2, v.x, v.y, u.z)} + normal * cross(n, v);
+    }
+    return out;
+}
+template <class A> HWY_INLINE VF drag_rate(const A& c, const Held& held, const Plate& plate, VF nu, Vec3 v) {
+    return stream_loads<true, false>(c, held, plate, nu, v, v).drag;
+}
+template <class A>
+HWY_INLINE Vec3 circulation(const A& c, const Held& held, const Plate& plate, VF nu, Vec3 v, Vec3 u) {
+    return stream_loads<false, true>(c, held, plate, nu, v, u).circulation;
+}
+
+// Couple of the vortices that the wake sheds.
+template <class A> HWY_INLINE Vec3 shedding_couple(const A& c, const Held& held, const VF q[4], VF nu, Vec3 v) {
+    const Vec3 n = broadcast(c.normal_axis);
+    const VF vn = dot(n, v), inverse_s = constant(1.0f) / hn::Sqrt(speed_squared(v));
+    const VF size = held.lift * (vn * vn) * shedding_share(c, nu, inverse_s);
+    const auto moment = [&](int i) LR_LAMBDA {
+        return size * (constant(c.shedding_moment) * q[i] + constant(c.shedding_rate_moment) * q[i + 2]);
     };
-    return {along(0, v.y, v.z, u.x), along(1, v.z, v.x, u.y), along(2, v.x, v.y, u.z)};
+    // n x (a, b) = (-b, a) along the two axes after n.
+    return moment(0) * broadcast(c.plate_axes + 3) - moment(1) * broadcast(c.plate_axes);
+}
+
+// The wake follows the stream for a substep: its memory by relaxation, its oscillator as Stuart and Landau's, a rotation of (q, r) and a change of
+// its size, both exact at any step but for exp(-x). Forces use the wake in the middle of a substep, so it is advanced from middle to middle.
+template <class A>
+HWY_INLINE void advance_wake(const StepInput& in, const A& c, const Held& held, VF nu, VF fluctuation, const VF gauss[],
+                             Vec3 v, Vec3 u, Body& b) {
+    const VF one = constant(1.0f), half = constant(0.5f), zero = hn::Zero(DF());
+    const Vec3 n = broadcast(c.normal_axis);
+    const VF s = hn::Sqrt(speed_squared(v)), inverse_s = one / s;
+    const VF travel = constant(in.h) * held.inverse_length * s;
+
+    // The body spins about its normal below its wake.
+    const VF t = constant(0.5f * in.h) * held.inverse_length * dot(n, u), over = one / (t * t + one);
+    const VF cosine = (one - t * t) * over, sine = (t + t) * over;
+    // A wake outlives the body's motion by its own time, not for ever.
+    const VF moved = constant(in.h) * held.inverse_length * hn::Sqrt(hn::Max(speed_squared(b.lag), s * s));
+    const VF x = moved * constant(c.wake_rate), keep = one / (x * (half * x + one) + one);
+    const VF along = dot(n, b.lag);
+    const Vec3 turned = cosine * b.lag + (along - cosine * along) * n - sine * cross(n, b.lag);
+    b.lag = v + keep * (turned - v);
+
+    const VF angle = travel * constant(c.shedding_rate), tan_half = half * angle, square = tan_half * tan_half;
+    const VF inverse = one / (one + square);
+    const VF cos_shed = (one - square) * inverse, sin_shed = (tan_half + tan_half) * inverse;
+    VF* const q = b.shedding;
+    const VF turned_q[4] = {cosine * q[0] + sine * q[1], cosine * q[1] - sine * q[0], cosine * q[2] + sine * q[3],
+                            cosine * q[3] - sine * q[2]};
+    const VF kick = constant(c.shedding_noise) * fluctuation * inverse_s * hn::Sqrt(angle);
+    VF size2 = zero;
+    for (int i = 0; i < 2; ++i) {
+        const VF r = turned_q[i + 2] + kick * gauss[i];
+        q[i] = cos_shed * turned_q[i] + sin_shed * r;
+        q[i + 2] = cos_shed * r - sin_shed * turned_q[i];
+        size2 = q[i] * q[i] + (q[i + 2] * q[i + 2] + size2);
+    }
+    // size' = growth angle (limit - size) size, by its exact solution; size: half the square of (q, r).
+    const VF across = hn::Abs(dot(n, v));
+    const VF limit = hn::Max((across - constant(c.shedding_reynolds) * nu) * inverse_s, constant(-3.0f));
+    const VF rate = constant(c.shedding_growth) * angle, y = rate * limit, yy = hn::Abs(y);
+    const VF rise = half * yy + one, exponential = hn::Min(yy * rise + one, constant(1e15f));
+    const auto grows = y >= zero;
+    const VF used = half * size2 * rate * rise;
+    const VF scale =
+        hn::Sqrt(hn::IfThenElse(grows, exponential, one) / (hn::IfThenElse(grows, one, exponential) + used));
+    for (int i = 0; i < 4; ++i) q[i] = without_dust(scale * q[i]);
 }
 
 // Spin drag is -rate u along each axis.
@@ -62,23 +194,6 @@ template <class A> HWY_INLINE Vec3 spin_drag_rate(const A& c, VF b, VF nu, VF s,
                     (constant(c.spin_drag_stream[k]) * s + constant(c.spin_drag_stokes[k]) * nu));
     };
     return {along(0), along(1), along(2)};
-}
-
-// Roll damping is -rate (axis . u) axis.
-struct Roll {
-    Vec3 axis;
-    VF rate;
-};
-template <class A> HWY_INLINE Roll roll_damping(const A& c, VF b, VF s, Vec3 v) {
-    return {times(broadcast(c.roll), v), b / s};
-}
-
-template <class A> HWY_INLINE Vec3 lift_moment(const A& c, VF b, Vec3 v) {
-    const VF sigma = stall(c, constant(1.0f) / speed_squared(v), v);
-    const auto along = [&](int k, VF vi, VF vj) LR_LAMBDA {
-        return b * (vi * vj) * (constant(c.lift_moment_stalled[k]) * sigma + constant(c.lift_moment[k]));
-    };
-    return {along(0, v.y, v.z), along(1, v.z, v.x), along(2, v.x, v.y)};
 }
 
 template <bool kFull, class A> HWY_INLINE Vec3 centre_velocity(const A& c, Twist t) {
@@ -108,15 +223,16 @@ HWY_INLINE void vary(const StepInput& in, VU noise_seed, Held& held) {
     held.lift = held.drag * factor(hn::And(x, hn::Set(du, 0xffffu)));
 }
 
-// The sum of all loads as force and torque about the centre of mass, body axes.
-template <bool kFull, class A> HWY_INLINE Twist aerodynamic_loads(const A& c, const Held& held, Twist t) {
+// The sum of all loads as force and torque about the centre of mass, body axes, for Runge-Kutta.
+template <bool kFull, class A>
+static HWY_NOINLINE Twist aerodynamic_loads(const A& c, const Held& held, const Plate& plate, const VF shedding[4],
+                                            Twist t) {
     const VF nu = constant(c.viscosity) * held.inverse_length;
     const Vec3 v = centre_velocity<kFull>(c, t), u = load_spin<kFull>(c, t);
-    const Vec3 force = cross(circulation(c, held.lift, nu, v, u), v) - drag_rate(c, held.drag, nu, v) * v;
+    const Stream stream = stream_loads<true, true>(c, held, plate, nu, v, u);
+    const Vec3 force = cross(stream.circulation, v) - stream.drag * v;
     const VF s = hn::Sqrt(speed_squared(v));
-    const Roll roll = roll_damping(c, held.drag, s, v);
-    const Vec3 resisted = times(spin_drag_rate(c, held.drag, nu, s, u), u) + roll.rate * dot(roll.axis, u) * roll.axis;
-    const Vec3 torque = lift_moment(c, held.lift, v) - resisted;
+    const Vec3 torque = shedding_couple(c, held, shedding, nu, v) - times(spin_drag_rate(c, held.drag, nu, s, u), u);
     if constexpr (!kFull) return {force, torque};
     const Vec3 f = columns(c.axes, force);
     return {f, columns(c.axes, torque) + cross(broadcast(c.arm), f)};
@@ -169,8 +285,8 @@ struct Rates {
 // Drag opposes the velocity with one factor in all directions, so the modes of the mobility P M^-1 P^T decay independently, each towards its terminal
 // velocity. On the diagonal path they are the axes.
 template <bool kFull, class C>
-HWY_INLINE void drag_along_modes(const StepInput& in, const C& c, const Held& held, VF nu, const Pull& pull,
-                                 bool before_lift, Rates& rates, Twist& t) {
+HWY_INLINE void drag_along_modes(const StepInput& in, const C& c, const Held& held, const Plate& plate, VF nu,
+                                 const Pull& pull, bool before_lift, Rates& rates, Twist& t) {
     const auto& a = c.aerodynamics;
     const auto from_modes = [&](Vec3 y) LR_LAMBDA {
         if constexpr (!kFull) return y;
@@ -181,10 +297,10 @@ HWY_INLINE void drag_along_modes(const StepInput& in, const C& c, const Held& he
     const Vec3 r = y + half * pull.modes;
     Vec3 middle;
     if (before_lift)
-        middle = each_axis(relax_middle, r, drag_rate(a, held.drag, nu, t.v + half * pull.t.v) * rate);
+        middle = each_axis(relax_middle, r, drag_rate(a, held, plate, nu, t.v + half * pull.t.v) * rate);
     else
         middle = each_axis(over_one_and, r, half * rates.drag * rate);
-    rates.drag = drag_rate(a, held.drag, nu, from_modes(middle));
+    rates.drag = drag_rate(a, held, plate, nu, from_modes(middle));
     const Vec3 after = each_axis(relax_second, y, rates.drag * rate, pull.modes);
     if constexpr (!kFull) {
         t.v = after;
@@ -195,17 +311,17 @@ HWY_INLINE void drag_along_modes(const StepInput& in, const C& c, const Held& he
 }
 // Not inlined: the full path has each half twice, and a substep would exceed the instruction cache.
 template <class C>
-static HWY_NOINLINE void drag_half_full(const StepInput& in, const C& c, const Held& held, VF nu, const Pull& pull,
-                                        bool before_lift, Rates& rates, Twist& t) {
-    drag_along_modes<true>(in, c, held, nu, pull, before_lift, rates, t);
+static HWY_NOINLINE void drag_half_full(const StepInput& in, const C& c, const Held& held, const Plate& plate, VF nu,
+                                        const Pull& pull, bool before_lift, Rates& rates, Twist& t) {
+    drag_along_modes<true>(in, c, held, plate, nu, pull, before_lift, rates, t);
 }
 template <bool kFull, bool kBeforeLift, class C>
-HWY_INLINE void drag_half(const StepInput& in, const C& c, const Held& held, VF nu, const Pull& pull, Rates& rates,
-                          Twist& t) {
+HWY_INLINE void drag_half(const StepInput& in, const C& c, const Held& held, const Plate& plate, VF nu,
+                          const Pull& pull, Rates& rates, Twist& t) {
     if constexpr (kFull)
-        drag_half_full(in, c, held, nu, pull, kBeforeLift, rates, t);
+        drag_half_full(in, c, held, plate, nu, pull, kBeforeLift, rates, t);
     else
-        drag_along_modes<false>(in, c, held, nu, pull, kBeforeLift, rates, t);
+        drag_along_modes<false>(in, c, held, plate, nu, pull, kBeforeLift, rates, t);
 }
 
 // N a, N the mobility of the spin.
@@ -220,42 +336,8 @@ template <bool kFull, class C> HWY_INLINE Vec3 spin_mobility(const C& c) {
     return broadcast(c.inverse_spin_mass);
 }
 
-// Roll damping of half a substep: exact but for exp(-x), as relax_second.
-template <bool kFull, class C> HWY_INLINE Vec3 rolled_half(const C& c, const Roll& roll, VF tau, Vec3 u) {
-    const Vec3 response = spin_mobility<kFull>(c, roll.axis);
-    const VF rate = tau * roll.rate;
-    const VF x = hn::Min(rate * dot(roll.axis, response), constant(1e15f));
-    const VF p = x * constant(0.5f) + constant(1.0f);
-    const VF lost = rate * dot(roll.axis, u) * p / (x * p + constant(1.0f));
-    return u - lost * response;
-}
-
-// The lift's couple acts at four moments, h/4 each: at the ends of the substep and on both sides of its middle. Of all loads it turns most with the
-// body, and a single attitude for it was the largest error of the splitting.
-inline constexpr float couple_share = 0.25f;
-// Bound of the rim's speed by a couple, over the stream's: in truth the body would have turned away. At a substep's ends no spin drag acts.
-inline constexpr float most_rim = 8.0f, most_rim_at_end = 1.0f;
 HWY_INLINE Vec3 bounded(Vec3 v, VF most, VF least) {
     return each_axis([&](VF x) LR_LAMBDA { return hn::Max(hn::Min(x, most), least); }, v);
-}
-HWY_INLINE Vec3 bounded_push(Vec3 push, VF s, float times_stream) {
-    const VF most = constant(times_stream) * s;
-    return bounded(push, most, -most);
-}
-
-template <bool kFull, class C>
-HWY_INLINE void couple_at_end(const StepInput& in, const C& c, const Held& held, Body& b) {
-    const auto& a = c.aerodynamics;
-    Twist t = b.t;
-    if (kFull && held.sheared) t.u -= to_body(b.q, held.fluid_spin);
-    const Vec3 v = centre_velocity<kFull>(a, t);
-    const VF s = hn::Sqrt(speed_squared(v));
-    const Vec3 couple = constant(couple_share * in.h) * lift_moment(a, held.lift, v);
-    const Vec3 push = bounded_push(spin_mobility<kFull>(c, couple), s, most_rim_at_end);
-    if constexpr (kFull)
-        b.t += rows6(a.spin_response, push);
-    else
-        b.t.u += push;
 }
 
 // Spin along one axis under couple and drag along it; all spin answers by N e, here over e.N e. Axis after axis, in reverse order in the other half,
@@ -272,18 +354,23 @@ template <int kAxis, class T> HWY_INLINE Vec3 relax_axis(const T* n, VF x, VF pu
     return answering<kAxis>(n, (push - x * y) * (p / (x * p + constant(1.0f))), u);
 }
 
+// A couple's push of the rim in half a substep, over the stream, is bounded: in truth the body would have turned away.
+inline constexpr float most_rim = 8.0f;
+HWY_INLINE Vec3 bounded_push(Vec3 push, VF s) {
+    const VF most = constant(most_rim) * s;
+    return bounded(push, most, -most);
+}
+
+// couple: on the spin, constant over the substep.
 template <class C>
-static HWY_NOINLINE void spin_drag_half_full(const StepInput& in, const C& c, const Held& held, VF nu, bool before_lift,
-                                             Rates& rates, Twist& t) {
+static HWY_NOINLINE void spin_drag_half_full(const StepInput& in, const C& c, const Held& held, VF nu, Vec3 couple,
+                                             bool before_lift, Rates& rates, Twist& t) {
     const auto& a = c.aerodynamics;
     const auto* const n = a.spin_answer;
     const VF tau = constant(0.5f * in.h), half = constant(0.5f);
-    const Vec3 own = spin_mobility<true>(c), share = constant(couple_share * in.h) * own, rate = tau * own;
-    const auto push_in = [&](Vec3 v, VF s) LR_LAMBDA {
-        return bounded_push(times(share, lift_moment(a, held.lift, v)), s, most_rim);
-    };
     const VF s = hn::Sqrt(speed_squared(t.v));
-    const Vec3 first = half * push_in(t.v, s);
+    const Vec3 own = spin_mobility<true>(c), rate = tau * own, push = bounded_push(times(rate, couple), s);
+    const Vec3 first = half * push;
     const Vec3 r = answering<2>(n, first.z, answering<1>(n, first.y, answering<0>(n, first.x, t.u)));
     Vec3 e = half * times(rate, rates.spin);
     if (before_lift) e = each_axis(eased, times(rate, spin_drag_rate(a, held.drag, nu, s, r)));
@@ -293,19 +380,14 @@ static HWY_NOINLINE void spin_drag_half_full(const StepInput& in, const C& c, co
     middle = answering<2>(n, lost(middle.z, e.z), middle);
     // A couple moves a load centre that lies off the centre of mass.
     const Vec3 v = t.v + rows(a.velocity_of_couple, middle - t.u);
-    const VF speed = hn::Sqrt(speed_squared(v));
-    const Vec3 push = push_in(v, speed);
-    const Roll roll = roll_damping(a, held.drag, speed, v);
-    rates.spin = spin_drag_rate(a, held.drag, nu, speed, middle);
+    rates.spin = spin_drag_rate(a, held.drag, nu, hn::Sqrt(speed_squared(v)), middle);
     const Vec3 x = times(rate, rates.spin);
     Vec3 u = t.u;
     if (before_lift) {
         u = relax_axis<0>(n, x.x, push.x, u);
         u = relax_axis<1>(n, x.y, push.y, u);
         u = relax_axis<2>(n, x.z, push.z, u);
-        u = rolled_half<true>(c, roll, tau, u);
     } else {
-        u = rolled_half<true>(c, roll, tau, u);
         u = relax_axis<2>(n, x.z, push.z, u);
         u = relax_axis<1>(n, x.y, push.y, u);
         u = relax_axis<0>(n, x.x, push.x, u);
@@ -314,29 +396,24 @@ static HWY_NOINLINE void spin_drag_half_full(const StepInput& in, const C& c, co
     t.u = u;
 }
 
-// Roll damping is a separate part, next to the lift on both sides.
 template <bool kFull, bool kBeforeLift, class C>
-HWY_INLINE void spin_drag_half(const StepInput& in, const C& c, const Held& held, VF nu, const Pull& pull, Rates& rates,
-                               Twist& t) {
+HWY_INLINE void spin_drag_half(const StepInput& in, const C& c, const Held& held, VF nu, Vec3 couple, const Pull& pull,
+                               Rates& rates, Twist& t) {
     if constexpr (kFull) {
-        spin_drag_half_full(in, c, held, nu, kBeforeLift, rates, t);
+        spin_drag_half_full(in, c, held, nu, couple, kBeforeLift, rates, t);
     } else {
         const auto& a = c.aerodynamics;
-        const VF tau = constant(0.5f * in.h), half = constant(0.5f), share = constant(couple_share * in.h);
-        const VF s = hn::Sqrt(speed_squared(t.v));
-        const Vec3 couple = share * lift_moment(a, held.lift, t.v);
-        const Roll roll = roll_damping(a, held.drag, s, t.v);
-        const Vec3 u = kBeforeLift ? t.u : rolled_half<false>(c, roll, tau, t.u);
-        const Vec3 rate = spin_mobility<false>(c), push = bounded_push(times(rate, couple), s, most_rim) + pull.t.u;
+        const VF tau = constant(0.5f * in.h), half = constant(0.5f), s = hn::Sqrt(speed_squared(t.v));
+        const Vec3 u = t.u, rate = tau * spin_mobility<false>(c);
+        const Vec3 push = bounded_push(times(rate, couple), s) + pull.t.u;
         const Vec3 r = u + half * push;
         Vec3 middle;
         if constexpr (kBeforeLift)
-            middle = each_axis(relax_middle, r, times(rate, tau * spin_drag_rate(a, held.drag, nu, s, r)));
+            middle = each_axis(relax_middle, r, times(rate, spin_drag_rate(a, held.drag, nu, s, r)));
         else
-            middle = each_axis(over_one_and, r, times(rate, half * tau * rates.spin));
+            middle = each_axis(over_one_and, r, times(rate, half * rates.spin));
         rates.spin = spin_drag_rate(a, held.drag, nu, s, middle);
-        t.u = each_axis(relax_second, u, times(rate, tau * rates.spin), push);
-        if constexpr (kBeforeLift) t.u = rolled_half<false>(c, roll, tau, t.u);
+        t.u = each_axis(relax_second, u, times(rate, rates.spin), push);
     }
 }
 
@@ -359,26 +436,34 @@ template <bool kFull, class C> HWY_INLINE Vec3 lifted_middle(const C& c, Vec3 k,
     return inverse * (v + moved + dot(ak, v) * k);
 }
 
+// In the middle of a substep: the flow past the plate, and the velocity of the load centre.
+struct Middle {
+    Plate plate;
+    Vec3 v;
+};
+
 // Lift does no work: the force g x v_middle of the implicit midpoint keeps the energy at any step, whatever the circulation g. That is taken at the
-// middle which the circulation at the start leads to.
+// middle which the circulation at the start leads to. plate: at the start of the loads.
 template <bool kFull, class C>
-HWY_INLINE void lift_step(const StepInput& in, const C& c, const Held& held, VF nu, Twist& t) {
+HWY_INLINE Middle lift_step(const StepInput& in, const C& c, const Held& held, const Plate& plate, VF nu, Twist& t) {
     const auto& a = c.aerodynamics;
     const VF half = constant(0.5f * in.h);
     const Vec3 v = t.v, u = t.u;
     // Beyond this the velocity turns too far in a step to be resolved.
     const VF most = constant(5e3f), least = constant(-5e3f);
-    const Vec3 start = bounded(half * circulation(a, held.lift, nu, v, u), most, least);
-    const Vec3 v_start = lifted_middle<kFull>(c, start, v);
+    const Vec3 start = bounded(half * circulation(a, held, plate, nu, v, u), most, least);
+    const Vec3 v_middle = lifted_middle<kFull>(c, start, v);
+    const Plate middle = plate_at(a, held, nu, plate.lag, v_middle);
     Vec3 u_middle = u;
-    if constexpr (kFull) u_middle = u + rows(a.spin_response_to_force, cross(start, v_start));
-    const Vec3 k = bounded(half * circulation(a, held.lift, nu, v_start, u_middle), most, least);
+    if constexpr (kFull) u_middle = u + rows(a.spin_response_to_force, cross(start, v_middle));
+    const Vec3 k = bounded(half * circulation(a, held, middle, nu, v_middle, u_middle), most, least);
     const Vec3 half_impulse = cross(k, lifted_middle<kFull>(c, k, v));
     const Vec3 impulse = half_impulse + half_impulse;
     if constexpr (kFull)
         t += Twist{symmetric3(a.mobility, impulse), rows(a.spin_response_to_force, impulse)};
     else
         t.v += scaled_by(c.inverse_mass, impulse);
+    return {middle, v_middle};
 }
 
 // The gain by weight, buoyancy and external forces. A torque acts with the drag (full path: it moves the load centre) or the spin drag (diagonal).
@@ -411,7 +496,7 @@ HWY_INLINE Pull pull_of(const StepInput& in, const C& c, const Held& held, Quate
 }
 
 template <bool kFull, class C>
-HWY_INLINE void loads_in_middle(const StepInput& in, const C& c, const Held& held, VF nu, Body& b) {
+HWY_INLINE Middle loads_in_middle(const StepInput& in, const C& c, const Held& held, VF nu, Body& b) {
     const Pull pull = pull_of<kFull>(in, c, held, b.q);
     // Loads act on the spin relative to the fluid.
     if (held.sheared) b.t.u -= to_body(b.q, held.fluid_spin);
@@ -419,11 +504,14 @@ HWY_INLINE void loads_in_middle(const StepInput& in, const C& c, const Held& hel
     const Twist before{centre_velocity<kFull>(a, b.t), load_spin<kFull>(a, b.t)};
     Twist t = before;
     Rates rates{hn::Zero(DF()), zero3()};
-    drag_half<kFull, true>(in, c, held, nu, pull, rates, t);
-    spin_drag_half<kFull, true>(in, c, held, nu, pull, rates, t);
-    lift_step<kFull>(in, c, held, nu, t);
-    spin_drag_half<kFull, false>(in, c, held, nu, pull, rates, t);
-    drag_half<kFull, false>(in, c, held, nu, pull, rates, t);
+    const Plate plate = plate_at(a, held, nu, b.lag, t.v);
+    const Vec3 couple = shedding_couple(a, held, b.shedding, nu, t.v);
+    drag_half<kFull, true>(in, c, held, plate, nu, pull, rates, t);
+    spin_drag_half<kFull, true>(in, c, held, nu, couple, pull, rates, t);
+    const Middle middle = lift_step<kFull>(in, c, held, plate, nu, t);
+    const Vec3 later = shedding_couple(a, held, b.shedding, nu, middle.v);
+    spin_drag_half<kFull, false>(in, c, held, nu, later + later - couple, pull, rates, t);
+    drag_half<kFull, false>(in, c, held, extrapolated(plate, middle.plate), nu, pull, rates, t);
     if constexpr (kFull) {
         // Only the change: a round trip through the load axes would round the whole.
         const Vec3 u = columns(a.axes, t.u - before.u);
@@ -432,17 +520,21 @@ HWY_INLINE void loads_in_middle(const StepInput& in, const C& c, const Held& hel
         b.t = t;
     }
     if (held.sheared) b.t.u += to_body(b.q, held.fluid_spin);
+    return middle;
 }
 
 // Free motion has the largest error, growing with the square of its step: it takes the two outer places, the loads the middle.
+// Returns the velocity of the load centre in the middle.
 template <bool kFull, class C>
-HWY_INLINE void aerodynamic_splitting_substep(const StepInput& in, const C& c, const Held& held, Body& b) {
-    const VF nu = constant(c.aerodynamics.viscosity) * held.inverse_length;
-    couple_at_end<kFull>(in, c, held, b);
+HWY_INLINE Vec3 aerodynamic_splitting_substep(const StepInput& in, const C& c, Held& held, VF nu, Body& b) {
+    const auto& a = c.aerodynamics;
+    held.shed = plate_at(a, held, nu, b.lag, centre_velocity<kFull>(a, b.t)).shed;
     free_step<kFull, true>(0.5f * in.h, c, held, b);
-    loads_in_middle<kFull>(in, c, held, nu, b);
+    const Middle middle = loads_in_middle<kFull>(in, c, held, nu, b);
+    const VF most = constant(a.most_shed);
+    held.shed = hn::Max(hn::Min(middle.plate.shed + middle.plate.shed - held.shed, most), hn::Zero(DF()));
     free_step<kFull, true>(0.5f * in.h, c, held, b);
-    couple_at_end<kFull>(in, c, held, b);
+    return middle.v;
 }
 } // namespace lr::LR_KERNEL_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -147,12 +147,18 @@ HWY_INLINE void blend_aerodynamics(const AerodynamicConstants& a, const Aerodyna
     mean(a.lift_layer, w.lift_layer, out.lift_layer);
     mean(a.lift_stokes, w.lift_stokes, out.lift_stokes);
     mean(a.spin_lift, w.spin_lift, out.spin_lift);
-    mean(a.lift_moment, w.lift_moment, out.lift_moment);
-    mean(a.lift_moment_stalled, w.lift_moment_stalled, out.lift_moment_stalled);
     mean(a.spin_drag, w.spin_drag, out.spin_drag);
     mean(a.spin_drag_stream, w.spin_drag_stream, out.spin_drag_stream);
     mean(a.spin_drag_stokes, w.spin_drag_stokes, out.spin_drag_stokes);
-    for (int i = 0; i < 3; ++i) out.roll[i] = hn::Sqrt(mean(a.roll[i] * a.roll[i], w.roll[i] * w.roll[i]));
+    mean(a.plate_lift, w.plate_lift, out.plate_lift);
+    mean(a.plate_vortex, w.plate_vortex, out.plate_vortex);
+    const auto mean1 = [&](float air, float water, VF& to) LR_LAMBDA { to = mean(air, water); };
+    mean1(a.plate_drag, w.plate_drag, out.plate_drag);
+    mean1(a.start_drag, w.start_drag, out.start_drag);
+    mean1(a.separated_shed, w.separated_shed, out.separated_shed);
+    mean1(a.most_shed, w.most_shed, out.most_shed);
+    mean1(a.shedding_moment, w.shedding_moment, out.shedding_moment);
+    mean1(a.shedding_rate_moment, w.shedding_rate_moment, out.shedding_rate_moment);
     // These do not depend on the fluid.
     const auto same = [&](const auto& from, auto& to) LR_LAMBDA {
         for (size_t i = 0; i < sizeof from / sizeof from[0]; ++i) to[i] = constant(from[i]);
@@ -161,7 +167,17 @@ HWY_INLINE void blend_aerodynamics(const AerodynamicConstants& a, const Aerodyna
     same(a.spin_weight, out.spin_weight);
     same(a.axes, out.axes);
     same(a.arm, out.arm);
-    out.lift_stall = constant(a.lift_stall);
+    same(a.plate_axes, out.plate_axes);
+    same(a.normal_axis, out.normal_axis);
+    same(a.normal, out.normal);
+    same(a.normal_arm, out.normal_arm);
+    same(a.plate_stall, out.plate_stall);
+    out.wake_rate = constant(a.wake_rate);
+    out.wake_share = constant(a.wake_share);
+    out.shedding_rate = constant(a.shedding_rate);
+    out.shedding_growth = constant(a.shedding_growth);
+    out.shedding_reynolds = constant(a.shedding_reynolds);
+    out.shedding_noise = constant(a.shedding_noise);
     out.rate_of_gusts = constant(a.rate_of_gusts);
     out.variance_of_gusts = constant(a.variance_of_gusts);
     out.wake_reynolds = constant(a.wake_reynolds);
@@ -255,6 +271,8 @@ static HWY_NOINLINE void blend(bool damped, const BodyConstants& a, const WaterB
     mean(a.spin_mass, w.water.spin_mass, c.spin_mass);
     if constexpr (kAerodynamic)
         blend_aerodynamics(a.aerodynamics, w.water.aerodynamics, mean, water_share(w, f), c.aerodynamics);
+    else // resolve_motion() reads them
+        for (int i = 0; i < 3; ++i) c.aerodynamics.normal[i] = c.aerodynamics.normal_arm[i] = hn::Zero(DF());
     if constexpr (kFull) {
         blend_full<kAerodynamic>(damped, a, w, f, unit, mean, c);
         for (int i = 0; i < 3; ++i) {
@@ -272,6 +290,7 @@ static HWY_NOINLINE void blend(bool damped, const BodyConstants& a, const WaterB
         c.rate[i + 3] = c.spin_damping[i] * c.inverse_spin_mass[i];
     }
     set_turning(c);
+    if constexpr (kAerodynamic) set_munk_of_normal(c.inverse_spin_mass, c.aerodynamics);
 }
 
 void near_surface(const SurfaceInstant& plane, float highest, const WaterBody& w, float dt, float gravity,
@@ -406,7 +425,7 @@ HWY_NOINLINE void step_wet_bodies(const StepInput& in, const WetSubstep& s, cons
         const VF wet = water_share(w, f);
         Held held;
         held.inverse_length = inverse_length;
-        held.alpha = held.beta = zero;
+        held.alpha = held.beta = held.shed = zero;
         held.wind = upper + wet * (lower - upper);
         held.gravity = held.fluid_spin = none;
         held.sheared = false;

@@ -1,6 +1,6 @@
 #include "tools/lr_scorecard/disc_fall.h"
 
-#include "tools/lr_scorecard/random.h"
+#include "tools/falls/random.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // Paper discs dropped flat or edge-on and measured as in the filmed falls of Howison et al. 2020; docs/maintainers/measurements.md.
 #pragma once
 
+#include "tools/falls/statistics.h"
 #include "tools/lr_scorecard/fall_recording.h"
-#include "tools/lr_scorecard/statistics.h"
 
 #include <array>
 #include <optional>

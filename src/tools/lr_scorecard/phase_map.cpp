@@ -1,7 +1,7 @@
 #include "tools/lr_scorecard/phase_map.h"
 
+#include "tools/falls/random.h"
 #include "tools/lr_scorecard/measured_bodies.h"
-#include "tools/lr_scorecard/random.h"
 
 #include <algorithm>
 #include <cmath>

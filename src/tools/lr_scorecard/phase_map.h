@@ -1,8 +1,8 @@
 // Discs falling through a liquid, over the phase map of Field et al. 1997 in Re and I*; docs/maintainers/measurements.md.
 #pragma once
 
+#include "tools/falls/regime.h"
 #include "tools/lr_scorecard/fall_recording.h"
-#include "tools/lr_scorecard/regime.h"
 
 #include <optional>
 #include <span>

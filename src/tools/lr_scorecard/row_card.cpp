@@ -1,8 +1,8 @@
+#include "tools/falls/regime.h"
 #include "tools/lr_scorecard/card_asset.h"
 #include "tools/lr_scorecard/fall_recording.h"
 #include "tools/lr_scorecard/falling_card.h"
 #include "tools/lr_scorecard/line_plot.h"
-#include "tools/lr_scorecard/regime.h"
 #include "tools/lr_scorecard/row.h"
 
 #include <array>

@@ -1,9 +1,9 @@
 // Rows without turbulence: Kirchhoff's equations, symmetry, buoyancy.
+#include "tools/falls/random.h"
+#include "tools/falls/statistics.h"
 #include "tools/lr_scorecard/fall_recording.h"
 #include "tools/lr_scorecard/measured_bodies.h"
-#include "tools/lr_scorecard/random.h"
 #include "tools/lr_scorecard/row.h"
-#include "tools/lr_scorecard/statistics.h"
 
 #include <algorithm>
 #include <array>

@@ -1,12 +1,12 @@
 // The cases of the paper's section 7, with its pictures expressed as numbers.
+#include "tools/falls/random.h"
+#include "tools/falls/regime.h"
+#include "tools/falls/statistics.h"
 #include "tools/lr_scorecard/fall_recording.h"
 #include "tools/lr_scorecard/folded_dart.h"
 #include "tools/lr_scorecard/line_plot.h"
 #include "tools/lr_scorecard/measured_bodies.h"
-#include "tools/lr_scorecard/random.h"
-#include "tools/lr_scorecard/regime.h"
 #include "tools/lr_scorecard/row.h"
-#include "tools/lr_scorecard/statistics.h"
 
 #include <Eigen/Eigenvalues>
 

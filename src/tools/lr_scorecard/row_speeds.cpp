@@ -1,9 +1,9 @@
 // Rows for steady drag and for mean speeds of fall: discs held broadside, leaves, small discs in turbulent air.
+#include "tools/falls/random.h"
+#include "tools/falls/statistics.h"
 #include "tools/lr_scorecard/fall_recording.h"
 #include "tools/lr_scorecard/measured_bodies.h"
-#include "tools/lr_scorecard/random.h"
 #include "tools/lr_scorecard/row.h"
-#include "tools/lr_scorecard/statistics.h"
 
 #include <algorithm>
 #include <array>

@@ -8,7 +8,9 @@
 #include <functional>
 #include <memory>
 
+namespace lr::falls {}
 namespace lr::scorecard {
+using namespace falls; // measures, statistics and random numbers
 
 struct ReleaseAsset {
     void operator()(lr_asset* asset) const { lr_asset_release(asset); }

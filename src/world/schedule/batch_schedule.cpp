@@ -11,7 +11,7 @@ namespace {
 
 // Up to these, fall statistics change by a few per cent at most, and longer substeps save nothing: docs/reference/stepping.md.
 constexpr double longest_of_all = 1.0 / 60.0; // s
-constexpr double pace_of_length = 1.5;        // m/s
+constexpr double pace_of_length = 2.0;        // m/s
 
 // Rounding of step lengths must not add a substep.
 constexpr double slack = 0.01;

@@ -130,8 +130,9 @@ void WakeByFlow::try_bodies(const StepItem& item, const uint32_t* index, uint32_
     for (uint32_t i = 0; i < padded; ++i)
         batch.sleeping()->age_of(tried[std::min(i, tried_count - 1)], copies.field[field_age][i],
                                  copies.field[field_age_remainder][i]);
-    for (size_t f = field_gust_x; f <= field_gust_z; ++f) std::fill_n(copies.field[f], padded, 0.0f);
-    if (!remembers) arrays.field[field_gust_x] = arrays.field[field_gust_y] = arrays.field[field_gust_z] = nullptr;
+    for (size_t f = field_gust_x; f < field_count; ++f) std::fill_n(copies.field[f], padded, 0.0f);
+    if (!remembers)
+        for (size_t f = field_gust_x; f < field_count; ++f) arrays.field[f] = nullptr;
     StepInput one = in;
     one.external.used = 0;
     const WaterStep* const surface = world_->surface.present() ? &surface_ : nullptr;

@@ -22,7 +22,7 @@ namespace lr {
 
 inline constexpr uint64_t snapshot_magic = 0x31304e53444c524cull; // "LRLDSN01"
 // After a release any change of the layout or of a record raises it. Other versions are refused.
-inline constexpr uint32_t snapshot_version = 1;
+inline constexpr uint32_t snapshot_version = 2;
 
 struct SnapshotHeader {
     uint64_t magic;

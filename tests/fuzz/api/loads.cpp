@@ -1,5 +1,6 @@
 // Settings of a whole batch: coefficients, gains, tables, forces.
 #include "fuzz/api/model.h"
+#include "support/aerodynamic_fields.h"
 
 namespace fuzz {
 namespace {
@@ -12,20 +13,14 @@ void aerodynamics(Fuzzer& f) {
     lr_aerodynamics a = initialised(LR_CALL(lr_aerodynamics_init));
     if (b && w.at && LR_CALL(lr_batch_get_aerodynamics)(w.at, id, &a) != LR_OK)
         defect("lr_batch_get_aerodynamics", "failed");
-    in.change(a.axes, a.drag, a.drag_blunt, a.drag_layer, a.drag_stokes, a.lift, a.spin_lift, a.lift_moment,
-              a.spin_drag, a.spin_drag_stream, a.spin_drag_stokes, a.intensity, a.length, a.wake_reynolds, a.broadside,
-              a.lift_stall, a.lift_moment_stalled, a.roll_damping, a.center, a.reserved);
+#define LR_FIELD(name, ...) a.name,
+    in.change(a.axes, LR_AERODYNAMIC_VECTORS(LR_FIELD) LR_AERODYNAMIC_NUMBERS(LR_FIELD) a.reserved);
+#undef LR_FIELD
     Expected e;
     if (!in.null(1)) {
-        for (const auto* v : {&a.drag, &a.drag_blunt, &a.drag_layer, &a.drag_stokes, &a.spin_drag, &a.spin_drag_stream,
-                              &a.spin_drag_stokes, &a.roll_damping})
-            e.range(*v, 0.0, 1e300);
-        for (const auto* v : {&a.lift, &a.spin_lift, &a.lift_moment, &a.lift_moment_stalled, &a.center})
-            for (double x : *v) e.finite(x);
         for (double x : a.axes) e.finite(x);
-        for (double x : {a.length, a.wake_reynolds, a.lift_stall}) e.finite(x);
-        e.range(a.intensity, 0.0, 10.0);
-        e.range(a.broadside, 0.0, 1.0);
+        for (const test::AerodynamicField& field : test::aerodynamic_fields)
+            for (size_t k = 0; k < field.size; ++k) e.range(field.in(a)[k], field.least, field.most);
         e.add_if(a.reserved != 0, LR_ERROR_INVALID_ARGUMENT);
         e.may(LR_ERROR_INVALID_ARGUMENT); // axes that are not a rotation, or on the fast path not the body's
     }

@@ -1,7 +1,7 @@
 // Averages, peaks and measures of a fall, on known tracks.
+#include "tools/falls/random.h"
 #include "tools/lr_scorecard/disc_fall.h"
 #include "tools/lr_scorecard/measured_bodies.h"
-#include "tools/lr_scorecard/random.h"
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,7 @@
 // The classifier on motions of known regime.
+#include "tools/falls/random.h"
+#include "tools/falls/regime.h"
 #include "tools/lr_scorecard/fall_recording.h"
-#include "tools/lr_scorecard/random.h"
-#include "tools/lr_scorecard/regime.h"
 
 #include <doctest/doctest.h>
 

@@ -69,7 +69,7 @@ namespace LangevinRigid
         /// <para>Sets how often a batch is stepped: level of detail for bodies that are far away, small or out of
         /// sight. A batch of divisor n takes one substep where other batches take n: fewer in each step or, if n
         /// exceeds the world's substeps, one every few steps that covers them all. Substeps are never so long that fall
-        /// statistics change: at most 1/60 s, and length_d / 1.5 m/s for bodies under 2.5 cm. Larger divisors have no
+        /// statistics change: at most 1/60 s, and length_d / 2 m/s for bodies under 3.3 cm. Larger divisors have no
         /// further effect. docs/reference/stepping.md. Takes effect at the next step and may change at any time: a
         /// waiting batch catches up when it is next stepped. Part of snapshots. While a batch waits</para>
         /// <para>- views and <see cref="Native.lr_body_get_state"/> show bodies as of their last step,

@@ -7,7 +7,8 @@ namespace LangevinRigid
 {
     public static unsafe partial class Native
     {
-        /// <summary>Sets the axes to the body's, <c>length</c> to 1 and everything else to 0: no loads.</summary>
+        /// <summary>Sets the axes to the body's, <c>length</c>, <c>wake_length</c> and <c>wake_lag</c> to 1 and
+        /// everything else to 0: no loads.</summary>
         /// <param name="aerodynamics">aerodynamics</param>
         /// <param name="structSize">sizeof the struct in the caller's header</param>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]

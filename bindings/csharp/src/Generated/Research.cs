@@ -31,7 +31,7 @@ namespace LangevinRigid
         public Double3 Lift;
         /// <summary>m^3</summary>
         public Double3 SpinLift;
-        /// <summary>m^3, moment of the lift about k: rho lift_moment_k v_i v_j</summary>
+        /// <summary>ignored since 0.3</summary>
         public Double3 LiftMoment;
         /// <summary>m^5</summary>
         public Double3 SpinDrag;
@@ -46,16 +46,50 @@ namespace LangevinRigid
         public double Length;
         /// <summary>scales the fluctuations by Re/(Re + wake_reynolds): slow wakes are laminar</summary>
         public double WakeReynolds;
-        /// <summary>0 to 1</summary>
+        /// <summary>0 to 1: the fluctuations grow with sum_i broadside_i (v_i/s)^2</summary>
         public Double3 Broadside;
-        /// <summary>Lift stall.</summary>
+        /// <summary>ignored since 0.3</summary>
         public double LiftStall;
-        /// <summary>m^3</summary>
+        /// <summary>ignored since 0.3</summary>
         public Double3 LiftMomentStalled;
-        /// <summary>m^4</summary>
+        /// <summary>ignored since 0.3</summary>
         public Double3 RollDamping;
         /// <summary>m, where the loads act, from the centre of buoyancy, body frame; within 2 d; default 0</summary>
         public Double3 Center;
+        /// <summary>m^2, &gt;= 0</summary>
+        public Double3 PlateLift;
+        /// <summary>m^2, &gt;= 0</summary>
+        public Double3 PlateVortex;
+        /// <summary>0 to 1</summary>
+        public Double3 PlateStall;
+        /// <summary>This share of the added momentum along n, 0 to 1, does not move with the body while the stream is
+        /// separated and sheds vortices: it reduces the Munk moment.</summary>
+        public double PlateSeparatedShedding;
+        /// <summary>m^2, &gt;= 0: drag coefficient broadside times area</summary>
+        public double PlateDrag;
+        /// <summary>&gt;= 0: adds to N start_drag plate_drag |u - v| ((v - u) . v/s^2) v_n</summary>
+        public double StartDrag;
+        /// <summary>m, &gt; 0</summary>
+        public double WakeLength;
+        /// <summary>&gt; 0</summary>
+        public double WakeLag;
+        /// <summary>0 to 1</summary>
+        public double WakeShare;
+        /// <summary>Vortex shedding above the Reynolds number shedding_reynolds of wake_length: an oscillator q in the
+        /// plate with the frequency strouhal s/wake_length and the moment rho v_n^2 n x (shedding_moment q +
+        /// shedding_rate_moment r) times 1 - (shedding_reynolds/Re)^2, r the rate of q over 2 pi times the frequency.
+        /// It starts from the fluctuations.</summary>
+        public double Strouhal;
+        /// <summary>&gt;= 0</summary>
+        public double SheddingGrowth;
+        /// <summary>&gt;= 0</summary>
+        public double SheddingReynolds;
+        /// <summary>&gt;= 0: of r by the fluctuations</summary>
+        public double SheddingNoise;
+        /// <summary>m^3</summary>
+        public double SheddingMoment;
+        /// <summary>m^3</summary>
+        public double SheddingRateMoment;
 
         /// <summary>A struct with its initial values and its size.</summary>
         public static Aerodynamics Create()

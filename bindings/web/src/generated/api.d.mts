@@ -1079,7 +1079,7 @@ export interface Aerodynamics {
   lift: number[];
   /** 3 elements. m^3 */
   spinLift: number[];
-  /** 3 elements. m^3, moment of the lift about k: rho lift_moment_k v_i v_j */
+  /** 3 elements. ignored since 0.3 */
   liftMoment: number[];
   /** 3 elements. m^5 */
   spinDrag: number[];
@@ -1093,15 +1093,53 @@ export interface Aerodynamics {
   length: number;
   /** scales the fluctuations by Re/(Re + wake_reynolds): slow wakes are laminar */
   wakeReynolds: number;
-  /** 3 elements. 0 to 1 */
+  /** 3 elements. 0 to 1: the fluctuations grow with sum_i broadside_i (v_i/s)^2 */
   broadside: number[];
+  /** ignored since 0.3 */
   liftStall: number;
-  /** 3 elements. m^3 */
+  /** 3 elements. ignored since 0.3 */
   liftMomentStalled: number[];
-  /** 3 elements. m^4 */
+  /** 3 elements. ignored since 0.3 */
   rollDamping: number[];
   /** 3 elements. m, where the loads act, from the centre of buoyancy, body frame; within 2 d; default 0 */
   center: number[];
+  /** 3 elements. m^2, >= 0 */
+  plateLift: number[];
+  /** 3 elements. m^2, >= 0 */
+  plateVortex: number[];
+  /** 3 elements. 0 to 1 */
+  plateStall: number[];
+  /**
+   * This share of the added momentum along n, 0 to 1, does not move with the body while the stream is separated and sheds
+   * vortices: it reduces the Munk moment.
+   */
+  plateSeparatedShedding: number;
+  /** m^2, >= 0: drag coefficient broadside times area */
+  plateDrag: number;
+  /** >= 0: adds to N start_drag plate_drag |u - v| ((v - u) . v/s^2) v_n */
+  startDrag: number;
+  /** m, > 0 */
+  wakeLength: number;
+  /** > 0 */
+  wakeLag: number;
+  /** 0 to 1 */
+  wakeShare: number;
+  /**
+   * Vortex shedding above the Reynolds number shedding_reynolds of wake_length: an oscillator q in the plate with the
+   * frequency strouhal s/wake_length and the moment rho v_n^2 n x (shedding_moment q + shedding_rate_moment r) times
+   * 1 - (shedding_reynolds/Re)^2, r the rate of q over 2 pi times the frequency. It starts from the fluctuations.
+   */
+  strouhal: number;
+  /** >= 0 */
+  sheddingGrowth: number;
+  /** >= 0 */
+  sheddingReynolds: number;
+  /** >= 0: of r by the fluctuations */
+  sheddingNoise: number;
+  /** m^3 */
+  sheddingMoment: number;
+  /** m^3 */
+  sheddingRateMoment: number;
 }
 
 /**
@@ -1451,7 +1489,7 @@ export interface RawFunctions {
    * Sets how often a batch is stepped: level of detail for bodies that are far away, small or out of sight. A batch of
    * divisor n takes one substep where other batches take n: fewer in each step or, if n exceeds the world's substeps, one
    * every few steps that covers them all. Substeps are never so long that fall statistics change: at most 1/60 s, and
-   * length_d / 1.5 m/s for bodies under 2.5 cm. Larger divisors have no further effect. docs/reference/stepping.md.
+   * length_d / 2 m/s for bodies under 3.3 cm. Larger divisors have no further effect. docs/reference/stepping.md.
    * Takes effect at the next step and may change at any time: a waiting batch catches up when it is next stepped. Part of
    * snapshots. While a batch waits
    *  - views and lr_body_get_state show bodies as of their last step, lr_batch_pace.behind ago;
@@ -1764,7 +1802,7 @@ export interface RawFunctions {
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE.
    */
   lr_batch_get_counts(world: number, batch: number, counts: number): number;
-  /** Sets the axes to the body's, `length` to 1 and everything else to 0: no loads. */
+  /** Sets the axes to the body's, `length`, `wake_length` and `wake_lag` to 1 and everything else to 0: no loads. */
   lr_aerodynamics_init(aerodynamics: number, struct_size: number): number;
   /**
    * Reads an asset's baked coefficients.
