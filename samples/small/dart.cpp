@@ -9,7 +9,7 @@ int main(int argc, char** argv) {
     desc.asset = plane.get(), desc.capacity = 1, desc.variation = 0; // folded with care
     const lr_batch darts = world.add(desc);
     lr_load_gains gains = LR_LOAD_GAINS_INIT; // loads are of fluttering plates: a slender wing lifts more, drags less
-    gains.lift = 3, gains.drag = 0.5f, langevin_rigid::check(lr_batch_set_load_gains(world.get(), darts, &gains));
+    gains.lift = 2.5f, gains.drag = 0.7f, langevin_rigid::check(lr_batch_set_load_gains(world.get(), darts, &gains));
     lr_body_desc launch = LR_BODY_DESC_INIT;
     launch.position[1] = 1.6f, launch.linear_velocity[0] = 5.0f;             // along its nose
     launch.orientation[0] = -0.7071068f, launch.orientation[3] = 0.7071068f; // the mesh's z up

@@ -180,7 +180,7 @@ static unsafe class StatusTests
         Check.True(e.Faults.Count > 0 && e.Faults[0].Number > 0 && e.Faults[0].Remedy.Length > 0, "faults");
         Check.True(e.Message.Contains("error " + e.Faults[0].Number), e.Message);
 
-        byte[] newer = Changed(bytes, 0, BitConverter.GetBytes(2u));
+        byte[] newer = Changed(bytes, 0, BitConverter.GetBytes(3u));
         e = Expect(Status.AssetVersion, () => Asset.Load(newer));
         byte[] invalid = Changed(bytes, 3, BitConverter.GetBytes(double.NaN));
         e = Expect(Status.AssetInvalid, () => Asset.Load(invalid));
