@@ -56,7 +56,7 @@ TEST_CASE("bodies land and rest on floors of fine triangles as on a plane" * doc
                 d.linear_velocity[1] = -std::sqrt(20.0f * 9.81f * kind.reach);
                 bodies.push_back(add_body(world, batch, d));
             }
-            steps(world, 240, 1.0f / 60.0f, 4);
+            steps(world, 360, 1.0f / 60.0f, 4);
             uint32_t over = 0, on_edge = 0;
             for (lr_body body : bodies) {
                 const lr_body_state s = state_of(world, body);
