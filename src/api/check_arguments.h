@@ -28,9 +28,12 @@ inline constexpr uint32_t max_struct_size = 65536;
 template <class T> inline constexpr size_t first_size = sizeof(T);
 template <> inline constexpr size_t first_size<lr_aerodynamics> = offsetof(lr_aerodynamics, plate_lift);
 
-// The size of this header's struct, that of the first release, or the larger size of a newer header's.
+// own: the size of this header's struct; first: that of the first release. A newer header's is larger.
+inline bool is_struct_size(uint32_t size, size_t own, size_t first) {
+    return (size >= own || size == first) && size <= max_struct_size;
+}
 template <class T> bool is_struct_size(uint32_t size) {
-    return (size >= sizeof(T) || size == first_size<T>)&&size <= max_struct_size;
+    return is_struct_size(size, sizeof(T), first_size<T>);
 }
 
 template <class T>
@@ -39,11 +42,11 @@ concept Sized = requires(T s) {
 };
 
 // The tail of a newer, larger struct must be zero: a set field would request a feature that this library lacks.
-inline lr_status check_size(const void* given, size_t own, size_t first) { // first: of the first release
+inline lr_status check_size(const void* given, size_t own, size_t first) {
     if (!given) return LR_ERROR_NULL_ARGUMENT;
     uint32_t size = 0; // the first field
     std::memcpy(&size, given, sizeof size);
-    if ((size < own && size != first) || size > max_struct_size) return LR_ERROR_STRUCT_SIZE;
+    if (!is_struct_size(size, own, first)) return LR_ERROR_STRUCT_SIZE;
     const auto* bytes = static_cast<const unsigned char*>(given);
     for (size_t i = own; i < size; ++i)
         if (bytes[i] != 0) return LR_ERROR_STRUCT_SIZE;
