@@ -30,7 +30,7 @@ template <class A> HWY_INLINE VF shedding_share(const A& c, VF nu, VF inverse_s)
     return hn::Max(constant(1.0f) - x * x, constant(0.0f));
 }
 
-// The flow past a plate, fixed over the loads of a substep.
+// The flow past a plate at one moment of the loads: their start, their middle, or their end.
 struct Plate {
     Vec3 lag;
     VF lift, vortex; // attached
@@ -71,7 +71,7 @@ template <class A> HWY_INLINE Plate plate_at(const A& c, const Held& held, VF nu
     return out;
 }
 
-// What it will be after the second half of the loads, in proportion: of second order.
+// The flow at the end of the loads, extrapolated linearly from their start and their middle.
 HWY_INLINE Plate extrapolated(const Plate& begin, const Plate& middle) {
     const auto end = [](VF a, VF b) LR_LAMBDA { return hn::Max(b + b - a, constant(0.0f)); };
     return {middle.lag,
