@@ -39,6 +39,8 @@ enum Field : size_t {
     field_shedding_rate_1, // its rate over the shedding frequency
     field_count
 };
+// Gust and wake, of AERODYNAMIC loads only.
+inline constexpr size_t wake_fields = field_count - field_gust_x;
 
 // External forces in SI units, on the body at its true size: a vector of each kind in each frame. Accelerations ignore all masses.
 enum ForceKind : size_t { force_newton, force_torque, force_acceleration, force_spin, force_kinds };

@@ -164,7 +164,7 @@ uint32_t Batch::fall_asleep(uint32_t index) {
     if (awake_ == count_) sleeping_->begin();
     const uint32_t to = --awake_;
     swap(index, to);
-    columns_.clear(to, to + 1, column_gust, field_count - field_gust_x);
+    columns_.clear(to, to + 1, column_gust, wake_fields);
     columns_.row<double>(column_birth)[to] =
         sleeping_->birth_of(arrays_.field[field_age][to], arrays_.field[field_age_remainder][to]);
     columns_.clear(to, to + 1, field_vx, 6);
@@ -186,7 +186,7 @@ uint32_t Batch::wake(uint32_t index) {
     sleeping_->age_of(index, arrays_.field[field_age][index], arrays_.field[field_age_remainder][index]);
     oldest_ = std::max(oldest_, static_cast<double>(arrays_.field[field_age][index]));
     columns_.clear(index, index + 1, column_birth, 1);
-    columns_.clear(index, index + 1, column_gust, field_count - field_gust_x); // see WakeByFlow
+    columns_.clear(index, index + 1, column_gust, wake_fields); // see WakeByFlow
     columns_.clear(index, index + 1, column_still_time, 1);
     columns_.clear(index, index + 1, column_stay, stay_rows);
     if (events_) events_->note(unpack(ids()[index]).slot, noted_waking);

@@ -47,7 +47,7 @@ struct Column {
 enum ColumnIndex : uint32_t {
     column_birth = field_gust_x,
     column_gust,
-    column_life = column_gust + field_count - field_gust_x,
+    column_life = column_gust + wake_fields,
     column_force,
     column_still_time = column_force + force_components,
     column_touching,
@@ -75,7 +75,7 @@ constexpr std::array<Column, column_count> make_columns() {
     rows(field_age, 1, {part_body, 4, awake, field_age, 0.0f, most_age});
     rows(field_age_remainder, 1, {part_body, 4, remnant, field_age_remainder, -most, most});
     rows(column_birth, 1, {part_sleep, 8, birth}); // s, on the clock of sleeping bodies
-    rows(column_gust, field_count - field_gust_x, {part_gust, 4, always, field_gust_x, -most, most});
+    rows(column_gust, wake_fields, {part_gust, 4, always, field_gust_x, -most, most});
     rows(column_life, 1, {part_life, 4, rare, field_count}); // how often a body has respawned
     rows(column_force, force_components, {part_forces, 4, rare, 64, -most, most});
     // ContactCache: time it has lain still; what it touches; time it has stayed in place, with its way and turn since.
