@@ -41,7 +41,7 @@ TEST_CASE("bodies land and rest on floors of fine triangles as on a plane" * doc
             CAPTURE(kind.reach);
             CAPTURE(part);
             const float cell = part * kind.reach;
-            const auto cells = static_cast<uint32_t>(40.0f / part);
+            const auto cells = static_cast<uint32_t>(40.0f / part); // to 20 reaches from the middle
             const World world = make(world_desc());
             const Triangles floor = fine_sheet(cells, cell, flat);
             add_collider(world, mesh_collider(floor));
@@ -60,8 +60,8 @@ TEST_CASE("bodies land and rest on floors of fine triangles as on a plane" * doc
             uint32_t over = 0, on_edge = 0;
             for (lr_body body : bodies) {
                 const lr_body_state s = state_of(world, body);
-                if (std::max(std::abs(s.position[0]), std::abs(s.position[2])) > 5.0f * kind.reach)
-                    continue; // slid off
+                if (std::max(std::abs(s.position[0]), std::abs(s.position[2])) > 19.0f * kind.reach)
+                    continue; // glided or slid over the edge of the sheet
                 ++over;
                 CHECK(s.sleep_state == LR_SLEEP_ASLEEP);
                 CHECK(s.position[1] > kind.half - 0.01f * kind.reach);
