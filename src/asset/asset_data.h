@@ -104,6 +104,47 @@ struct AerodynamicData {
     X(shedding_moment, -1e6, 1e6, 3.0)                                                                                 \
     X(shedding_rate_moment, -1e6, 1e6, 3.0)
 
+// A part of a bent, pierced or long body that sees a stream of its own: docs/maintainers/physics.md, "Stations". Its coefficients are those of
+// AerodynamicData for the part alone, with the lift of the wing that it belongs to; they act at `place`, along `axes`.
+struct StationData {
+    std::array<double, 9> axes{1, 0, 0, 0, 1, 0, 0, 0, 1}; // rows: along the chord, along the span, the normal; body frame, right-handed
+    std::array<double, 3> place{};                         // m, from the centre of mass, body frame
+    std::array<double, 3> drag{}, drag_blunt{};            // m^2
+    std::array<double, 3> drag_layer{};                    // m^(3/2)
+    std::array<double, 3> drag_stokes{};                   // m
+    std::array<double, 3> plate_lift{}, plate_vortex{};    // m^2, for streams along chord and span
+    std::array<double, 3> plate_stall{};
+    std::array<double, 3> spin_lift{};        // m^3
+    std::array<double, 3> spin_drag{};        // m^5
+    std::array<double, 3> spin_drag_stream{}; // m^4
+    std::array<double, 3> spin_drag_stokes{}; // m^3
+    double plate_drag = 0.0;                  // m^2
+    double added_mass = 0.0;                  // m^3, along the normal, fluid density 1
+    double camber = 0.0;                      // incidence at which a stream along the chord lifts nothing, with its sign reversed
+    double camber_moment = 0.0;               // m^3, nose up: couple over rho/2 U^2 at that incidence
+};
+inline constexpr size_t most_stations = 8;
+
+// As those of AerodynamicData.
+#define LR_STATION_VECTORS(X)                                                                                          \
+    X(place, -2.0, 2.0, 1.0)                                                                                           \
+    X(drag, 0.0, 1e6, 2.0)                                                                                             \
+    X(drag_blunt, 0.0, 1e6, 2.0)                                                                                       \
+    X(drag_layer, 0.0, 1e6, 1.5)                                                                                       \
+    X(drag_stokes, 0.0, 1e6, 1.0)                                                                                      \
+    X(plate_lift, 0.0, 1e6, 2.0)                                                                                       \
+    X(plate_vortex, 0.0, 1e6, 2.0)                                                                                     \
+    X(plate_stall, 0.0, 1.0, 0.0)                                                                                      \
+    X(spin_lift, -1e6, 1e6, 3.0)                                                                                       \
+    X(spin_drag, 0.0, 1e6, 5.0)                                                                                        \
+    X(spin_drag_stream, 0.0, 1e6, 4.0)                                                                                 \
+    X(spin_drag_stokes, 0.0, 1e6, 3.0)
+#define LR_STATION_NUMBERS(X)                                                                                          \
+    X(plate_drag, 0.0, 1e6, 2.0)                                                                                       \
+    X(added_mass, 0.0, 100.0, 3.0)                                                                                     \
+    X(camber, -1.0, 1.0, 0.0)                                                                                          \
+    X(camber_moment, -1e6, 1e6, 3.0)
+
 // Null if a body of any size can have these loads, else the reason.
 const char* wrong_in(const AerodynamicData& loads);
 
@@ -139,6 +180,7 @@ struct AssetData {
     double u0 = 0.0;                                       // m/s
     TurbulenceData turbulence;
     AerodynamicData aerodynamics;
+    std::vector<StationData> stations; // none: the loads of `aerodynamics`; else two or more in their place
     HullData hull;
     ProvenanceData provenance;
 

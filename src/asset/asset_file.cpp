@@ -78,6 +78,16 @@ void decode(const format::Aerodynamics& from, AerodynamicData& out, Decoder& rea
 #undef LR_NUMBER
 }
 
+void decode(const format::Station& from, StationData& out, Decoder& read) {
+    read.array(from.axes(), out.axes, "stations.axes");
+#define LR_VECTOR(name, ...) read.vector3(from.name(), out.name, "stations." #name);
+    LR_STATION_VECTORS(LR_VECTOR)
+#undef LR_VECTOR
+#define LR_NUMBER(name, ...) out.name = from.name();
+    LR_STATION_NUMBERS(LR_NUMBER)
+#undef LR_NUMBER
+}
+
 void decode(const format::Turbulence& from, TurbulenceData& out, Decoder& read) {
     read.vector(from.chi(), out.chi, "turbulence.chi");
     read.vector(from.epsilon(), out.epsilon, "turbulence.epsilon");
@@ -112,6 +122,11 @@ bool decode(const format::Asset& a, AssetData& out, Faults& faults) {
     out.u0 = a.u0();
     decode(*a.turbulence(), out.turbulence, read);
     decode(*a.aerodynamics(), out.aerodynamics, read);
+    // One more than there can be is enough to fault them.
+    const size_t stations = a.stations() ? std::min<size_t>(a.stations()->size(), most_stations + 1) : 0;
+    out.stations.assign(stations, {});
+    for (size_t i = 0; i < stations; ++i)
+        decode(*a.stations()->Get(static_cast<flatbuffers::uoffset_t>(i)), out.stations[i], read);
     read.vector(a.hull()->vertices(), out.hull.vertices, "hull.vertices");
     read.vector(a.hull()->triangles(), out.hull.triangles, "hull.triangles");
     const format::Provenance& p = *a.provenance();
@@ -132,6 +147,21 @@ flatbuffers::Offset<format::Aerodynamics> encode(const AerodynamicData& a, flatb
 #undef LR_VECTOR
 #define LR_NUMBER(name, ...) to.add_##name(a.name);
     LR_AERODYNAMIC_NUMBERS(LR_NUMBER)
+#undef LR_NUMBER
+    return to.Finish();
+}
+
+flatbuffers::Offset<format::Station> encode(const StationData& s, flatbuffers::FlatBufferBuilder& b) {
+    const auto axes = b.CreateVector(s.axes.data(), s.axes.size());
+    format::StationBuilder to(b);
+    to.add_axes(axes);
+#define LR_VECTOR(name, ...)                                                                                           \
+    const format::Vec3 name(s.name[0], s.name[1], s.name[2]);                                                          \
+    to.add_##name(&name);
+    LR_STATION_VECTORS(LR_VECTOR)
+#undef LR_VECTOR
+#define LR_NUMBER(name, ...) to.add_##name(s.name);
+    LR_STATION_NUMBERS(LR_NUMBER)
 #undef LR_NUMBER
     return to.Finish();
 }
@@ -167,13 +197,16 @@ std::vector<uint8_t> write_asset(const AssetData& d) {
         format::CreateProvenance(b, b.CreateString(p.tool), b.CreateString(p.tool_version), b.CreateString(p.source),
                                  p.input_hash, b.CreateString(p.options), p.faces, p.vertices);
     const auto aerodynamics = encode(d.aerodynamics, b);
+    std::vector<flatbuffers::Offset<format::Station>> each;
+    for (const StationData& station : d.stations) each.push_back(encode(station, b));
+    const auto stations = each.empty() ? 0 : b.CreateVector(each);
     const format::Vec3 com(d.center_of_mass[0], d.center_of_mass[1], d.center_of_mass[2]);
     const format::Vec3 cob(d.center_of_buoyancy[0], d.center_of_buoyancy[1], d.center_of_buoyancy[2]);
     const format::Fluid fluid(d.fluid_density, d.fluid_viscosity);
     const format::Lengths lengths(d.length_d, d.length_b, d.length_l);
     const auto root = format::CreateAsset(b, asset_format_version, 0, name, d.mass, d.volume, d.density, &com, &cob,
                                           inertia, added_mass, added_mass_error, &fluid, &lengths, d.projected_area,
-                                          d.u0, turbulence, hull, provenance, aerodynamics);
+                                          d.u0, turbulence, hull, provenance, aerodynamics, stations);
     format::FinishAssetBuffer(b, root);
 
     std::vector<uint8_t> bytes(b.GetBufferPointer(), b.GetBufferPointer() + b.GetSize());

@@ -27,8 +27,8 @@ uint64_t content_hash(const AssetData& data);
 // The largest entry off the diagonals of inertia and added mass, relative to those it couples, or offset of buoyancy or of the loads over d.
 double largest_coupling(const AssetData& asset);
 
-// A mesh that is symmetric by design is not so to the last bit: couplings up to a millionth count as zero.
+// A mesh that is symmetric by design is not so to the last bit: couplings up to a millionth count as zero. Stations couple all motions.
 inline bool is_diagonal(const AssetData& asset) {
-    return largest_coupling(asset) <= 1e-6;
+    return asset.stations.empty() && largest_coupling(asset) <= 1e-6;
 }
 } // namespace lr

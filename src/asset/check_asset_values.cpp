@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <type_traits>
 
 namespace lr {
 namespace {
@@ -208,35 +209,57 @@ void check_hull(const AssetData& d, Checker& check) {
     check_convex(h, d.length_d, check);
 }
 
-struct Coefficient {
-    double AerodynamicData::*number;
-    std::array<double, 3> AerodynamicData::*vector;
+template <class Loads> struct Coefficient {
+    double Loads::*number;
+    std::array<double, 3> Loads::*vector;
     const char* name;
     double least, most, power;
 };
-#define LR_VECTOR(name, least, most, power)                                                                            \
-    {nullptr, &AerodynamicData::name, "aerodynamics." #name, least, most, power},
-#define LR_NUMBER(name, least, most, power)                                                                            \
-    {&AerodynamicData::name, nullptr, "aerodynamics." #name, least, most, power},
-constexpr Coefficient coefficients[] = {LR_AERODYNAMIC_VECTORS(LR_VECTOR) LR_AERODYNAMIC_NUMBERS(LR_NUMBER)};
+#define LR_VECTOR(name, least, most, power) {nullptr, &Loads::name, "." #name, least, most, power},
+#define LR_NUMBER(name, least, most, power) {&Loads::name, nullptr, "." #name, least, most, power},
+template <class Loads> constexpr auto coefficients_of() {
+    if constexpr (std::is_same_v<Loads, StationData>)
+        return std::to_array<Coefficient<Loads>>({LR_STATION_VECTORS(LR_VECTOR) LR_STATION_NUMBERS(LR_NUMBER)});
+    else
+        return std::to_array<Coefficient<Loads>>({LR_AERODYNAMIC_VECTORS(LR_VECTOR) LR_AERODYNAMIC_NUMBERS(LR_NUMBER)});
+}
 #undef LR_VECTOR
 #undef LR_NUMBER
+template <class Loads> constexpr auto coefficients = coefficients_of<Loads>();
 
-void check_aerodynamics(const AssetData& d, Checker& check) {
-    const AerodynamicData& a = d.aerodynamics;
-    if (!check.finite(a.axes, "aerodynamics.axes")) return;
-    if (!is_rotation(a.axes, 1e-9))
-        check.fail(FaultId::asset_bad_axes, "aerodynamics.axes",
+template <class Loads> void check_loads(const Loads& loads, const std::string& where, double d, Checker& check) {
+    if (!check.finite(loads.axes, (where + ".axes").c_str())) return;
+    if (!is_rotation(loads.axes, 1e-9))
+        check.fail(FaultId::asset_bad_axes, where + ".axes",
                    "The axes are not three orthogonal unit vectors, right-handed.");
-    for (const Coefficient& c : coefficients) {
+    for (const auto& c : coefficients<Loads>) {
         double unit = 1.0;
         for (int halves = static_cast<int>(2.0 * c.power); halves > 0; halves -= 2)
-            unit *= halves == 1 ? std::sqrt(d.length_d) : d.length_d;
-        if (c.number) check.range(a.*c.number, c.name, c.least * unit, c.most * unit);
+            unit *= halves == 1 ? std::sqrt(d) : d;
+        if (c.number) check.range(loads.*c.number, where + c.name, c.least * unit, c.most * unit);
         for (size_t k = 0; c.vector && k < 3; ++k)
-            check.range((a.*c.vector)[k], std::string(c.name) + "[" + std::to_string(k) + "]", c.least * unit,
+            check.range((loads.*c.vector)[k], where + c.name + "[" + std::to_string(k) + "]", c.least * unit,
                         c.most * unit);
     }
+}
+
+void check_stations(const AssetData& d, Checker& check) {
+    const size_t count = d.stations.size();
+    if (count == 1 || count > most_stations)
+        check.fail(FaultId::asset_wrong_length, "stations",
+                   "A body has no stations or 2 to " + std::to_string(most_stations) + ".");
+    for (size_t i = 0; i < count && check.ok(); ++i)
+        check_loads(d.stations[i], "stations[" + std::to_string(i) + "]", d.length_d, check);
+}
+
+template <class Loads, class Number, class Vector>
+void each_coefficient(const Loads& loads, const Number& number, const Vector& vector) {
+    vector(loads.axes);
+    for (const auto& c : coefficients<Loads>)
+        if (c.number)
+            number(loads.*c.number);
+        else
+            vector(loads.*c.vector);
 }
 
 struct Number {
@@ -259,7 +282,7 @@ constexpr Number numbers[] = {{&AssetData::mass, "mass", 1e-18, 1e12},
 const char* wrong_in(const AerodynamicData& a) {
     // Bodies are at most 1000 m large, which bounds lengths to the fifth power. 1e-6: callers can have single precision.
     bool usable = is_rotation(a.axes, 1e-6);
-    for (const Coefficient& c : coefficients) {
+    for (const auto& c : coefficients<AerodynamicData>) {
         const double unit = c.power == 0.0 ? 1.0 : 1e10;
         const auto within = [&](double v) { return v >= c.least * unit && v <= c.most * unit; }; // false for NaN
         usable = usable &&
@@ -284,7 +307,8 @@ bool check_asset(const AssetData& d, Faults& faults) {
     check_matrices(d, check);
     check_table(d.turbulence, check);
     check_hull(d, check);
-    check_aerodynamics(d, check);
+    check_loads(d.aerodynamics, "aerodynamics", d.length_d, check);
+    check_stations(d, check);
     return check.ok();
 }
 
@@ -365,13 +389,8 @@ uint64_t content_hash(const AssetData& d) {
     all(d.hull.vertices);
     hash.add_u64(d.hull.triangles.size());
     for (uint32_t i : d.hull.triangles) hash.add_u64(i);
-    const AerodynamicData& a = d.aerodynamics;
-    all(a.axes);
-    for (const Coefficient& c : coefficients)
-        if (c.number)
-            number(a.*c.number);
-        else
-            all(a.*c.vector);
+    each_coefficient(d.aerodynamics, number, all);
+    for (const StationData& station : d.stations) each_coefficient(station, number, all);
     return hash.value();
 }
 

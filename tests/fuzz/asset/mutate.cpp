@@ -21,10 +21,18 @@ std::vector<double*> numbers_of(lr::AssetData& d) {
     each(a.axes);
 #define LR_VECTOR(name, ...) each(a.name);
 #define LR_NUMBER(name, ...) all.push_back(&a.name);
+#define LR_STATION_VECTOR(name, ...) each(s.name);
+#define LR_STATION_NUMBER(name, ...) all.push_back(&s.name);
     LR_AERODYNAMIC_VECTORS(LR_VECTOR)
     LR_AERODYNAMIC_NUMBERS(LR_NUMBER)
+    for (lr::StationData& s : d.stations) {
+        LR_STATION_VECTORS(LR_STATION_VECTOR)
+        LR_STATION_NUMBERS(LR_STATION_NUMBER)
+    }
 #undef LR_VECTOR
 #undef LR_NUMBER
+#undef LR_STATION_VECTOR
+#undef LR_STATION_NUMBER
     for (double* v : {&d.turbulence.dt, &d.turbulence.c0, &d.turbulence.intensity, &d.turbulence.max_divergence})
         all.push_back(v);
     each(d.turbulence.domain);
