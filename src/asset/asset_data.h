@@ -69,6 +69,8 @@ struct AerodynamicData {
     double wake_reynolds = 0.0;
     double length = 1.0;            // m
     std::array<double, 3> center{}; // m, from the centre of buoyancy, body frame
+
+    bool operator==(const AerodynamicData&) const = default;
 };
 
 // Its vectors and numbers for loops: X(name, least, most, power), limits in units of d^power. Folded surfaces have many times the area of their silhouette.
@@ -107,12 +109,13 @@ struct AerodynamicData {
 // A part of a bent, pierced or long body that sees a stream of its own: docs/maintainers/physics.md, "Stations". Its coefficients are those of
 // AerodynamicData for the part alone, with the lift of the wing that it belongs to; they act at `place`, along `axes`.
 struct StationData {
-    std::array<double, 9> axes{1, 0, 0, 0, 1, 0, 0, 0, 1}; // rows: along the chord, along the span, the normal; body frame, right-handed
-    std::array<double, 3> place{};                         // m, from the centre of mass, body frame
-    std::array<double, 3> drag{}, drag_blunt{};            // m^2
-    std::array<double, 3> drag_layer{};                    // m^(3/2)
-    std::array<double, 3> drag_stokes{};                   // m
-    std::array<double, 3> plate_lift{}, plate_vortex{};    // m^2, for streams along chord and span
+    std::array<double, 9> axes{
+        1, 0, 0, 0, 1, 0, 0, 0, 1}; // rows: along the chord, along the span, the normal; body frame, right-handed
+    std::array<double, 3> place{};  // m, from the centre of mass, body frame
+    std::array<double, 3> drag{}, drag_blunt{};         // m^2
+    std::array<double, 3> drag_layer{};                 // m^(3/2)
+    std::array<double, 3> drag_stokes{};                // m
+    std::array<double, 3> plate_lift{}, plate_vortex{}; // m^2, for streams along chord and span
     std::array<double, 3> plate_stall{};
     std::array<double, 3> spin_lift{};        // m^3
     std::array<double, 3> spin_drag{};        // m^5
@@ -120,8 +123,8 @@ struct StationData {
     std::array<double, 3> spin_drag_stokes{}; // m^3
     double plate_drag = 0.0;                  // m^2
     double added_mass = 0.0;                  // m^3, along the normal, fluid density 1
-    double camber = 0.0;                      // incidence at which a stream along the chord lifts nothing, with its sign reversed
-    double camber_moment = 0.0;               // m^3, nose up: couple over rho/2 U^2 at that incidence
+    double camber = 0.0;        // incidence at which a stream along the chord lifts nothing, with its sign reversed
+    double camber_moment = 0.0; // m^3, nose up: couple over rho/2 U^2 at that incidence
 };
 inline constexpr size_t most_stations = 8;
 

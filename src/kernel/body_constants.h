@@ -2,6 +2,7 @@
 #pragma once
 
 #include "asset/asset_data.h"
+#include "kernel/loads/station_constants.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -29,6 +30,8 @@ template <class T> struct AerodynamicConstantsOf {
     T wake_rate, wake_share;                                             // over d: 1/(wake_lag wake_length)
     T shedding_rate, shedding_growth, shedding_reynolds, shedding_noise; // rate: 2 pi strouhal/wake_length
     T shedding_moment, shedding_rate_moment;
+    // Of stations: the fluid's density over the mass unit, with the gains of drag, lift and spin drag, and alone.
+    T fluid[4];
     // Full path. Q: from body axes to load axes. P = Q (1, -[r]x): velocity of the load centre.
     T axes[9], arm[3]; // Q; r: from the centre of mass to the load centre, over d
     T mobility[6];     // P M^-1 P^T, upper triangle
@@ -82,6 +85,7 @@ template <class T> struct BodyConstantsOf {
 using AerodynamicConstants = AerodynamicConstantsOf<float>;
 struct BodyConstants : BodyConstantsOf<float> {
     bool diagonal;
+    StationSet stations;
 };
 
 // Index of entry (i, j) of a symmetric 6x6 matrix in its upper triangle.

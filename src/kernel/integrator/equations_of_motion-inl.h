@@ -153,6 +153,9 @@ HWY_INLINE Vec3 operator*(const Matrix& m, Vec3 a) {
 HWY_INLINE Matrix operator+(const Matrix& a, const Matrix& b) {
     return {{a.row[0] + b.row[0], a.row[1] + b.row[1], a.row[2] + b.row[2]}};
 }
+HWY_INLINE Matrix& operator+=(Matrix& a, const Matrix& b) {
+    return a = a + b;
+}
 HWY_INLINE Matrix operator-(const Matrix& a, const Matrix& b) {
     return {{a.row[0] - b.row[0], a.row[1] - b.row[1], a.row[2] - b.row[2]}};
 }
@@ -163,6 +166,10 @@ HWY_INLINE Matrix transposed(const Matrix& m) {
     return {{{m.row[0].x, m.row[1].x, m.row[2].x},
              {m.row[0].y, m.row[1].y, m.row[2].y},
              {m.row[0].z, m.row[1].z, m.row[2].z}}};
+}
+HWY_INLINE Matrix operator*(const Matrix& a, const Matrix& b) {
+    const auto row = [&](Vec3 r) LR_LAMBDA { return r.x * b.row[0] + (r.y * b.row[1] + r.z * b.row[2]); };
+    return {{row(a.row[0]), row(a.row[1]), row(a.row[2])}};
 }
 HWY_INLINE Matrix outer(Vec3 a, Vec3 b) {
     return {{a.x * b, a.y * b, a.z * b}};

@@ -10,6 +10,7 @@
 #include "kernel/integrator/splitting_scheme-inl.h"
 #include "kernel/integrator/step.h"
 #include "kernel/loads/aerodynamic_loads-inl.h"
+#include "kernel/loads/station_loads-inl.h"
 #include "kernel/math/gaussian_noise-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -59,6 +60,12 @@ HWY_INLINE void rk4_substep(const StepInput& in, const C& c, Held& held, VF beta
     const auto rate = [&](Quaternion q, Twist t) LR_LAMBDA {
         if constexpr (!kAerodynamic) return twist_rate<kFull, false>(in, c, held, q, t);
         const VF nu = constant(c.aerodynamics.viscosity) * held.inverse_length;
+        if constexpr (kFull)
+            if (in.body.stations.count != 0) {
+                const Vec3 spin = held.sheared ? to_body(q, held.fluid_spin) : zero3();
+                return twist_rate<kFull, true>(in, c, held, q, t) +
+                       acceleration<kFull>(c, station_loads(in, c, held, nu, b, spin, t));
+            }
         const Plate plate = plate_at(c.aerodynamics, held, nu, b.lag, centre_velocity<kFull>(c.aerodynamics, t));
         held.shed = plate.shed;
         const Twist r = twist_rate<kFull, true>(in, c, held, q, t);
@@ -166,7 +173,10 @@ HWY_INLINE void aerodynamic_substep(const StepInput& in, const C& c, Held& held,
     b.x += constant(in.h) * b.gust;
     Vec3 middle = v;
     if constexpr (kIntegrator == Integrator::splitting) {
-        middle = aerodynamic_splitting_substep<kFull>(in, c, held, nu, b);
+        if (kFull && in.body.stations.count != 0)
+            middle = station_substep(in, c, held, nu, b);
+        else
+            middle = aerodynamic_splitting_substep<kFull>(in, c, held, nu, b);
         b.x += constant(in.h) * held.wind;
         grow_older(b, constant(in.h));
     } else {

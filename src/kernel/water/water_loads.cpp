@@ -150,6 +150,7 @@ HWY_INLINE void blend_aerodynamics(const AerodynamicConstants& a, const Aerodyna
     mean(a.spin_drag, w.spin_drag, out.spin_drag);
     mean(a.spin_drag_stream, w.spin_drag_stream, out.spin_drag_stream);
     mean(a.spin_drag_stokes, w.spin_drag_stokes, out.spin_drag_stokes);
+    mean(a.fluid, w.fluid, out.fluid);
     mean(a.plate_lift, w.plate_lift, out.plate_lift);
     mean(a.plate_vortex, w.plate_vortex, out.plate_vortex);
     const auto mean1 = [&](float air, float water, VF& to) LR_LAMBDA { to = mean(air, water); };

@@ -1,0 +1,279 @@
+// Loads of bodies with stations, and their substep: docs/maintainers/physics.md, "Stations"; numerics.md, "Stations". Kernel units: body_constants.h.
+// The loads of all stations are -(S - W) (v, u), S symmetric and positive, W skew. So are Kirchhoff's products of momentum and velocity, W alone. One
+// linear system then solves all of motion at once, and gains no energy at any step.
+#if defined(LR_KERNEL_LOADS_STATION_LOADS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef LR_KERNEL_LOADS_STATION_LOADS_INL_H_
+#undef LR_KERNEL_LOADS_STATION_LOADS_INL_H_
+#else
+#define LR_KERNEL_LOADS_STATION_LOADS_INL_H_
+#endif
+
+#include "kernel/integrator/equations_of_motion-inl.h"
+#include "kernel/integrator/splitting_scheme-inl.h"
+#include "kernel/integrator/step.h"
+#include "kernel/loads/aerodynamic_loads-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace lr::LR_KERNEL_NAMESPACE {
+
+// Share of the leading edge's suction that a thin edge keeps: the attached lift is that much less behind the normal.
+inline constexpr float suction = 0.3f;
+
+// S by blocks, upper triangles: drag on v, `mixed` from u to v and its transpose back, spin_drag on u.
+// W: [turn]x on v, `couple` from u to v and its negative transpose back, [spin]x on u.
+struct Resistance {
+    VF drag[6], spin_drag[6];
+    Matrix mixed;
+    Vec3 turn, spin;
+    Matrix couple;
+    Twist lost; // momentum that separated streams have shed
+};
+
+HWY_INLINE Vec3 symmetric3(const VF (&m)[6], Vec3 a) {
+    return {m[0] * a.x + (m[1] * a.y + m[2] * a.z), m[1] * a.x + (m[3] * a.y + m[4] * a.z),
+            m[2] * a.x + (m[4] * a.y + m[5] * a.z)};
+}
+
+HWY_INLINE VF along6(const float* k, const Twist& t) {
+    return weighted(k, t.v) + weighted(k + 3, t.u);
+}
+
+// The wake's flow, body axes: what the lift follows beyond the stream, for all stations alike.
+template <class A>
+HWY_INLINE void add_station(const StationConstants& k, const A& a, const Held& held, VF nu, Vec3 behind_body,
+                            const Twist& t, Resistance& out) {
+    const VF one = constant(1.0f), zero = hn::Zero(DF()), least = constant(1e-20f);
+    const VF fluid_drag = held.drag * constant(a.fluid[0]), fluid_lift = held.lift * constant(a.fluid[1]);
+    const Vec3 u{along6(k.along[0], t), along6(k.along[1], t), along6(k.along[2], t)};
+    const Vec3 w = rows(k.axes, t.u), behind = rows(k.axes, behind_body);
+    const Vec3 f = u + constant(a.wake_share) * behind;
+
+    const VF x2 = f.x * f.x + least, y2 = f.y * f.y + least, along = x2 + y2, inverse = one / along;
+    const VF across = f.z - constant(k.camber) * hn::Abs(f.x), a2 = across * across, f2 = along + a2;
+    const auto by_direction = [&](const float(&value)[2])
+                                  LR_LAMBDA { return (constant(value[0]) * x2 + constant(value[1]) * y2) * inverse; };
+    const VF stall = hn::Max(by_direction(k.stall), one);
+    VF x = a2 * stall / f2;
+    x *= x;
+    const VF kept = along * stall, attached = kept / (kept + f2 * (stall - one) * x + constant(1e-30f));
+    const VF separated = one - attached;
+
+    const VF s2 = speed_squared(u), s = hn::Sqrt(s2), inverse_s2 = one / s2, root = hn::Sqrt(s * nu);
+    const Vec3 part = inverse_s2 * times(u, u);
+    // The normal force: `stiff` times the stream along the normal, which opposes it, and the lift of camber and wake, across the stream.
+    const VF lift =
+        fluid_lift * attached * (by_direction(k.lift) * hn::Sqrt(along) + by_direction(k.vortex) * hn::Abs(across));
+    const VF growing = hn::Sqrt(speed_squared(behind)) * dot(behind, u) * inverse_s2;
+    const VF broad = constant(k.plate_drag) * separated * (constant(0.8f) * (one - part.z) + one) * s;
+    const VF stiff =
+        hn::Max(constant(1.0f - suction) * lift + fluid_drag * (broad - constant(k.start_drag) * growing), zero);
+    const VF normal = inverse_s2 * lift * (across - constant(1.0f - suction) * u.z);
+
+    const VF late = s / (constant(8710.0f) * nu + s); // Re/(Re + 8710)
+    const VF form = late * weighted(k.drag_blunt, part) + weighted(k.drag, part);
+    const VF layer = root * weighted(k.drag_layer, part);
+    const VF drag = fluid_drag * (s * form + (nu * weighted(k.drag_stokes, part) + layer));
+    const auto circulation = [&](int i, VF wi) LR_LAMBDA { return fluid_lift * constant(k.spin_lift[i]) * wi; };
+    const Vec3 turn =
+        columns(k.axes, {circulation(0, w.x) - normal * u.y, circulation(1, w.y) + normal * u.x, circulation(2, w.z)});
+
+    const Vec3 r = broadcast(k.place);
+    const VF twist = dot(turn, r);
+    const Vec3 n = broadcast(k.along[2]), arm = broadcast(k.along[2] + 3), by = drag * r;
+    for (int i = 0; i < 6; ++i) out.drag[i] += constant(k.outer[2][i]) * stiff;
+    for (int i : {0, 3, 5}) out.drag[i] += drag;
+    out.mixed += outer(stiff * n, arm) + Matrix{{{zero, by.z, -by.y}, {-by.z, zero, by.x}, {by.y, -by.x, zero}}};
+    out.turn += turn;
+    out.spin += twist * r;
+    out.couple.row[0] -= r.x * turn;
+    out.couple.row[1] -= r.y * turn;
+    out.couple.row[2] -= r.z * turn;
+    out.couple.row[0].x += twist;
+    out.couple.row[1].y += twist;
+    out.couple.row[2].z += twist;
+    const VF spinning = hn::Sqrt(weighted(k.spin_weight, times(w, w)));
+    const VF fluid_spin = held.drag * constant(a.fluid[2]);
+    VF resist[3];
+    for (int i = 0; i < 3; ++i)
+        resist[i] =
+            fluid_spin * (constant(k.spin_drag[i]) * spinning +
+                          (constant(k.spin_drag_stream[i]) * hn::Abs(u.z) + constant(k.spin_drag_stokes[i]) * nu));
+    for (int i = 0; i < 6; ++i)
+        out.spin_drag[i] += constant(k.spread[i]) * drag + constant(k.arm_outer[i]) * stiff +
+                            (constant(k.outer[0][i]) * resist[0] +
+                             (constant(k.outer[1][i]) * resist[1] + constant(k.outer[2][i]) * resist[2]));
+    // A separated stream leaves the momentum of its added mass behind.
+    const VF shed =
+        separated * shedding_share(a, nu, hn::Sqrt(inverse_s2)) * (constant(k.added_mass) * constant(a.fluid[3])) * u.z;
+    out.lost += Twist{shed * n, shed * arm};
+    if (k.camber_moment != 0.0f) {
+        // Nose up is about -span; the force on the chord that its work needs is not seen.
+        const VF moment = fluid_lift * attached * constant(k.camber_moment) * hn::Abs(u.x);
+        const Vec3 span = moment * broadcast(k.axes + 3);
+        const Vec3 chord = broadcast(k.axes);
+        for (int i = 0; i < 3; ++i) {
+            const VF e = i == 0 ? chord.x : i == 1 ? chord.y : chord.z;
+            out.couple.row[i] += e * span;
+        }
+        out.spin -= moment * broadcast(k.camber_turn);
+    }
+}
+
+template <class A>
+static HWY_NOINLINE Resistance station_resistance(const StationSet& stations, const A& a, const Held& held, VF nu,
+                                                  Vec3 lag, const Twist& t) {
+    const VF zero = hn::Zero(DF());
+    const Vec3 none = zero3();
+    Resistance out;
+    for (VF& x : out.drag) x = zero;
+    for (VF& x : out.spin_drag) x = zero;
+    out.mixed = out.couple = {{none, none, none}};
+    out.turn = out.spin = out.lost.v = out.lost.u = none;
+    const Vec3 behind = columns(a.axes, lag - centre_velocity<true>(a, t));
+    for (uint32_t i = 0; i < stations.count; ++i) add_station(stations.station[i], a, held, nu, behind, t, out);
+    return out;
+}
+
+// Adds the products of a momentum with velocity and spin. g: 1/(d s).
+HWY_INLINE void add_momentum(VF g, const Twist& mu, Resistance& out) {
+    const Vec3 p = g * mu.v;
+    out.spin += g * mu.u;
+    out.couple.row[0] += Vec3{hn::Zero(DF()), -p.z, p.y};
+    out.couple.row[1] += Vec3{p.z, hn::Zero(DF()), -p.x};
+    out.couple.row[2] += Vec3{-p.y, p.x, hn::Zero(DF())};
+}
+
+// (W - S) t.
+HWY_INLINE Twist resisted(const Resistance& k, const Twist& t) {
+    const Vec3 v = cross(k.turn, t.v) - symmetric3(k.drag, t.v) + (k.couple - k.mixed) * t.u;
+    const Vec3 u = cross(k.spin, t.u) - symmetric3(k.spin_drag, t.u) - transposed(k.couple + k.mixed) * t.v;
+    return {v, u};
+}
+
+// (M + theta (S - W))^-1: the block of v inverted, the rest by its Schur complement. Positive definite plus skew needs no pivots.
+struct Factors {
+    Matrix inverse;      // of the block of v
+    Matrix right, below; // inverse times the block from u to v; the block back times inverse
+    Columns rest;
+};
+template <class C> HWY_INLINE Factors factors(const C& c, VF theta, const Resistance& k) {
+    const auto* const m = c.full_mass;
+    const Vec3 turn = theta * k.turn;
+    const auto entry = [&](int i) LR_LAMBDA { return theta * k.drag[i]; };
+    const VF xy0 = constant(m[1]) + entry(1), xz0 = constant(m[2]) + entry(2), yz0 = constant(m[7]) + entry(4);
+    const Vec3 a0{constant(m[0]) + entry(0), xy0 + turn.z, xz0 - turn.y};
+    const Vec3 a1{xy0 - turn.z, constant(m[6]) + entry(3), yz0 + turn.x};
+    const Vec3 a2{xz0 + turn.y, yz0 - turn.x, constant(m[11]) + entry(5)};
+    const Vec3 c0 = cross(a1, a2), c1 = cross(a2, a0), c2 = cross(a0, a1); // columns of the adjugate
+    const VF over = constant(1.0f) / dot(a0, c0);
+    const Matrix inverse{{over * Vec3{c0.x, c1.x, c2.x}, over * Vec3{c0.y, c1.y, c2.y}, over * Vec3{c0.z, c1.z, c2.z}}};
+    // Block from u to v: M12 + theta (mixed - couple); back: M12^T + theta (mixed + couple)^T.
+    const Matrix mass{{{constant(m[3]), constant(m[4]), constant(m[5])},
+                       {constant(m[8]), constant(m[9]), constant(m[10])},
+                       {constant(m[12]), constant(m[13]), constant(m[14])}}};
+    const Matrix couple = theta * k.couple, both = mass + theta * k.mixed, to = both - couple;
+    const Matrix back = transposed(both + couple);
+    Factors out{inverse, inverse * to, back * inverse, {}};
+    const Matrix schur = back * out.right;
+    const Vec3 spin = theta * k.spin;
+    const VF* const s = k.spin_drag;
+    const VF xx = constant(m[15]) + theta * s[0], xy = constant(m[16]) + theta * s[1],
+             xz = constant(m[17]) + theta * s[2];
+    const VF yy = constant(m[18]) + theta * s[3], yz = constant(m[19]) + theta * s[4],
+             zz = constant(m[20]) + theta * s[5];
+    const Vec3* const q = schur.row;
+    out.rest = {{xx - q[0].x, xy - spin.z - q[1].x, xz + spin.y - q[2].x},
+                {xy + spin.z - q[0].y, yy - q[1].y, yz - spin.x - q[2].y},
+                {xz - spin.y - q[0].z, yz + spin.x - q[1].z, zz - q[2].z}};
+    return out;
+}
+HWY_INLINE Twist solve(const Factors& f, const Twist& r) {
+    const Vec3 u = solve(f.rest, r.u - f.below * r.v);
+    return {f.inverse * r.v - f.right * u, u};
+}
+
+// Weight, buoyancy, external forces and the couple of shed vortices.
+template <class C> HWY_INLINE Twist applied(const C& c, const Held& held, Quaternion q, Vec3 couple) {
+    Twist f{to_body(q, held.weight), cross(broadcast(c.buoyancy), to_body(q, held.gravity)) + couple};
+    if (held.external) f += external_force<true>(c, *held.external, q);
+    return f;
+}
+
+// Of shed vortices, body axes, at most what spins the rim up to a few times the stream within the substep.
+template <class C>
+HWY_INLINE Vec3 body_shedding_couple(const StepInput& in, const C& c, const Held& held, const VF q[4], VF nu, Vec3 v) {
+    const Vec3 couple = columns(c.aerodynamics.axes, shedding_couple(c.aerodynamics, held, q, nu, v));
+    const VF rim = constant(most_rim / in.h) * hn::Sqrt(speed_squared(v));
+    const auto bound = [&](VF x, const auto& inverse) LR_LAMBDA {
+        const VF most = rim / constant(inverse);
+        return hn::Max(hn::Min(x, most), -most);
+    };
+    return {bound(couple.x, c.inverse_spin_mass[0]), bound(couple.y, c.inverse_spin_mass[1]),
+            bound(couple.z, c.inverse_spin_mass[2])};
+}
+
+// All that resists a motion: the stations, and Kirchhoff's products with the momentum that moves along. push: receives the stations' loads by the
+// fluid's own spin.
+template <class C>
+HWY_INLINE Resistance resistance(const StepInput& in, const C& c, const Held& held, VF nu, const Body& b,
+                                 const Twist& t, Vec3 fluid_spin, Twist& push) {
+    Resistance k = station_resistance(in.body.stations, c.aerodynamics, held, nu, b.lag, {t.v, t.u - fluid_spin});
+    push = {zero3(), zero3()};
+    if (held.sheared) push = Twist{zero3(), zero3()} - resisted(k, {zero3(), fluid_spin});
+    add_momentum(held.inverse_length, momentum<true>(c, t) - k.lost, k);
+    return k;
+}
+
+// An L-stable pair of implicit stages (Alexander 1977) with the resistance in the middle, which an implicit step by half leads to: of second order,
+// with the rest state as a fixed point. Loads and products of momentum cannot add energy: the scheme is A-stable and S positive.
+// Returns the velocity of the load centre in the middle.
+template <class C> HWY_INLINE Vec3 station_substep(const StepInput& in, const C& c, const Held& held, VF nu, Body& b) {
+    const auto& a = c.aerodynamics;
+    const float h = in.h;
+    constexpr float gamma = 0.29289322f; // 1 - 1/sqrt(2)
+    const VF turning = constant(0.25f * h) * held.inverse_length;
+    const Twist start = b.t;
+    const auto fluid_spin = [&](Quaternion q)
+                                LR_LAMBDA { return held.sheared ? to_body(q, held.fluid_spin) : zero3(); };
+    Twist push;
+    Quaternion q = normalised(turn(b.q, b.q, turning, start.u));
+    Vec3 couple = body_shedding_couple(in, c, held, b.shedding, nu, centre_velocity<true>(a, start));
+    Resistance k = resistance(in, c, held, nu, b, start, fluid_spin(b.q), push);
+    Factors f = factors(c, constant(0.5f * h), k);
+    const Twist half = solve(f, constant(0.5f * h) * (applied(c, held, q, couple) + push + resisted(k, start)));
+    const Twist middle = start + half;
+
+    q = normalised(turn(b.q, b.q, turning, start.u + constant(0.5f) * half.u));
+    const Vec3 v = centre_velocity<true>(a, middle);
+    couple = body_shedding_couple(in, c, held, b.shedding, nu, v);
+    k = resistance(in, c, held, nu, b, middle, fluid_spin(q), push);
+    f = factors(c, constant(gamma * h), k);
+    const Twist r = constant(h) * (applied(c, held, q, couple) + push + resisted(k, start));
+    const Twist first = solve(f, r);
+    // h (W - S) first = (M first - r)/gamma
+    constexpr float rest = (1.0f - gamma) / gamma;
+    const Twist second = solve(f, r - constant(rest) * (r - momentum<true>(c, first)));
+    b.t = start + (constant(1.0f - gamma) * first + constant(gamma) * second);
+
+    const VF g = stretched(constant(0.5f) * (start.u + b.t.u), constant(0.5f * h) * held.inverse_length);
+    const Quaternion q1 = normalised(turn(b.q, b.q, g, constant(0.5f) * (start.u + b.t.u)));
+    b.x += constant(0.5f * h) * (to_world(b.q, start.v) + to_world(q1, b.t.v));
+    b.q = q1;
+    return v;
+}
+
+// Force and torque for Runge-Kutta, with the products of the momentum shed.
+template <class C>
+static HWY_NOINLINE Twist station_loads(const StepInput& in, const C& c, const Held& held, VF nu, const Body& b,
+                                        Vec3 fluid_spin, const Twist& t) {
+    const Twist through{t.v, t.u - fluid_spin};
+    const Resistance k = station_resistance(in.body.stations, c.aerodynamics, held, nu, b.lag, through);
+    Twist out = resisted(k, through);
+    const Vec3 p = held.inverse_length * k.lost.v, l = held.inverse_length * k.lost.u;
+    out += Twist{cross(t.u, p), cross(t.u, l) + cross(t.v, p)};
+    out.u += body_shedding_couple(in, c, held, b.shedding, nu, centre_velocity<true>(c.aerodynamics, through));
+    return out;
+}
+} // namespace lr::LR_KERNEL_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
