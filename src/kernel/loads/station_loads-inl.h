@@ -16,9 +16,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace lr::LR_KERNEL_NAMESPACE {
 
-// Share of the leading edge's suction that a thin edge keeps: the attached lift is that much less behind the normal.
-inline constexpr float suction = 0.3f;
-
 // S by blocks, upper triangles: drag on v, `mixed` from u to v and its transpose back, spin_drag on u.
 // W: [turn]x on v, `couple` from u to v and its negative transpose back, [spin]x on u.
 struct Resistance {
@@ -65,9 +62,8 @@ HWY_INLINE void add_station(const StationConstants& k, const A& a, const Held& h
         fluid_lift * attached * (by_direction(k.lift) * hn::Sqrt(along) + by_direction(k.vortex) * hn::Abs(across));
     const VF growing = hn::Sqrt(speed_squared(behind)) * dot(behind, u) * inverse_s2;
     const VF broad = constant(k.plate_drag) * separated * (constant(0.8f) * (one - part.z) + one) * s;
-    const VF stiff =
-        hn::Max(constant(1.0f - suction) * lift + fluid_drag * (broad - constant(k.start_drag) * growing), zero);
-    const VF normal = inverse_s2 * lift * (across - constant(1.0f - suction) * u.z);
+    const VF stiff = hn::Max(lift + fluid_drag * (broad - constant(k.start_drag) * growing), zero);
+    const VF normal = inverse_s2 * lift * (across - u.z);
 
     const VF late = s / (constant(8710.0f) * nu + s); // Re/(Re + 8710)
     const VF form = late * weighted(k.drag_blunt, part) + weighted(k.drag, part);
@@ -224,8 +220,8 @@ HWY_INLINE Resistance resistance(const StepInput& in, const C& c, const Held& he
     return k;
 }
 
-// An L-stable pair of implicit stages (Alexander 1977) with the resistance in the middle, which an implicit step by half leads to: of second order,
-// with the rest state as a fixed point. Loads and products of momentum cannot add energy: the scheme is A-stable and S positive.
+// An L-stable pair of implicit stages (Alexander 1977) with the resistance in the middle, which an implicit midpoint step by half leads to: of second
+// order, with the rest state as a fixed point. Loads and products of momentum cannot add energy: the scheme is A-stable and S positive.
 // Returns the velocity of the load centre in the middle.
 template <class C> HWY_INLINE Vec3 station_substep(const StepInput& in, const C& c, const Held& held, VF nu, Body& b) {
     const auto& a = c.aerodynamics;
@@ -239,7 +235,7 @@ template <class C> HWY_INLINE Vec3 station_substep(const StepInput& in, const C&
     Quaternion q = normalised(turn(b.q, b.q, turning, start.u));
     Vec3 couple = body_shedding_couple(in, c, held, b.shedding, nu, centre_velocity<true>(a, start));
     Resistance k = resistance(in, c, held, nu, b, start, fluid_spin(b.q), push);
-    Factors f = factors(c, constant(0.5f * h), k);
+    Factors f = factors(c, constant(0.25f * h), k);
     const Twist half = solve(f, constant(0.5f * h) * (applied(c, held, q, couple) + push + resisted(k, start)));
     const Twist middle = start + half;
 
