@@ -126,7 +126,7 @@ RowResult run_seed(const Context& context) {
         result.show(name_of(shapes[i]) + ": turns a minute", falls[i].rate.mean, "/min");
     }
     std::vector<LinePlot> plots;
-    plots.push_back(side_view("Winged seed, any release", main.tracks, 6, 2.0, 0.3, {Vector3d::UnitX(), 0.08, 1}));
+    plots.push_back(side_view("Winged seed, any release", main.tracks, 6, 2.5, 0.55, {Vector3d::UnitX(), 0.16, 2}));
     LinePlot rate{"Turns about the vertical", "time (s)", "turns a minute"};
     for (size_t i = 0; i < std::min<size_t>(12, main.tracks.size()); ++i) {
         Series line{"", i % 2 ? "#2e7d43" : "#1f5fa8", {}};
@@ -138,7 +138,8 @@ RowResult run_seed(const Context& context) {
         rate.series.push_back(std::move(line));
     }
     plots.push_back(std::move(rate));
-    result.pictures.push_back({"seed.svg", draw(plots, 2), "Winged seeds; strokes: their wings, 1/60 s apart."});
+    result.pictures.push_back(
+        {"seed.svg", draw(plots, 2), "Winged seeds; strokes: their wings, enlarged, 1/30 s apart."});
     return result;
 }
 
