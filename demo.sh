@@ -46,7 +46,8 @@ build/demo-samples/leaf_storm --asset demo/leaf.lrb --mesh assets/leaf.obj --cou
 
 step "The viewer: samples/viewer"
 build/demo-samples/viewer --seconds 12 --count 9000 --trails --threads "$(nproc)" --png demo/viewer.png
+build/demo-samples/viewer --scene flight --seconds 4 --trails --threads "$(nproc)" --png demo/flight.png
 
 read_cpu
 note_time demo.sh $SECONDS $((cpu - cpu_of_setup))
-printf '\nLook at demo/leaf_storm.png (the storm), demo/tracks.png (single falls), demo/leaves_on_the_ground.png,\ndemo/a_heap_of_leaves.png, and demo/viewer.png. On a desktop: build/demo-samples/viewer\n'
+printf '\nLook at demo/leaf_storm.png (the storm), demo/tracks.png (single falls), demo/leaves_on_the_ground.png,\ndemo/a_heap_of_leaves.png, demo/viewer.png,\nand demo/flight.png (winged seeds, curled leaves, darts). On a desktop: build/demo-samples/viewer\n'

@@ -284,6 +284,75 @@ def petal():
     return sheet("petal", "cupped cherry petal, 1.2 cm, 0.15 mm", 8, outline, lift, 0.00015, 0.35)
 
 
+def curled_leaf():
+    def width(s):
+        return 0.0200 * (1.0 - 0.10 * s) * math.sqrt(max(0.0, 1.0 - 0.5 * smoothstep(0.3, 1.05, abs(s))))
+
+    def lift(x, y):  # curled along the midrib, and twisted
+        return 6.0 * y * y + 6.0 * x * y
+    return sheet("curled_leaf", "leaf, 8 cm x 4 cm, 0.3 mm, curled along its midrib and twisted", 10, by_width(0.040, width),
+                 lift, 0.0003, 0.35)
+
+
+def samara():
+    """Winged seed of a maple: an ellipsoid of 8 x 6 x 4 mm and a wing with a rib along its leading edge, two pages of rows.
+
+    x from the nut to the tip, y from the leading to the trailing edge. The tip is 4.47 cm from the centre of mass, the mean
+    chord 1.15 cm; the nut has 72 % of the mass, the rib half of the rest.
+    """
+    rows, columns = 36, 12
+    length_, width, thickness, root, tip, area = 0.008, 0.006, 0.004, 0.0028, 0.0517, 0.0447 * 0.0115
+    wing = math.pi / 6.0 * length_ * width * thickness * 0.28 / 0.72
+    membrane, rib = 0.5 * wing / area, 0.5 * wing / (0.11 * area)
+
+    def planform(part):
+        before = 0.45 + 0.55 * math.sin(0.5 * math.pi * min(part / 0.62, 1.0))
+        return before * math.sqrt(max(0.0, 1.0 - (max(0.0, part - 0.62) / 0.38) ** 2.2))
+    widest = area / ((tip - root) * sum(planform((i + 0.5) / 400) for i in range(400)) / 400)
+    nut_y = 0.31 * widest
+
+    def spaced(i, n):
+        return 0.5 - 0.5 * math.cos(math.pi * i / n)
+
+    def part_of(x):
+        return min(1.0, max(0.0, (x - root) / (tip - root)))
+
+    def edges(x):
+        end, blade = 2.0 * x / length_, smoothstep(0.0, root, x)
+        half = 0.5 * width * math.sqrt(max(0.0, 1.0 - end * end))
+        back = nut_y + half if abs(end) < 1.0 else 0.0
+        return (nut_y - half) * (1.0 - blade), max(back, widest * planform(part_of(x)) * blade)
+
+    def half_thickness(x, y, across):
+        nut = thickness * math.sqrt(max(0.0, 1.0 - (2.0 * x / length_) ** 2 - (2.0 * (y - nut_y) / width) ** 2))
+        ribbed = rib * (1.5 - part_of(x)) * (1.0 - smoothstep(0.06, 0.16, across))
+        return 0.5 * max(nut, membrane + ribbed)
+    mesh = Mesh("samara", "winged seed of a maple, 5.6 cm: a nut and a wing of 0.04 mm with a rib")
+    low = -0.5 * length_
+    pages = []
+    for i in range(rows + 1):
+        x = low + (tip - low) * spaced(i, rows)
+        front, back = edges(x)
+        line = []
+        for j in range(columns + 1) if 0 < i < rows else [columns // 2]:
+            across = spaced(j, columns)
+            y = front + (back - front) * across if i else nut_y
+            half = half_thickness(x, y, across) if 0 < i < rows and 0 < j < columns else 0.0
+            uv = ((x - low) / (tip - low), 0.5 + (y - 0.5 * widest) / (tip - low))
+            upper = mesh.add((x, y, half), uv)
+            line.append((upper, mesh.add((x, y, -half), uv) if half else upper))
+        pages.append(line)
+    for a, b in zip(pages, pages[1:]):
+        for j in range(columns):
+            for page in (0, 1):
+                corners = [line[min(k, len(line) - 1)][page] for line, k in ((a, j), (b, j), (b, j + 1), (a, j + 1))]
+                for t in ((corners[0], corners[1], corners[3]), (corners[1], corners[2], corners[3])):
+                    if len(set(t)) == 3:
+                        mesh.faces.append(t if page == 0 else (t[0], t[2], t[1]))
+    mesh.centre()
+    return mesh
+
+
 # --------------------------------------------------------------------------------------------------------------------
 
 def rectangle(name, text, cells, size):
@@ -426,17 +495,14 @@ def paper_plane_layers(uneven=0.0):
     return mesh
 
 
-def paper_plane():
-    """The dart as a solid to be drawn: three pages that meet along their rims.
-
-    A page is a triangle of rows from the nose to the tail, without the ends of the flaps behind it. All is 0.3 mm thick,
-    about the mean of the layers there are.
+def solid_dart(mesh, rows, reach, span, keel, lean, put):
+    """A dart as a solid of 0.3 mm: three pages that meet along their rims. A page is a triangle of rows from the nose to the
+    tail. put(along, sideways, down): the place of a point.
     """
-    mesh = Mesh("paper_plane", "dart folded from a square sheet of 8.3 cm, as one sheet of 0.3 mm")
-    rows, span, keel, half = 22, dart_span, dart_keel, 0.00015
+    half = 0.00015
 
     def parts(row, width):
-        return max(1, math.ceil(width / square * row - 1e-9))
+        return max(1, math.ceil(width / reach * row - 1e-9))
 
     def inside(row, f):
         """0 on the rim, 1 inside: how much of the thickness there is. f: 0 at the root, 1 at the outer edge."""
@@ -444,7 +510,7 @@ def paper_plane():
         return min(edge, (rows - row) / 1.5, 1.0)
 
     def place(row, sideways, down):
-        return dart_place(dart_root * row / rows + dart_lean * (abs(sideways) - down), sideways, down)
+        return put(lean[0] * row / rows + lean[1] * (abs(sideways) - down), sideways, down)
 
     cache = {}
 
@@ -467,7 +533,7 @@ def paper_plane():
             offset = {"top": (0.0, 0.0, half), "right": (0.0, half, -half), "left": (0.0, -half, -half)}[page]
         thick = 0.0 if rim else inside(row, f)
         u = t
-        v = 0.5 + (keel * t * f if kind == "keel" else base[1]) / square
+        v = 0.5 + (keel * t * f if kind == "keel" else base[1]) / reach
         cache[key] = mesh.add(add(base, scaled(offset, thick)), (u, v))
         return cache[key]
 
@@ -507,6 +573,24 @@ def paper_plane():
     return mesh
 
 
+def paper_plane():
+    """The dart to be drawn, without the ends of the flaps behind its tail; 0.3 mm is about the mean of the layers."""
+    return solid_dart(Mesh("paper_plane", "dart folded from a square sheet of 8.3 cm, as one sheet of 0.3 mm"), 22, square,
+                      dart_span, dart_keel, (dart_root, dart_lean), dart_place)
+
+
+def dart():
+    """A dart trimmed for glides: a straight tail, the last tenth of its wings bent up by 6 degrees."""
+    size, rise, flap = 0.20, 0.12, math.tan(math.radians(6.0))
+
+    def put(along, sideways, down):
+        return (-along, sideways, rise * abs(sideways) - down + (flap * max(0.0, along - 0.9 * size) if down == 0.0 else 0.0))
+    mesh = solid_dart(Mesh("dart", "dart of 20 cm, 10.5 cm wide, 0.3 mm, the last tenth of its wings bent up"), 20, size,
+                      0.0525, 0.025, (size, 0.0), put)
+    mesh.centre()
+    return mesh
+
+
 def ellipsoid(name, text, axes, subdivisions):
     g = (1.0 + math.sqrt(5.0)) / 2.0
     points = [unit(p) for p in ((-1, g, 0), (1, g, 0), (-1, -g, 0), (1, -g, 0), (0, -1, g), (0, 1, g), (0, -1, -g),
@@ -542,7 +626,7 @@ def main(arguments):
     folder = arguments[1] if len(arguments) == 2 else os.path.dirname(os.path.abspath(__file__))
     os.makedirs(folder, exist_ok=True)
     failed = False
-    for make in (leaf, leaf_maple, paper_plane, paper_plane_surface, paper_plane_layers, lambda: paper_plane_surface(1.0),
+    for make in (leaf, leaf_maple, curled_leaf, samara, dart, paper_plane, paper_plane_surface, paper_plane_layers, lambda: paper_plane_surface(1.0),
                  lambda: paper_plane_layers(1.0), petal,
                  lambda: rectangle("confetti", "rectangle of paper, 12 mm x 6 mm, 0.1 mm", (20, 10), (0.012, 0.006, 0.0001)),
                  lambda: rectangle("paper", "sheet of paper, 105 mm x 74 mm (A7), 0.1 mm", (14, 10), (0.105, 0.074, 0.0001)),

@@ -43,8 +43,11 @@ bake leaf leaf --density 350
 bake leaf_maple leaf_maple --density 350
 bake petal petal --density 700
 bake confetti confetti --density 800
+bake samara samara --density 1716
+bake curled_leaf curled_leaf --density 330
+bake dart dart --density 1850 --center-of-mass 0.0396,0,0
 bake paper_plane paper_plane_surface --sheet --thickness 0.0001 --areal-density 0.08 --mass-from assets/paper_plane_layers.obj
-for mesh in leaf leaf_maple petal confetti paper_plane; do cp "assets/$mesh.obj" "$stage/assets/"; done
+for mesh in leaf leaf_maple petal confetti samara curled_leaf dart paper_plane; do cp "assets/$mesh.obj" "$stage/assets/"; done
 cp assets/README.md "$stage/assets/"
 
 # Each binding in the form that users install: the output of its package.py, or its files without tests.

@@ -10,7 +10,7 @@ site=$root/build/web/site
 rm -rf "$site" && mkdir -p "$site/models"
 cp "$root"/bindings/web/page/* "$site"
 cp -r "$root/build/web/package" "$site/package"
-for model in leaf:350 leaf_maple:350 petal:700 confetti:800; do # densities: assets/README.md
+for model in leaf:350 leaf_maple:350 petal:700 confetti:800 samara:1716 curled_leaf:330; do # densities: assets/README.md
     "$prefix/bin/lr_bake" mesh "$root/assets/${model%:*}.obj" -o "$site/models/${model%:*}.lrb" --density "${model#*:}" --quiet
 done
 echo "site: $site (serve it by: python3 -m http.server --directory $site)"

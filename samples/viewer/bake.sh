@@ -20,4 +20,7 @@ bake petal petal.obj --density 700
 bake confetti confetti.obj --density 800
 bake paper_plane paper_plane_surface.obj --sheet --thickness 0.0001 --areal-density 0.08 \
     --mass-from "$assets/paper_plane_layers.obj"
+bake samara samara.obj --density 1716
+bake curled_leaf curled_leaf.obj --density 330
+bake dart dart.obj --density 1850 --center-of-mass 0.0396,0,0
 bake rubber ellipsoid_rubber.obj --density 1100

@@ -19,7 +19,7 @@ static const char help[] =
     "  viewer --frames 300 --png film_%04d.png   numbered pictures; --png film.mp4 goes through ffmpeg\n"
     "  viewer --asset my.lrb --mesh my.obj       your own bodies, up to four pairs\n"
     "\n"
-    "  --scene NAME         leaf, paper, petals, confetti, planes or water; default: leaf\n"
+    "  --scene NAME         leaf, paper, petals, confetti, planes, water or flight; default: leaf\n"
     "  --asset FILE.lrb     a body baked by lr_bake, instead of the scene's\n"
     "  --mesh FILE.obj      the mesh to draw for the preceding --asset; default: an ellipsoid\n"
     "  --baked DIR          folder of the scenes' assets (samples/viewer/bake.sh)\n"
@@ -175,7 +175,7 @@ static void read_scene(options* o, int count, char** arguments) {
         if (strcmp(arguments[i], "--scene") != 0) continue;
         const char* name = i + 1 < count ? arguments[i + 1] : "";
         o->plan = scene_find(name);
-        if (!o->plan) fail_usage("--scene is leaf, paper, petals, confetti, planes or water, not '%s'", name);
+        if (!o->plan) fail_usage("--scene is leaf, paper, petals, confetti, planes, water or flight, not '%s'", name);
     }
 }
 

@@ -128,7 +128,7 @@ static void draw_frame(viewer* v, const layout* l) {
 
 static void draw_keys(viewer* v, const layout* l) {
     static const char* const lines[2] = {
-        "space: pause   n: step   arrows: sliders (shift: 5 steps)   r: restart   1 - 6: scenes   p: picture   q: end",
+        "space: pause   n: step   arrows: sliders (shift: 5 steps)   r: restart   1 - 7: scenes   p: picture   q: end",
         "mouse: turn, right: shift, wheel: zoom, click: follow   f: let go   a: wind   t: trails   c: camera   h: hide "
         "this"};
     const float top = (float)v->picture.height - 2.0f * l->line - 0.8f * l->letter;

@@ -11,6 +11,14 @@
         .speed_max = 3.4f, .scale_min = 1.0f, .scale_max = 1.6f, .thrown = 1                                           \
     }
 
+/* Darts, thrown level along x from a box at this x. */
+#define DART(x, dx)                                                                                                    \
+    {                                                                                                                  \
+        .asset = "dart", .look = look_paper, .share = 0.06f, .at = {x, 1.8f, -0.3f}, .half = {0.2f, 0.3f, 1.2f},       \
+        .direction = {dx, 0.0f, 0.0f}, .spread = 0.05f, .speed_min = 4.5f, .speed_max = 5.5f, .scale_min = 1.0f,       \
+        .scale_max = 1.0f, .thrown = 1                                                                                 \
+    }
+
 /* `initially` is in the order of enum setting. */
 const scene_plan scene_plans[scene_plan_count] = {
     {.name = "leaf",
@@ -140,6 +148,33 @@ const scene_plan scene_plans[scene_plan_count] = {
      .ready = 1.0f,
      .initially = {{1.0f, 30.0f, 0.3f, 0.2f, 900.0f, 1.0f, 4.0f, 0.0f, 0.0f}},
      .camera = {{0.0f, 0.10f, 0.0f}, 2.6f, 0.2f, 0.40f}},
+    {.name = "flight",
+     .title = "winged seeds, curled leaves and darts",
+     .kinds = {{.asset = "samara",
+                .look = look_leaf,
+                .share = 0.48f,
+                .at = {-0.3f, 4.2f, -0.3f},
+                .half = {1.6f, 0.6f, 1.6f},
+                .spin = 3.0f,
+                .scale_min = 0.85f,
+                .scale_max = 1.15f},
+               {.asset = "curled_leaf",
+                .look = look_leaf,
+                .share = 0.40f,
+                .at = {-0.3f, 3.4f, -0.3f},
+                .half = {1.6f, 0.5f, 1.6f},
+                .spin = 3.0f,
+                .scale_min = 0.75f,
+                .scale_max = 1.15f},
+               DART(-4.0f, 1.0f),
+               DART(4.0f, -1.0f)},
+     .ground = ground_lawn,
+     .relief = 0.05f,
+     .life = 20.0f,
+     .ready = 1.0f,
+     .ground_effect = 0.5f,
+     .initially = {{0.3f, 0.0f, 0.2f, 0.2f, 700.0f, 1.0f, 4.0f, 0.0f, 0.0f}},
+     .camera = {{0.0f, 0.75f, 0.0f}, 3.2f, 0.25f, 0.20f}},
 };
 
 const scene_plan* scene_find(const char* name) {

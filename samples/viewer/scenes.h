@@ -49,7 +49,7 @@ typedef struct scene_plan {
     camera camera;
 } scene_plan;
 
-enum { scene_plan_count = 6 };
+enum { scene_plan_count = 7 };
 extern const scene_plan scene_plans[scene_plan_count];
 
 /* Finds a plan by name; null if there is none. */

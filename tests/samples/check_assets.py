@@ -15,6 +15,8 @@ EXPECTED = {  # mm^3: closed forms if they exist, else the size of the sheet
     "ellipsoid_rubber.obj": (4.0 / 3.0 * math.pi * 40 * 20 * 10, 0.01),
     "ellipsoid_rubber_coarse.obj": (4.0 / 3.0 * math.pi * 40 * 20 * 10 * 0.969, 0.005),
     "leaf.obj": (515.0, 0.05), "leaf_maple.obj": (460.0, 0.05), "paper_plane.obj": (518.0, 0.05), "petal.obj": (11.8, 0.05),
+    "curled_leaf.obj": (601.0, 0.05), "samara.obj": (139.6, 0.05),  # 232 mg of 1662 kg/m^3
+    "dart.obj": (200.0 * (52.5 + 12.5) * 0.3, 0.35),  # its thickness falls to zero at the rims
 }
 OPEN = {  # mm^2
     "paper_plane_surface.obj": (2450.7, 1e-3), "paper_plane_layers.obj": (83.0 * 83.0, 1e-5),  # folds keep the area
@@ -60,7 +62,7 @@ def check(path, expected, tolerance):
     volume = sum(a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])
                  for a, b, c in ((points[i] for i in f) for f in faces)) / 6.0
     assert abs(volume / expected - 1.0) <= tolerance, f"volume {volume} mm^3"
-    check_shape(points)
+    check_shape(points, not os.path.basename(path).startswith(("curled", "samara")))
 
 
 def main(root):

@@ -15,7 +15,7 @@ from check_leaf_storm import pixels
 
 WIDTH, HEIGHT = 320, 180
 SIZE = ["--size", f"{WIDTH}x{HEIGHT}"]
-SCENES = ["leaf", "paper", "petals", "confetti", "planes", "water"]
+SCENES = ["leaf", "paper", "petals", "confetti", "planes", "water", "flight"]
 
 
 def run(*arguments, code=0, env=None):

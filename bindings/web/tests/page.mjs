@@ -92,7 +92,7 @@ try {
   await slide('gusts', 1);
   await slide('count', 3.2, 'change');
   await browser.until('leafStorm.storm.batch.view().count === 1585');
-  for (const model of ['petal', 'confetti', 'paper', 'maple']) {
+  for (const model of ['petal', 'confetti', 'paper', 'curled', 'seed', 'maple']) {
     await slide('model', model, 'change');
     await browser.until(`leafStorm.storm.model.name === [...document.getElementById('model').options].find((o) => o.value === '${model}').text`);
     await later(20);

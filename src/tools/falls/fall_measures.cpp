@@ -12,7 +12,8 @@
 namespace lr::falls {
 namespace {
 
-constexpr size_t most_judged = 512; // samples: some twenty swings, and the autocorrelation is quadratic in them
+constexpr size_t most_judged = 512;        // samples: some twenty swings, and the autocorrelation is quadratic in them
+constexpr double judged_turn = 1.0 / 40.0; // turns of the normal from one judged sample to the next, most in the mean
 constexpr double turn = 2.0 * std::numbers::pi;
 
 Eigen::Vector3d horizontal(const Eigen::Vector3d& v) {
@@ -61,6 +62,24 @@ double attitude_change(std::span<const Eigen::Vector3d> normals) {
     return quantile(angles, 0.95) * 180.0 / std::numbers::pi;
 }
 
+// The last samples but for the first quarter: as far apart as the turning of the normal allows, if they are too many.
+std::vector<Sample> judged(std::span<const Sample> all, const Shape& shape, size_t& stride) {
+    const std::span<const Sample> last = all.last(all.size() - all.size() / 4);
+    double turned = 0.0;
+    for (size_t i = 1; i < last.size(); ++i) {
+        const Eigen::Vector3d a = last[i - 1].orientation * shape.normal, b = last[i].orientation * shape.normal;
+        turned += std::atan2(a.cross(b).norm(), a.dot(b)) / turn;
+    }
+    const double fine = judged_turn * static_cast<double>(last.size()) / std::max(turned, 1e-9);
+    stride = std::clamp<size_t>((last.size() + most_judged - 1) / most_judged, 1,
+                                static_cast<size_t>(std::clamp(fine, 1.0, 1e6)));
+    std::vector<Sample> samples;
+    for (size_t i = last.size(); i > 0 && samples.size() < most_judged; i -= std::min(i, stride))
+        samples.push_back(last[i - 1]);
+    std::reverse(samples.begin(), samples.end());
+    return samples;
+}
+
 void judge(Fall& fall, std::span<const Sample> samples, double interval, const Shape& shape,
            const Eigen::Vector3d& wind, const MotionLimits& limits) {
     std::vector<Eigen::Vector3d> normals;
@@ -79,11 +98,14 @@ void judge(Fall& fall, std::span<const Sample> samples, double interval, const S
     fall.swings = swings / way.time;
 
     const double turns = std::abs(spin) * way.time / turn, lengths = std::abs(way.fallen) / shape.length;
-    const bool spins = turns >= limits.spin_turns && turns >= limits.spin_per_length * lengths &&
-                       std::abs(spin) >= limits.spin_constancy * std::sqrt(squares) && turns > 0.5 * m.half_turns;
+    const bool one_way = turns >= limits.spin_turns && std::abs(spin) >= limits.spin_constancy * std::sqrt(squares);
     const bool turns_over = m.half_turns > 0.0 || m.net_half_turns >= 2.0; // flutter past the vertical swings back
-    const bool glides = !turns_over && way.net >= std::max(std::abs(way.fallen), shape.length) &&
-                        way.net >= limits.glide_straightness * way.path;
+    const double flat = std::max(std::abs(way.fallen), shape.length);
+    fall.spirals = one_way && !turns_over && way.path >= flat;
+    const bool spins =
+        !fall.spirals && one_way && turns >= limits.spin_per_length * lengths && turns > 0.5 * m.half_turns;
+    const bool glides =
+        fall.spirals || (!turns_over && way.net >= flat && way.net >= limits.glide_straightness * way.path);
     const bool keeps_attitude = attitude_change(normals) < limits.steady_angle;
     const bool irregular = swings >= limits.judged_swings && m.regularity < limits.regularity;
     fall.motion = spins                                       ? Motion::spinning
@@ -125,7 +147,9 @@ Fall measure(const Track& track, const Shape& shape, const Eigen::Vector3d& wind
     const Way second = way_of(all.subspan(half), track.interval, wind);
     fall.horizontal_speed = second.path / second.time;
     for (const Sample& s : all.subspan(half)) fall.spin += s.spin.dot(up()) / turn / static_cast<double>(n - half);
-    judge(fall, all.last(std::min(n - n / 4, most_judged)), track.interval, shape, wind, limits);
+    size_t stride = 1;
+    const std::vector<Sample> samples = judged(all, shape, stride);
+    judge(fall, samples, track.interval * static_cast<double>(stride), shape, wind, limits);
     return fall;
 }
 
@@ -143,6 +167,9 @@ Falls summarise(const std::vector<Fall>& falls) {
         falls, [](const Fall& f) { return f.turnovers; }, any);
     out.swings = over(
         falls, [](const Fall& f) { return f.swings; }, [](const Fall& f) { return f.motion == Motion::fluttering; });
+    out.turning = over(
+        falls, [](const Fall& f) { return std::abs(f.spin); },
+        [](const Fall& f) { return f.motion == Motion::spinning; });
     out.time = over(
         falls, [](const Fall& f) { return f.time; }, [](const Fall& f) { return f.arrived; });
     out.arrived = static_cast<uint32_t>(out.time.count);
@@ -164,6 +191,7 @@ Falls summarise(const std::vector<Fall>& falls) {
     const auto count = static_cast<double>(falls.size());
     for (const Fall& f : falls) {
         out.shares[static_cast<size_t>(f.motion)] += 1.0;
+        out.spirals += f.spirals ? 1.0 / count : 0.0;
         out.drift += horizontal(f.end) / count;
     }
     for (double& share : out.shares) share /= count;

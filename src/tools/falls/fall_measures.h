@@ -9,7 +9,7 @@
 namespace lr::falls {
 
 // steady: keeps its attitude; fluttering: swings to and fro; tumbling: turns over and over; spinning: autorotates about the
-// vertical; gliding: flies flatter than 45 degrees; chaotic: turns over now and then, or swings without a period.
+// vertical; gliding: flies flatter than 45 degrees, straight on or in a spiral; chaotic: turns over now and then, or swings without a period.
 enum class Motion : uint8_t { steady, fluttering, tumbling, spinning, gliding, chaotic };
 inline constexpr std::array<const char*, 6> motion_names{"steady",   "fluttering", "tumbling",
                                                          "spinning", "gliding",    "chaotic"};
@@ -37,6 +37,7 @@ struct Fall {
     double swings = 0.0;    // 1/s, of the normal to and fro
     Eigen::Vector3d end = Eigen::Vector3d::Zero(); // m, from the point of release
     Motion motion = Motion::steady;
+    bool spirals = false; // glides in a spiral
 };
 
 Fall measure(const Track& track, const Shape& shape, const Eigen::Vector3d& wind, const MotionLimits& limits = {});
@@ -44,10 +45,12 @@ Fall measure(const Track& track, const Shape& shape, const Eigen::Vector3d& wind
 struct Falls {
     uint32_t count = 0, arrived = 0;
     Statistic descent, horizontal_speed, spin, turnovers, swings; // spin: magnitudes; swings: of fluttering bodies
+    Statistic turning;                                            // spin of spinning bodies
     Statistic time;                                               // of those that arrived
     double third_quarter = 0.0, last_quarter = 0.0;               // m/s, mean descent
     bool settled = false;
     std::array<double, motion_names.size()> shares{}; // of each Motion
+    double spirals = 0.0;                             // share that glides in spirals
     Eigen::Vector3d drift = Eigen::Vector3d::Zero();  // m, mean horizontal way
     double half_radius = 0.0, most_radius = 0.0;      // m, about the drift: hold half and 95 % of the landings
 };

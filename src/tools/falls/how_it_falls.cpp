@@ -9,18 +9,31 @@ namespace {
 
 constexpr uint32_t at_once = 128; // bodies in a world: bounds the memory of their tracks
 
+std::string two_digits(double x) {
+    const double power = std::pow(10.0, std::floor(std::log10(x)) - 1.0);
+    char text[32];
+    std::snprintf(text, sizeof text, "%.0f", std::round(x / power) * power);
+    return text;
+}
+
 // "tumbles", or "flutters or tumbles" if no motion has half of the bodies.
 std::string manner(const Falls& falls) {
-    static constexpr std::array<const char*, motion_names.size()> words{
-        "keeps its attitude", "flutters", "tumbles", "spins", "glides", "moves chaotically"};
+    std::array<const char*, motion_names.size()> words{"keeps its attitude",       "flutters", "tumbles",
+                                                       "turns about the vertical", "glides",   "moves chaotically"};
+    const auto share = [&](Motion m) { return falls.shares[static_cast<size_t>(m)]; };
+    // Swings of a body that flies flatter than 45 degrees between them.
+    if (falls.horizontal_speed.p50 > std::abs(falls.descent.p50)) words[1] = "glides to and fro";
+    if (falls.spirals > 0.5 * share(Motion::gliding)) words[4] = "glides in spirals";
     std::array<size_t, motion_names.size()> order{0, 1, 2, 3, 4, 5};
     std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return falls.shares[a] > falls.shares[b]; });
     const std::string first = words[order[0]];
-    return falls.shares[order[0]] < 0.5 ? first + " or " + words[order[1]] : first;
+    if (falls.shares[order[0]] < 0.5) return first + " or " + words[order[1]];
+    if (order[0] != static_cast<size_t>(Motion::spinning)) return first;
+    return first + ", " + two_digits(60.0 * falls.turning.mean) + " turns a minute";
 }
 
 // In m/s with two digits, without an exponent.
-std::string two_digits(double speed) {
+std::string speed_text(double speed) {
     if (speed < 1e-9) return "0 m/s";
     const auto last_digit = [](double x) { return std::floor(std::log10(x) + 1e-9) - 1.0; };
     const double power = std::pow(10.0, last_digit(speed)), value = std::round(speed / power) * power;
@@ -53,8 +66,8 @@ std::string sentence(const Falls& falls, const Shape& shape) {
     const bool liquid = shape.fluid_density > 100.0;
     const std::string verb = falls.descent.mean < 0.0 ? "rises" : liquid ? "sinks" : "falls";
     if (!falls.settled)
-        return verb + " at " + two_digits(std::abs(falls.last_quarter)) + " (not settled yet), " + manner(falls);
-    return verb + " at about " + two_digits(speed) + ", " + manner(falls);
+        return verb + " at " + speed_text(std::abs(falls.last_quarter)) + " (not settled yet), " + manner(falls);
+    return verb + " at about " + speed_text(speed) + ", " + manner(falls);
 }
 
 std::string how_it_falls(const lr_asset* asset) {

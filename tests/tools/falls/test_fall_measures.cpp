@@ -120,6 +120,10 @@ TEST_CASE("fall measures: autorotation about the vertical, either way round") {
         CHECK(f.spin == doctest::Approx(rate));
         CHECK(f.turnovers == 0.0);
     }
+    const auto seed = [](double t) { return about(up(), -2.0 * pi * 15.6 * t) * about(x_axis, 0.1); };
+    const Fall turning = measure(track(4.0, straight({0.0, -0.97, 0.0}), seed), sheet(), still);
+    CHECK(sentence(summarise({turning, turning}), sheet()) ==
+          "falls at about 0.97 m/s, turns about the vertical, 940 turns a minute");
     // A slow turn in a long fall is no autorotation.
     const auto turned = [](double t) { return about(up(), 2.0 * pi * 0.2 * t) * about(x_axis, 0.05); };
     CHECK(measure(track(8.0, straight({0.0, -1.0, 0.0}), turned), sheet(), still).motion == Motion::steady);
@@ -131,6 +135,34 @@ TEST_CASE("fall measures: a glide is flatter than 45 degrees through the air") {
     CHECK(measure(track(2.0, straight({0.8, -1.0, 0.0}), nose_down), sheet(), still).motion == Motion::steady);
     CHECK(measure(track(2.0, straight({3.0, -1.0, 0.0}), nose_down), sheet(), {3.0, 0.0, 0.0}).motion ==
           Motion::steady);
+}
+
+TEST_CASE("fall measures: a spiral glide turns as it flies, flatter than 45 degrees") {
+    const auto circles = [](double radius, double t) {
+        return Vector3d(radius * std::sin(t), -0.5 * t, radius * std::cos(t));
+    };
+    const auto banked = [](double t) { return about(up(), t) * about(x_axis, 0.3); };
+    const Fall f = measure(track(
+                               12.0, [&](double t) { return circles(1.5, t); }, banked),
+                           sheet(), still);
+    CHECK(f.motion == Motion::gliding);
+    CHECK(f.spirals);
+    // The same turn in a steep fall is none.
+    CHECK_FALSE(measure(track(
+                            12.0, [&](double t) { return circles(0.2, t); }, banked),
+                        sheet(), still)
+                    .spirals);
+    CHECK_FALSE(measure(track(2.0, straight({3.0, -1.0, 0.0}), upright), sheet(), still).spirals);
+    CHECK(sentence(summarise({f, f}), sheet()) == "falls at about 0.50 m/s, glides in spirals");
+}
+
+TEST_CASE("fall measures: slow swings between glides are swings, however long the fall") {
+    const auto zigzag = [](double t) { return Vector3d(2.0 * std::sin(1.5 * t), -0.6 * t, 0.0); };
+    const auto turned = [](double t) { return about(x_axis, 0.3 * std::sin(1.5 * t)); }; // a period of 4 s
+    const Fall f = measure(track(60.0, zigzag, turned), sheet(), still);
+    CHECK(f.motion == Motion::fluttering);
+    CHECK(f.swings == doctest::Approx(1.5 / (2.0 * pi)).epsilon(0.2));
+    CHECK(sentence(summarise({f, f}), sheet()) == "falls at about 0.60 m/s, glides to and fro");
 }
 
 TEST_CASE("fall measures: chaotic is a swing with a turn over now and then") {

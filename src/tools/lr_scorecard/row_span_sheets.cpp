@@ -1,0 +1,246 @@
+// Rows for sheets that one flat plate does not describe: caps, curled leaves, discs with holes, crosses, snow crystals.
+#include "tools/falls/regime.h"
+#include "tools/lr_scorecard/span_bodies.h"
+#include "tools/lr_scorecard/span_falls.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+namespace lr::scorecard {
+namespace {
+
+using Eigen::Vector3d;
+using std::numbers::pi;
+constexpr double degree = pi / 180.0;
+constexpr double judged = 0.4; // the last part of a fall
+
+Vector3d normal_of(const Sample& s) {
+    return s.orientation * Vector3d::UnitZ();
+}
+
+double tilt_of(const Sample& s) { // degrees, either side up
+    return std::acos(std::min(1.0, std::abs(normal_of(s).y()))) / degree;
+}
+
+std::string with(const char* what, double value, const char* unit) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%s %.4g %s", what, value, unit);
+    return text;
+}
+
+std::vector<Track> drop(const Context& context, const Asset& asset, double duration, uint64_t seed) {
+    return record(asset, game_run(context, 4, duration), released_anyhow(context.quick ? 50 : 200, seed));
+}
+
+double mean_tilt(const std::vector<Track>& tracks) {
+    double sum = 0.0, count = 0.0;
+    for (const Track& t : tracks)
+        for (const Sample& s : end_of(t.samples, judged)) {
+            sum += tilt_of(s);
+            count += 1.0;
+        }
+    return sum / count;
+}
+} // namespace
+
+RowResult run_cap(const Context& context) {
+    RowResult result;
+    static constexpr std::array<double, 4> rises{0.0, 0.05, 0.1, 0.2};
+    const double diameter = 0.06, areal = 0.1; // m, kg/m^2
+    std::array<std::vector<Track>, rises.size()> tracks;
+    context.parallel(rises.size(),
+                     [&](size_t i) { tracks[i] = drop(context, bake_cap(diameter, rises[i], areal), 6.0, 63); });
+    // A cap sinks steadily, so it is compared with the disc as it sinks broadside, by C_D 1.17 (Hoerner 1965).
+    const double broadside = std::sqrt(2.0 * areal * 9.81 / (Fluid{}.density * 1.17));
+    result.show("flat disc: descent broadside", broadside, "m/s");
+    result.show("flat disc: descent, any release", mean_descent(tracks[0], judged).mean, "m/s");
+    std::vector<LinePlot> plots;
+    for (size_t i = 0; i < rises.size(); ++i) {
+        const std::string name = i == 0 ? "flat disc" : with("rise", rises[i], "d");
+        plots.push_back(side_view("Cap, " + name, tracks[i], 5, 2.5, 0.6, {Vector3d::UnitX(), 0.12, 4}));
+        if (i == 0) continue;
+        std::vector<bool> settled;
+        for (const Track& t : tracks[i]) {
+            const std::span<const Sample> end = end_of(t.samples, judged);
+            settled.push_back(
+                std::all_of(end.begin(), end.end(), [](const Sample& s) { return normal_of(s).y() > 0.0; }));
+        }
+        result.add(name + ": share that is convex side down, and stays", Rule::at_least, share_of(settled), 0.95, 0.0);
+        result.add(name + ": descent over the flat disc's, broadside", Rule::at_most,
+                   mean_descent(tracks[i], judged).mean / broadside, 1.10, 0.0);
+        result.show(name + ": mean tilt", mean_tilt(tracks[i]), "deg");
+    }
+    result.pictures.push_back(
+        {"cap.svg", draw(plots, 4, {380.0, 420.0}), "Caps of 60 mm, any release; strokes: a diameter, enlarged."});
+    return result;
+}
+
+RowResult run_curled_leaf(const Context& context) {
+    RowResult result;
+    static constexpr std::array<double, 5> twists{0.0, 6.0, -6.0, 12.0, -12.0}; // 1/m
+    std::array<std::vector<Track>, twists.size()> tracks;
+    context.parallel(twists.size(), [&](size_t i) {
+        tracks[i] = drop(context, bake_curled_leaf(0.04, 0.08, 12.0, twists[i], 0.08), 6.0, 64);
+    });
+    std::array<double, twists.size()> rate{},
+        leftward{}; // rad/s, mean magnitude; share that turns to the left from above
+    for (size_t i = 0; i < twists.size(); ++i) {
+        std::vector<bool> left;
+        for (const Track& t : tracks[i]) {
+            const double spin = spin_of(end_of(t.samples, judged));
+            rate[i] += std::abs(spin) / static_cast<double>(tracks[i].size());
+            left.push_back(spin > 0.0);
+        }
+        leftward[i] = share_of(left);
+    }
+    result.show("twist 0: rate about the vertical", rate[0], "rad/s");
+    for (size_t i = 1; i < twists.size(); i += 2) {
+        const std::string name = with("twist", twists[i], "/m");
+        result.add(name + ": rate about the vertical", Rule::at_least, 0.5 * (rate[i] + rate[i + 1]), 10.0, 0.0,
+                   "rad/s");
+        const double handed = std::abs(leftward[i] - leftward[i + 1]);
+        const std::string what = name + ": turns one way more often than its mirror image, share";
+        if (i == 1)
+            result.add(what, Rule::at_least, handed, 0.6, 0.0);
+        else
+            result.show(what, handed);
+        result.show(name + ": descent", mean_descent(tracks[i], judged).mean, "m/s");
+    }
+    std::vector<LinePlot> plots;
+    for (size_t i : {size_t{0}, size_t{1}, size_t{3}})
+        plots.push_back(side_view("Curled leaf, " + with("twist", twists[i], "/m"), tracks[i], 4, 2.5, 0.7,
+                                  {Vector3d::UnitY(), 0.12, 2}));
+    result.pictures.push_back({"curled-leaf.svg", draw(plots, 3), "Curled leaves, any release; strokes: their ribs."});
+    return result;
+}
+
+RowResult run_holes(const Context& context) {
+    RowResult result;
+    // Of two sheets of paper: I* 0.1 without the hole, Re 3400. Without a hole such discs tumble (Field et al. 1997).
+    static constexpr std::array<double, 5> holes{0.0, 0.3, 0.5, 0.7, 0.8};
+    const double diameter = 0.04, areal = 0.098;
+    std::array<std::vector<Track>, holes.size()> tracks;
+    context.parallel(holes.size(), [&](size_t i) {
+        Run run = game_run(context, 1, 6.0); // as 1/60 s x 4, with a sample at each step: tumbling is quick
+        run.dt = 1.0f / 240.0f;
+        run.interval = static_cast<double>(run.dt);
+        tracks[i] = record(bake_ring(diameter, holes[i], areal), run, released_anyhow(context.quick ? 30 : 100, 65));
+    });
+    std::array<double, holes.size()> tumbling{}, fluttering{};
+    std::vector<LinePlot> plots;
+    for (size_t i = 0; i < holes.size(); ++i) {
+        RegimeLimits limits;
+        limits.tumbling_run = 2;
+        for (const Track& t : tracks[i]) {
+            std::vector<Vector3d> normals;
+            for (const Sample& s : end_of(t.samples, 0.5)) normals.push_back(normal_of(s));
+            const RegimeMeasures m = measure_regime(normals, up(), limits);
+            tumbling[i] += m.tumbling_share / static_cast<double>(tracks[i].size());
+            fluttering[i] += (m.half_turns == 0.0 ? 1.0 : 0.0) / static_cast<double>(tracks[i].size());
+        }
+        const std::string name = with("hole", holes[i], "d");
+        result.show(name + ": share of the time tumbling", tumbling[i]);
+        result.show(name + ": share that never turns over", fluttering[i]);
+        plots.push_back(side_view("Disc, " + name, tracks[i], 4, 3.0, 0.7, {Vector3d::UnitX(), 0.1, 12}));
+    }
+    result.add("no hole: share of the time tumbling", Rule::at_least, tumbling.front(), 0.5, 0.0);
+    result.add("hole 0.8 d: share that never turns over (flutters)", Rule::at_least, fluttering.back(), 0.8, 0.0);
+    double rise = 0.0; // of the time tumbling, from a hole to the next larger one
+    for (size_t i = 1; i < holes.size(); ++i) rise = std::max(rise, tumbling[i] - tumbling[i - 1]);
+    result.add("time tumbling grows with the hole, at most", Rule::at_most, rise, 0.05, 0.0);
+    LinePlot shares{"Share of the time tumbling", "hole over diameter", "share"};
+    shares.from_zero = true;
+    Series line{"", "#1f5fa8", {}};
+    line.marker = Marker::disc;
+    for (size_t i = 0; i < holes.size(); ++i) line.points.push_back({holes[i], tumbling[i]});
+    shares.series.push_back(std::move(line));
+    plots.push_back(std::move(shares));
+    result.pictures.push_back(
+        {"holes.svg", draw(plots, 3), "Discs of 40 mm with a hole, any release; strokes: a diameter, enlarged."});
+    return result;
+}
+
+RowResult run_cross(const Context& context) {
+    RowResult result;
+    const double length = 0.06, width = 0.012, area = 2.0 * length * width - width * width, areal = 0.1;
+    const double radius = std::sqrt(area / pi);
+    std::array<std::vector<Track>, 2> tracks; // cross, disc
+    std::array<lr_asset_info, 2> info{};
+    context.parallel(2, [&](size_t i) {
+        const Asset body = i == 0 ? bake_cross(length, width, areal) : bake_disc(radius, 1e-4, areal, Fluid{});
+        info[i] = info_of(body);
+        tracks[i] = drop(context, body, 6.0, 66);
+    });
+    result.add("mass over the disc's", Rule::relative, info[0].mass / info[1].mass, 1.0, 2e-3);
+    static constexpr std::array<const char*, 2> names{"cross", "disc of its area"};
+    std::array<Statistic, 2> descent, sideways, across; // across: rad/s about horizontal axes
+    std::vector<LinePlot> plots;
+    for (size_t i = 0; i < 2; ++i) {
+        std::vector<double> speed, rate;
+        for (const Track& t : tracks[i]) {
+            double path = 0.0, turned = 0.0;
+            const std::span<const Sample> end = end_of(t.samples, judged);
+            for (const Sample& s : end) {
+                path += std::hypot(s.velocity.x(), s.velocity.z()) / static_cast<double>(end.size());
+                turned += std::hypot(s.spin.x(), s.spin.z()) / static_cast<double>(end.size());
+            }
+            speed.push_back(path);
+            rate.push_back(turned);
+        }
+        descent[i] = mean_descent(tracks[i], judged);
+        sideways[i] = summarise(std::move(speed));
+        across[i] = summarise(std::move(rate));
+        const std::string name = names[i];
+        result.show(name + ": descent", descent[i].mean, "m/s");
+        result.show(name + ": horizontal speed", sideways[i].mean, "m/s");
+        result.show(name + ": rate about horizontal axes", across[i].mean, "rad/s");
+        plots.push_back(side_view("From any release: " + name, tracks[i], 5, 3.0, 0.6, {Vector3d::UnitX(), 0.1, 3}));
+    }
+    // Known is that a cross sheds its eddies by the width of its bars and meets the air far from its middle, so it turns more slowly than a
+    // compact disc of the same area and mass. How fast it falls was not measured for this one.
+    result.add("rate about horizontal axes, over the disc's", Rule::at_most, across[0].mean / across[1].mean, 0.8, 0.0);
+    result.pictures.push_back({"cross.svg", draw(plots, 2),
+                               "A cross of two bars and a disc of its area and mass; strokes: the bar, enlarged."});
+    return result;
+}
+
+RowResult run_snow(const Context& context) {
+    RowResult result;
+    const Asset crystal = bake_snow_crystal(3e-3);
+    const std::vector<Track> tracks = drop(context, crystal, 8.0, 67);
+    std::vector<double> rocking;
+    for (const Track& t : tracks) { // standard deviation of the normal's horizontal part
+        const std::span<const Sample> end = end_of(t.samples, judged);
+        Vector3d mean = Vector3d::Zero();
+        double squares = 0.0;
+        for (const Sample& s : end) mean += normal_of(s) / static_cast<double>(end.size());
+        for (const Sample& s : end) {
+            const Vector3d off = normal_of(s) - mean;
+            squares += (off.x() * off.x() + off.z() * off.z()) / static_cast<double>(end.size());
+        }
+        rocking.push_back(std::asin(std::min(1.0, std::sqrt(squares))) / degree);
+    }
+    const Statistic rocks = summarise(std::move(rocking));
+    result.show("mass", 1e9 * info_of(crystal).mass, "ug");
+    result.add("descent", Rule::relative, mean_descent(tracks, judged).mean, 0.31, 0.2, "m/s");
+    result.add("mean tilt", Rule::at_most, mean_tilt(tracks), 15.0, 0.0, "deg");
+    result.add("rocks: standard deviation of the tilt, median", Rule::at_least, rocks.p50, 0.2, 0.0, "deg");
+    result.add("rocks: standard deviation of the tilt, 95 %", Rule::at_most, rocks.p95, 20.0, 0.0, "deg");
+    std::vector<LinePlot> plots{
+        side_view("Snow crystal of 3 mm, any release", tracks, 5, 0.12, 0.02, {Vector3d::UnitX(), 0.005, 1})};
+    LinePlot tilt{"Tilt", "time (s)", "tilt (degrees)"};
+    for (size_t i = 0; i < std::min<size_t>(4, tracks.size()); ++i) {
+        Series line{"", i % 2 ? "#2e7d43" : "#1f5fa8", {}};
+        line.width = 1.0;
+        for (size_t n = 0; n < tracks[i].samples.size(); ++n)
+            line.points.push_back({tracks[i].interval * static_cast<double>(n), tilt_of(tracks[i].samples[n])});
+        tilt.series.push_back(std::move(line));
+    }
+    plots.push_back(std::move(tilt));
+    result.pictures.push_back({"snow.svg", draw(plots, 2), "Snow crystals; strokes: two opposite arms, enlarged."});
+    return result;
+}
+} // namespace lr::scorecard
