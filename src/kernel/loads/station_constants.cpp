@@ -49,11 +49,12 @@ void make_station(const StationData& from, double d, double start_drag, StationC
     for (size_t k = 0; k < 2; ++k) {
         to.lift[k] = static_cast<float>(0.5 * d * from.plate_lift[k]);
         to.vortex[k] = static_cast<float>(0.5 * d * from.plate_vortex[k]);
+        to.attached_shedding[k] = static_cast<float>(from.attached_shedding[k]);
         to.stall[k] = static_cast<float>(1.0 / std::max(from.plate_stall[k], 1e-3));
     }
     to.plate_drag = static_cast<float>(0.5 * d * from.plate_drag);
     to.start_drag = static_cast<float>(0.5 * d * from.plate_drag * start_drag);
-    to.added_mass = static_cast<float>(from.added_mass);
+    to.separated_shedding = static_cast<float>(from.separated_shedding);
     to.camber = static_cast<float>(from.camber);
     to.camber_moment = static_cast<float>(0.5 * from.camber_moment);
     put(cross(cross(r, axis[0]), axis[1]), 1.0, to.camber_turn);

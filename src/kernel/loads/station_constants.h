@@ -16,7 +16,8 @@ struct StationConstants {
     float drag[3], drag_blunt[3], drag_layer[3], drag_stokes[3];
     float spin_lift[3], spin_drag[3], spin_drag_stream[3], spin_drag_stokes[3], spin_weight[3];
     float lift[2], vortex[2], stall[2]; // along chord and span; stall: the inverse
-    float plate_drag, start_drag, added_mass;
+    float plate_drag, start_drag;
+    float attached_shedding[2], separated_shedding;
     float camber, camber_moment, camber_turn[3]; // turn: (r x chord) x span
 };
 

@@ -98,9 +98,11 @@ HWY_INLINE void add_station(const StationConstants& k, const A& a, const Held& h
         out.spin_drag[i] += constant(k.spread[i]) * drag + constant(k.arm_outer[i]) * stiff +
                             (constant(k.outer[0][i]) * resist[0] +
                              (constant(k.outer[1][i]) * resist[1] + constant(k.outer[2][i]) * resist[2]));
-    // A separated stream leaves the momentum of its added mass behind.
-    const VF shed =
-        separated * shedding_share(a, nu, hn::Sqrt(inverse_s2)) * (constant(k.added_mass) * constant(a.fluid[3])) * u.z;
+    // Kirchhoff's products move the lift ahead by all of the added mass. An attached stream lifts at the quarter chord; a separated one leaves most
+    // of that momentum behind.
+    const VF share = attached * by_direction(k.attached_shedding) +
+                     separated * shedding_share(a, nu, hn::Sqrt(inverse_s2)) * constant(k.separated_shedding);
+    const VF shed = constant(a.fluid[3]) * share * u.z;
     out.lost += Twist{shed * n, shed * arm};
     if (k.camber_moment != 0.0f) {
         // Nose up is about -span; the force on the chord that its work needs is not seen.
