@@ -157,11 +157,14 @@ AerodynamicData default_aerodynamics(const AerodynamicGeometry& g, const PlateCo
 StationData default_station(const AerodynamicGeometry& g, const Wing& wing, const PlateCoefficients& plate) {
     StationData out;
     out.axes = g.axes;
+    // Layers run along the whole wing.
+    AerodynamicGeometry in_wing = g;
+    in_wing.extent[0] = std::max(g.extent[0], wing.chord);
+    in_wing.extent[1] = std::max(g.extent[1], wing.span);
     for (size_t k = 0; k < 3; ++k) {
-        set_drag(g, k, out);
+        set_drag(in_wing, k, out);
         // The circulation about the span runs along the whole wing.
-        out.spin_lift[k] =
-            set_spin(g, k, k == 1 ? std::max(wing.span, g.extent[1]) : g.extent[k], plate, out).spin_lift;
+        out.spin_lift[k] = set_spin(g, k, k == 1 ? in_wing.extent[1] : g.extent[k], plate, out).spin_lift;
     }
     out.plate_stall = {1.0, 1.0, 0.0};
     if (wing.span > 0.0 && wing.chord > 0.0 && wing.area > 0.0)

@@ -23,7 +23,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double good_error = 0.06;     // no more stations below
-constexpr double bad_error = 0.15;      // warned of
+constexpr double bad_error = 0.2;       // warned of
 constexpr double flat = 0.015;          // mean squared sine of the tilt: a cap with a rise of 0.04 diameters
 constexpr double bent_chord = 0.008;    // of the tilt along the chord, above which the chord is cut too: less is camber
 constexpr double compact = 0.8;         // a silhouette is compact above
@@ -124,28 +124,30 @@ Plan plan_of(Part part, const AerodynamicData& loads, double size) {
     return out;
 }
 
-// The part between even cuts: piece i of n along a direction.
-std::vector<Part> sliced(Part part, const Vector3d& direction, std::size_t n) {
-    std::vector<Part> out;
-    const auto [low, high] = extent_of(part, direction);
-    for (std::size_t i = 1; i < n; ++i) {
-        auto [below, above] =
-            cut(part, direction, low + (high - low) * static_cast<double>(i) / static_cast<double>(n));
-        out.push_back(std::move(below));
-        part = std::move(above);
-    }
-    out.push_back(std::move(part));
-    return out;
-}
-
 struct Body {
     double size, area; // area of all parts
     const StationOptions& options;
     const AerodynamicData& loads;
 };
 
-StationData station_of(const Part& part, const Plan& plan, bool whole_chord, const Body& body) {
-    const PartMoments m = moments_of(part);
+struct Grid {
+    std::size_t along_span = 1, along_chord = 1;
+    std::size_t count() const { return along_span * along_chord; }
+};
+
+// Moves a place along the part's own line to this distance along a direction.
+void move_to(Vector3d& place, const Matrix3d& second, const Vector3d& direction, double node) {
+    const Vector3d along = second * direction;
+    const double square = direction.dot(along);
+    if (square > 0.0) place += (node - direction.dot(place)) / square * along;
+}
+
+StationData station_of(const Part& part, const Plan& plan, const Grid& grid, double span_node, double chord_node,
+                       const Body& body) {
+    const bool whole_chord = grid.along_chord == 1;
+    PartMoments m = moments_of(part);
+    if (grid.along_span > 1) move_to(m.centroid, m.second, plan.span, span_node);
+    if (!whole_chord) move_to(m.centroid, m.second, plan.chord, chord_node);
     const Vector3d normal = common_normal(m, plan.normal);
     const Vector3d span = (plan.span - normal.dot(plan.span) * normal).normalized(), chord = span.cross(normal);
     shape::SurfaceMeasures measures(rows_of(chord, span, normal), to_array(m.centroid), body.size);
@@ -153,6 +155,9 @@ StationData station_of(const Part& part, const Plan& plan, bool whole_chord, con
     shape::AerodynamicGeometry g = measures.geometry();
     g.volume = body.options.volume * m.area / body.area;
     StationData out = shape::default_station(g, plan.wing);
+    // Several places have the velocities of a spin across them; what it does to each in itself is left out, as it vanishes with their number.
+    if (grid.along_span > 1) out.spin_lift[0] = out.spin_drag[0] = out.spin_drag_stream[0] = 0.0;
+    if (!whole_chord) out.spin_lift[1] = out.spin_drag[1] = out.spin_drag_stream[1] = 0.0;
     out.place = to_array(m.centroid);
     const double width = whole_chord ? g.extent[1] : plan.wing.span;
     const double own_chord =
@@ -194,20 +199,15 @@ void share_stokes_couple(std::vector<StationData>& stations, const std::vector<d
             }
 }
 
-struct Grid {
-    std::size_t along_span = 1, along_chord = 1;
-    std::size_t count() const { return along_span * along_chord; }
-};
-
 std::vector<StationData> stations_of(const std::vector<Plan>& plans, const std::vector<Grid>& grids, const Body& body) {
     std::vector<StationData> out;
     std::vector<double> shares;
     for (std::size_t p = 0; p < plans.size(); ++p)
-        for (Part& strip : sliced(plans[p].part, plans[p].span, grids[p].along_span))
-            for (const Part& piece : sliced(std::move(strip), plans[p].chord, grids[p].along_chord)) {
-                const double area = moments_of(piece).area;
-                if (!(area > 1e-6 * body.area)) continue; // the notch between two lobes
-                out.push_back(station_of(piece, plans[p], grids[p].along_chord == 1, body));
+        for (const Slice& strip : sliced(plans[p].part, plans[p].span, grids[p].along_span))
+            for (const Slice& piece : sliced(strip.part, plans[p].chord, grids[p].along_chord)) {
+                const double area = moments_of(piece.part).area;
+                if (!(area > 1e-6 * body.area)) continue;
+                out.push_back(station_of(piece.part, plans[p], grids[p], strip.node, piece.node, body));
                 shares.push_back(area / body.area);
             }
     share_stokes_couple(out, shares, body.loads);
@@ -223,6 +223,56 @@ std::vector<Wrench> sum_of_loads(const std::vector<StationData>& stations, const
         out.push_back(sum);
     }
     return out;
+}
+
+// A plan cut in one way, and what it bears.
+struct Choice {
+    Grid grid;
+    std::vector<Wrench> loads;
+};
+
+template <class LoadsWith>
+std::vector<Choice> choices_of(const Plan& plan, std::size_t most, const LoadsWith& loads_with, const Body& body) {
+    std::vector<Choice> out;
+    for (std::size_t n = 1; n <= most; ++n)
+        for (std::size_t chordwise = 1; chordwise <= (plan.curved ? n : 1); ++chordwise)
+            if (n % chordwise == 0) {
+                const Grid grid{n / chordwise, chordwise};
+                out.push_back({grid, loads_with(stations_of({plan}, {grid}, body))});
+            }
+    return out;
+}
+
+// The fewest stations with a good error, or the least error, of all combinations.
+std::vector<Grid> best_grids(const std::vector<std::vector<Choice>>& choices, std::size_t most,
+                             const std::vector<Wrench>& reference) {
+    std::vector<Grid> best, grids(choices.size());
+    double least = 0.0;
+    std::size_t fewest = 0;
+    const auto visit = [&](const auto& self, std::size_t plan, std::size_t count,
+                           const std::vector<Wrench>& sum) -> void {
+        if (plan == choices.size()) {
+            const double error = difference(sum, reference), counted = std::max(error, good_error);
+            const bool better =
+                counted < least * (1.0 - 1e-9) ||
+                (counted <= least * (1.0 + 1e-9) && (count < fewest || (count == fewest && error < least)));
+            if (!best.empty() && !better) return;
+            best = grids;
+            least = counted;
+            fewest = count;
+            return;
+        }
+        const std::size_t left = choices.size() - plan - 1;
+        for (const Choice& choice : choices[plan]) {
+            if (count + choice.grid.count() + left > most) continue;
+            std::vector<Wrench> next = sum;
+            for (std::size_t i = 0; i < next.size(); ++i) next[i] += choice.loads[i];
+            grids[plan] = choice.grid;
+            self(self, plan + 1, count + choice.grid.count(), next);
+        }
+    };
+    visit(visit, 0, 0, std::vector<Wrench>(reference.size(), Wrench::Zero()));
+    return best;
 }
 
 // Share of the surface, as seen along the axes of the loads, that other parts cover.
@@ -273,14 +323,15 @@ Stations make_stations(const Mesh& mesh, const AerodynamicData& loads, const Vec
     }
 
     std::vector<Plan> plans;
-    for (Part& group : split_by_normal(all, 4)) {
-        const Vector3d n = common_normal(moments_of(group), normal);
-        for (Part& part : split_by_outline(std::move(group), n, options.most / 2 + 1))
+    std::vector<Part> groups = split_by_normal(all, 4);
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        const Vector3d n = common_normal(moments_of(groups[i]), normal);
+        const std::size_t most = options.most - plans.size() - (groups.size() - 1 - i);
+        for (Part& part : split_by_outline(std::move(groups[i]), n, most))
             plans.push_back(plan_of(std::move(part), loads, size));
     }
     const Body body{size, m.area, options, loads};
-    std::vector<Grid> grids(plans.size()), fine;
-    std::size_t count = plans.size();
+    std::vector<Grid> fine;
     for (const Plan& plan : plans) fine.push_back(plan.curved ? Grid{8, 8} : Grid{32, 1});
     const std::vector<Motion> motions = test_motions(reynolds * options.viscosity / options.length, size);
     const auto loads_with = [&](const std::vector<StationData>& stations) {
@@ -293,42 +344,15 @@ Stations make_stations(const Mesh& mesh, const AerodynamicData& loads, const Vec
     for (const Motion& motion : motions)
         one.push_back(loads_of(whole, motion, options.viscosity, options.length, lift));
     out.error_one = difference(one, reference);
+    if (out.error_one <= good_error) return out;
 
+    std::vector<std::vector<Choice>> choices;
+    for (const Plan& plan : plans)
+        choices.push_back(choices_of(plan, options.most - plans.size() + 1, loads_with, body));
+    const std::vector<Grid> grids = best_grids(choices, options.most, reference);
     std::vector<StationData> best = stations_of(plans, grids, body);
-    double error = difference(loads_with(best), reference);
-    while (error > good_error && count < options.most) {
-        // The next cut is the one that helps most for each station that it adds.
-        std::size_t chosen = plans.size();
-        Grid chosen_grid;
-        std::vector<StationData> better;
-        double gain = 0.0, next_error = error;
-        for (std::size_t p = 0; p < plans.size(); ++p)
-            for (const bool chordwise : {false, true}) {
-                if (chordwise && !plans[p].curved) continue;
-                const Grid before = grids[p];
-                Grid after = before;
-                ++(chordwise ? after.along_chord : after.along_span);
-                const std::size_t more = after.count() - before.count();
-                if (count + more > options.most) continue;
-                grids[p] = after;
-                std::vector<StationData> with = stations_of(plans, grids, body);
-                const double e = difference(loads_with(with), reference);
-                grids[p] = before;
-                if ((error - e) / static_cast<double>(more) > gain + 1e-9) {
-                    gain = (error - e) / static_cast<double>(more);
-                    chosen = p;
-                    chosen_grid = after;
-                    better = std::move(with);
-                    next_error = e;
-                }
-            }
-        if (chosen == plans.size()) break;
-        count += chosen_grid.count() - grids[chosen].count();
-        grids[chosen] = chosen_grid;
-        best = std::move(better);
-        error = next_error;
-    }
-    if (best.size() < 2 || out.error_one <= good_error) return out;
+    const double error = difference(loads_with(best), reference);
+    if (best.size() < 2) return out;
     out.at = std::move(best);
     out.error = error;
     out.fit = error > bad_error ? StationFit::coarse : StationFit::fits;

@@ -14,9 +14,12 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double bent = 0.12; // mean squared sine of the tilt from the common normal, above which faces are regrouped
-constexpr double least_share = 0.04; // of the area, in a group
-constexpr double compact = 0.8;      // silhouettes below are cut
+constexpr double steep_share = 0.08;  // of the area, tilted by more than 60 degrees: regrouped
+constexpr double folded = 0.03;       // mean squared sine of the tilt, above which a fold with flat sides is regrouped
+constexpr double flat_sides = 0.1;    // what is left of it within the sides
+constexpr double least_share = 0.04;  // of the area, in a group
+constexpr double compact = 0.8;       // silhouettes below are cut
+constexpr double good_sectors = 0.88; // their mean compactness
 constexpr int directions = 24, offsets = 23;
 
 void add(Part& part, const Vector3d& a, const Vector3d& b, const Vector3d& c, const Facet& from) {
@@ -102,6 +105,77 @@ double score_of(const std::vector<Dot>& dots, const Line& line) {
     const double whole = below.area + above.area;
     if (std::min(below.area, above.area) < least_share * whole) return -1.0;
     return (below.area * std::min(below.compactness(), 1.0) + above.area * std::min(above.compactness(), 1.0)) / whole;
+}
+
+struct Turn {
+    double cosine = 1.0, sine = 0.0;
+    Turn plus(const Turn& a) const { return {cosine * a.cosine - sine * a.sine, sine * a.cosine + cosine * a.sine}; }
+};
+
+// Even sectors about the centroid.
+struct Sectors {
+    std::size_t count = 0;
+    Turn first, width;
+    Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+    double score = -1.0;
+    Turn border(std::size_t k) const {
+        Turn a = first;
+        for (std::size_t i = 0; i < k; ++i) a = a.plus(width);
+        return a;
+    }
+};
+
+double score_of(const std::vector<Dot>& dots, const Sectors& sectors) {
+    std::vector<Outline> outlines(sectors.count);
+    std::vector<Turn> borders;
+    for (std::size_t k = 0; k <= sectors.count; ++k) borders.push_back(sectors.border(k));
+    const auto left_of = [](const Turn& a, const Eigen::Vector2d& p) {
+        return a.cosine * p.y() - a.sine * p.x() > 0.0;
+    };
+    double area = 0.0, sum = 0.0;
+    for (const Dot& d : dots) {
+        const Eigen::Vector2d p = d.at - sectors.centre;
+        area += d.area;
+        for (std::size_t k = 0; k < sectors.count; ++k)
+            if (left_of(borders[k], p) && !left_of(borders[k + 1], p)) {
+                outlines[k].add({p, d.area});
+                break;
+            }
+    }
+    for (const Outline& o : outlines) sum += o.area * std::min(o.compactness(), 1.0);
+    return sum / area;
+}
+
+// The fewest sectors that are compact, or the best.
+Sectors best_sectors(const std::vector<Dot>& dots, std::size_t most) {
+    // Cosines of 2 pi/n for n = 3 to 8.
+    const double cosines[] = {-0.5, 0.0, 0.25 * (std::sqrt(5.0) - 1.0), 0.5, 0.6234898018587336, std::sqrt(0.5)};
+    Sectors best;
+    Outline all;
+    for (const Dot& d : dots) all.add(d);
+    for (std::size_t n = 3; n <= std::min<std::size_t>(most, 8); ++n) {
+        Sectors s, found;
+        s.count = n;
+        s.centre = all.first / all.area;
+        s.width = {cosines[n - 3], std::sqrt(1.0 - cosines[n - 3] * cosines[n - 3])};
+        // Some three degrees, over the width of a sector.
+        const double small = 0.05, cosine = std::sqrt(1.0 - small * small);
+        for (int turn = 0; turn < static_cast<int>(126 / n) + 1; ++turn) {
+            s.score = score_of(dots, s);
+            if (s.score > found.score + 1e-9) found = s;
+            s.first = s.first.plus({cosine, small});
+        }
+        for (double step = 0.5 * small; step > 1e-3; step *= 0.5)
+            for (const double by : {step, -step}) {
+                s = found;
+                s.first = s.first.plus({std::sqrt(1.0 - by * by), by});
+                s.score = score_of(dots, s);
+                if (s.score > found.score + 1e-9) found = s;
+            }
+        if (found.score > best.score + 0.01) best = found;
+        if (best.score > good_sectors) break;
+    }
+    return best;
 }
 
 Line best_line(const std::vector<Dot>& dots) {
@@ -260,12 +334,19 @@ std::pair<double, double> extent_of(const Part& part, const Vector3d& direction)
 std::vector<Part> split_by_normal(Part part, std::size_t most) {
     const PartMoments m = moments_of(part);
     const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(m.normals);
-    if (most < 2 || solver.eigenvalues()[2] > 1.0 - bent) return {std::move(part)};
-    // Two beginnings: a fold, whose sides tilt both ways from their mean; and a wing with a keel at right angles.
     const Vector3d n = solver.eigenvectors().col(2), e = solver.eigenvectors().col(1);
+    const double tilt = 1.0 - solver.eigenvalues()[2];
+    if (most < 2 || tilt < folded) return {std::move(part)};
+    double steep = 0.0;
+    for (const Facet& f : part)
+        if (std::abs(f.normal.dot(n)) < 0.5) steep += f.area;
+    // Two beginnings: a fold, whose sides tilt both ways from their mean; and a wing with a keel at right angles.
     std::vector<char> fold, keel;
-    const double folded = two_axes(part, n + e, n - e, fold), keeled = two_axes(part, n, e, keel);
-    const std::vector<char>& second = keeled < folded * (1.0 - 1e-9) ? keel : fold;
+    const double as_fold = two_axes(part, n + e, n - e, fold), as_keel = two_axes(part, n, e, keel);
+    const bool is_keel = as_keel < as_fold * (1.0 - 1e-9);
+    const std::vector<char>& second = is_keel ? keel : fold;
+    if (steep < steep_share * m.area && std::min(as_fold, as_keel) > flat_sides * tilt * m.area)
+        return {std::move(part)};
     Part halves[2];
     double area[2] = {};
     for (std::size_t f = 0; f < part.size(); ++f) {
@@ -276,6 +357,59 @@ std::vector<Part> split_by_normal(Part part, std::size_t most) {
     const std::size_t first = area[1] > area[0] ? 1 : 0;
     std::vector<Part> out = split_by_normal(std::move(halves[first]), most - 1);
     for (Part& p : split_by_normal(std::move(halves[1 - first]), most - out.size())) out.push_back(std::move(p));
+    return out;
+}
+
+std::vector<Slice> sliced(const Part& part, const Vector3d& direction, std::size_t n) {
+    const auto [low, high] = extent_of(part, direction);
+    if (n < 2 || !(high > low)) return {{part, direction.dot(moments_of(part).centroid)}};
+    // The distribution of the area as points, on -1..1.
+    const double centre = 0.5 * (low + high), scale = 0.5 * (high - low);
+    std::vector<std::pair<double, double>> points;
+    double area = 0.0;
+    for (const Facet& f : refined(part, (high - low) / 64.0)) {
+        points.emplace_back((direction.dot(f.middle()) - centre) / scale, f.area);
+        area += f.area;
+    }
+    std::sort(points.begin(), points.end());
+    // Stieltjes' recurrence of the orthogonal polynomials, and Golub and Welsch's eigenvalues (1969).
+    const auto size = static_cast<Eigen::Index>(n);
+    Eigen::MatrixXd jacobi = Eigen::MatrixXd::Zero(size, size);
+    std::vector<double> now(points.size(), 1.0 / std::sqrt(area)), before(points.size(), 0.0);
+    double beta = 0.0;
+    for (Eigen::Index k = 0; k < size; ++k) {
+        double alpha = 0.0, square = 0.0;
+        for (std::size_t i = 0; i < points.size(); ++i) alpha += points[i].second * points[i].first * now[i] * now[i];
+        jacobi(k, k) = alpha;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const double next = (points[i].first - alpha) * now[i] - beta * before[i];
+            before[i] = now[i];
+            now[i] = next;
+            square += points[i].second * next * next;
+        }
+        beta = std::sqrt(square);
+        if (!(beta > 0.0)) break;
+        for (double& p : now) p /= beta;
+        if (k + 1 < size) jacobi(k, k + 1) = jacobi(k + 1, k) = beta;
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(jacobi);
+    std::vector<Slice> out;
+    Part rest = part;
+    double share = 0.0, passed = 0.0;
+    std::size_t next = 0;
+    for (Eigen::Index k = 0; k < size; ++k) {
+        const double node = centre + scale * solver.eigenvalues()[k];
+        if (k + 1 == size) {
+            out.push_back({std::move(rest), node});
+            break;
+        }
+        const double first = solver.eigenvectors()(0, k);
+        share += first * first * area;
+        while (next + 1 < points.size() && passed + points[next].second < share) passed += points[next++].second;
+        auto [below, above] = cut(rest, direction, centre + scale * points[next].first);
+        out.push_back({std::move(below), node});
+        rest = std::move(above);
+    }
     return out;
 }
 
@@ -301,9 +435,24 @@ double compactness(const Part& part, const Vector3d& normal) {
 }
 
 std::vector<Part> split_by_outline(Part part, const Vector3d& normal, std::size_t most) {
-    std::vector<Part> out;
-    out.push_back(std::move(part));
+    if (compactness(part, normal) > compact) return {std::move(part)};
     const Frame frame = frame_across(normal);
+    const std::vector<Dot> dots = dots_of(part, normal);
+    const Sectors sectors = best_sectors(dots, most);
+    std::vector<Part> out;
+    if (sectors.score > good_sectors) {
+        for (std::size_t i = 0; i < sectors.count; ++i) {
+            const auto border = [&](std::size_t k) {
+                const Turn a = sectors.border(k);
+                return Vector3d(a.cosine * frame.y - a.sine * frame.x);
+            };
+            const Vector3d from = border(i), to = border(i + 1);
+            const Vector3d at = sectors.centre.x() * frame.x + sectors.centre.y() * frame.y;
+            out.push_back(cut(cut(part, from, from.dot(at)).second, to, to.dot(at)).first);
+        }
+        return out;
+    }
+    out.push_back(std::move(part));
     while (out.size() < most) {
         std::size_t worst = out.size();
         double gain = 0.0;

@@ -42,11 +42,22 @@ Eigen::Vector3d common_normal(const PartMoments& moments, const Eigen::Vector3d&
 // Extent along a direction: least and most.
 std::pair<double, double> extent_of(const Part& part, const Eigen::Vector3d& direction);
 
-// Groups of faces with about the same normal axis: the wings and the keel of a dart, the sides of a fold. Faces that belong to one plane but for
-// a tilt of some 20 degrees stay together.
+// A piece of a part, and where along the direction of the cuts its loads act.
+struct Slice {
+    Part part;
+    double node;
+};
+
+// Pieces whose areas and nodes are the weights and points of Gauss's rule for the area along the direction: sums over n of them are exact for
+// polynomials up to degree 2 n - 1, as forces (2) and moments (3) of a wing that turns are in the place.
+std::vector<Slice> sliced(const Part& part, const Eigen::Vector3d& direction, std::size_t n);
+
+// Groups of faces with about the same normal axis: the wings and the keel of a dart, the sides of a sharp fold. A part that is only curved stays
+// together up to tilts of 60 degrees.
 std::vector<Part> split_by_normal(Part part, std::size_t most);
 
-// Seen along `normal`, parts that each are about as compact as a plate: the bars of a cross, the sides of a ring.
+// Seen along `normal`, parts that each are about as compact as a plate: the arms of a cross or star, the sides of a ring, as sectors about the
+// centroid; else by straight cuts.
 std::vector<Part> split_by_outline(Part part, const Eigen::Vector3d& normal, std::size_t most);
 
 // How compact a silhouette is: area/(12 sqrt(det)) of its second moments; 1 for any rectangle, 1.05 for an ellipse, 0.87 for a triangle, 0.63 for
