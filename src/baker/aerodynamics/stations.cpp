@@ -2,6 +2,7 @@
 
 #include "asset/closed_forms/aerodynamic_coefficients.h"
 #include "baker/aerodynamics/camber.h"
+#include "baker/aerodynamics/local_thickness.h"
 #include "baker/aerodynamics/silhouette.h"
 #include "baker/aerodynamics/station_loads.h"
 #include "baker/aerodynamics/surface_measures.h"
@@ -26,7 +27,6 @@ constexpr double good_error = 0.06;     // no more stations below
 constexpr double bad_error = 0.2;       // warned of
 constexpr double flat = 0.015;          // mean squared sine of the tilt: a cap with a rise of 0.04 diameters
 constexpr double bent_chord = 0.008;    // of the tilt along the chord, above which the chord is cut too: less is camber
-constexpr double compact = 0.8;         // a silhouette is compact above
 constexpr double off_centre = 0.05;     // centre of mass from the middle of the area, over the extent
 constexpr double thick = 0.1;           // volume over the area to the power 3/2; half of a sphere's
 constexpr double convex = 0.9;          // volume over the hull's
@@ -40,6 +40,7 @@ struct Plan {
     Vector3d chord, span, normal;
     shape::Wing wing;
     bool curved = false; // along the chord
+    bool lump = false;   // one station, whatever its shape
 };
 
 std::array<double, 3> to_array(const Vector3d& v) {
@@ -164,7 +165,7 @@ StationData station_of(const Part& part, const Plan& plan, const Grid& grid, dou
         width > 0.0 ? std::min((whole_chord ? g.area[2] : plan.wing.area) / width, plan.wing.chord) : 0.0;
     const double aspect = plan.wing.area > 0.0 ? plan.wing.span * plan.wing.span / plan.wing.area : 0.0;
     out.added_mass = 0.25 * std::numbers::pi * own_chord * g.area[2] * aspect / (1.0 + aspect);
-    if (whole_chord && plan.wing.area > 0.0 && g.area[2] > 0.0) {
+    if (whole_chord && !plan.lump && plan.wing.area > 0.0 && g.area[2] > 0.0) {
         const Camber camber = camber_of(part, m.centroid, chord, normal);
         out.camber = std::clamp(camber.incidence, -0.5, 0.5);
         // Kirchhoff's equations put the lift of incidence at the quarter chord, but do not know that of the camber.
@@ -234,7 +235,7 @@ struct Choice {
 template <class LoadsWith>
 std::vector<Choice> choices_of(const Plan& plan, std::size_t most, const LoadsWith& loads_with, const Body& body) {
     std::vector<Choice> out;
-    for (std::size_t n = 1; n <= most; ++n)
+    for (std::size_t n = 1; n <= (plan.lump ? 1 : most); ++n)
         for (std::size_t chordwise = 1; chordwise <= (plan.curved ? n : 1); ++chordwise)
             if (n % chordwise == 0) {
                 const Grid grid{n / chordwise, chordwise};
@@ -316,14 +317,20 @@ Stations make_stations(const Mesh& mesh, const AerodynamicData& loads, const Vec
     const bool is_flat = tilt < flat && along.area > 0.9 * m.area;
     if (!is_flat && !sheet && options.volume > convex * options.hull_volume) return out;
     const Vector3d offset = along.centroid - normal.dot(along.centroid) * normal;
-    if (is_flat && compactness(faces, normal) > compact && offset.norm() < off_centre * size) return out;
+    if (is_flat && compactness(faces, normal) > least_compactness && offset.norm() < off_centre * size) return out;
     if (share_hidden(all, loads) > hiding) {
         out.fit = StationFit::hidden;
         return out;
     }
 
     std::vector<Plan> plans;
-    std::vector<Part> groups = split_by_normal(all, 4);
+    auto [lump, rest] = sheet ? std::pair{Part{}, all} : split_lump(all, size);
+    if (!lump.empty()) {
+        plans.push_back(plan_of(std::move(lump), loads, size));
+        plans.back().lump = true;
+        plans.back().curved = false;
+    }
+    std::vector<Part> groups = split_by_normal(std::move(rest), 4);
     for (std::size_t i = 0; i < groups.size(); ++i) {
         const Vector3d n = common_normal(moments_of(groups[i]), normal);
         const std::size_t most = options.most - plans.size() - (groups.size() - 1 - i);
@@ -332,7 +339,7 @@ Stations make_stations(const Mesh& mesh, const AerodynamicData& loads, const Vec
     }
     const Body body{size, m.area, options, loads};
     std::vector<Grid> fine;
-    for (const Plan& plan : plans) fine.push_back(plan.curved ? Grid{8, 8} : Grid{32, 1});
+    for (const Plan& plan : plans) fine.push_back(plan.lump ? Grid{} : plan.curved ? Grid{8, 8} : Grid{32, 1});
     const std::vector<Motion> motions = test_motions(reynolds * options.viscosity / options.length, size);
     const auto loads_with = [&](const std::vector<StationData>& stations) {
         return sum_of_loads(stations, motions, options.viscosity, options.length);

@@ -18,7 +18,6 @@ constexpr double steep_share = 0.08;  // of the area, tilted by more than 60 deg
 constexpr double folded = 0.03;       // mean squared sine of the tilt, above which a fold with flat sides is regrouped
 constexpr double flat_sides = 0.1;    // what is left of it within the sides
 constexpr double least_share = 0.04;  // of the area, in a group
-constexpr double compact = 0.8;       // silhouettes below are cut
 constexpr double good_sectors = 0.88; // their mean compactness
 constexpr int directions = 24, offsets = 23;
 
@@ -435,7 +434,7 @@ double compactness(const Part& part, const Vector3d& normal) {
 }
 
 std::vector<Part> split_by_outline(Part part, const Vector3d& normal, std::size_t most) {
-    if (compactness(part, normal) > compact) return {std::move(part)};
+    if (compactness(part, normal) > least_compactness) return {std::move(part)};
     const Frame frame = frame_across(normal);
     const std::vector<Dot> dots = dots_of(part, normal);
     const Sectors sectors = best_sectors(dots, most);
@@ -458,7 +457,7 @@ std::vector<Part> split_by_outline(Part part, const Vector3d& normal, std::size_
         double gain = 0.0;
         for (std::size_t i = 0; i < out.size(); ++i) {
             const double c = compactness(out[i], normal), area = moments_of(out[i]).area;
-            if (c < compact && area * (1.0 - c) > gain) {
+            if (c < least_compactness && area * (1.0 - c) > gain) {
                 gain = area * (1.0 - c);
                 worst = i;
             }

@@ -63,4 +63,5 @@ std::vector<Part> split_by_outline(Part part, const Eigen::Vector3d& normal, std
 // How compact a silhouette is: area/(12 sqrt(det)) of its second moments; 1 for any rectangle, 1.05 for an ellipse, 0.87 for a triangle, 0.63 for
 // a cross five times as long as wide.
 double compactness(const Part& part, const Eigen::Vector3d& normal);
+inline constexpr double least_compactness = 0.8; // of a plate
 } // namespace lr::baker
