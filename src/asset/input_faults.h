@@ -49,6 +49,7 @@ enum class FaultId : uint32_t {
     parameter_unknown = 302,
     parameter_not_denser = 303,
     wake_unsettled = 310,
+    loads_uncertain = 311,
     // 4xx: the asset file
     asset_too_short = 401,
     asset_foreign = 402,

@@ -5,6 +5,7 @@
 #include "baker/added_mass/added_mass.h"
 #include "baker/aerodynamics/mesh_geometry.h"
 #include "baker/aerodynamics/principal_axes.h"
+#include "baker/aerodynamics/stations.h"
 #include "baker/bake_input.h"
 #include "baker/file_faults.h"
 #include "baker/mesh/convex_hull.h"
@@ -217,6 +218,7 @@ private:
                             "It is outside the convex hull of the body.",
                             "Give it in the unit and the frame of the mesh.");
             for (const uint32_t i : f) out_.hull.triangles.push_back(i);
+            hull_volume_ += normal.dot(a) / 6.0;
         }
         for (const Eigen::Vector3d& v : hull.vertices)
             for (const double x : v) out_.hull.vertices.push_back(static_cast<float>(x));
@@ -235,7 +237,40 @@ private:
             is_sheet() ? sheet_geometry(mesh_, thickness_, axes, centre) : mesh_geometry(mesh_, axes, centre);
         geometry.volume = solid_.volume;
         out_.aerodynamics = shape::default_aerodynamics(geometry);
+        make_stations();
         return true;
+    }
+
+    void make_stations() {
+        StationOptions how;
+        how.thickness = is_sheet() ? thickness_ : 0.0;
+        how.volume = solid_.volume;
+        how.hull_volume = hull_volume_;
+        how.length = solid_.extents.maxCoeff();
+        how.viscosity = options_.fluid_viscosity;
+        const std::array<double, 3>& offset = out_.aerodynamics.center;
+        const Eigen::Vector3d center = solid_.centroid - center_ + Eigen::Vector3d(offset[0], offset[1], offset[2]);
+        stations_ = lr::baker::make_stations(mesh_, out_.aerodynamics, center, how);
+        out_.stations = stations_.at;
+        warn_of_stations();
+    }
+
+    void warn_of_stations() {
+        const auto warn = [&](const char* what, const char* remedy) {
+            faults_.push_back({FaultId::loads_uncertain, Severity::warning, "aerodynamics", what, remedy});
+        };
+        if (stations_.fit == StationFit::coarse)
+            warn("The shape has more wings and bends than eight stations can describe.",
+                 "Take its flight as a rough likeness, or bake a simpler shape.");
+        if (stations_.fit == StationFit::hidden)
+            warn("Large parts of the surface lie behind others (a deep bowl, a tube, a crumpled sheet): the loads are "
+                 "those "
+                 "of a plate of its outline.",
+                 "Take its fall as a rough likeness; close the shape if it has a filling or lid.");
+        if (stations_.fit == StationFit::hollow)
+            warn(
+                "The body fills less than half of its convex hull: the loads are those of a solid body of its outline.",
+                "Take its fall as a rough likeness.");
     }
 
     bool is_sheet() const { return options_.sheet.has_value(); }
@@ -275,6 +310,7 @@ private:
             out_.added_mass_error[i] = 0.5 * (added.error(row, column) + added.error(column, row));
         }
         drop_noise();
+        share_added_mass(out_.aerodynamics, out_.added_mass, out_.stations);
         Eigen::Index broad = 0;
         out_.projected_area = solid_.projected_areas.maxCoeff(&broad);
         const Eigen::Vector3d normal = solid_.axes.col(broad);
@@ -388,6 +424,8 @@ private:
     const BakeHooks& hooks_;
     InputFiles input_;
     double density_, thickness_ = 0.0; // kg/m^3, m
+    double hull_volume_ = 0.0;         // m^3
+    Stations stations_;
     Mesh mesh_;
     MassProperties solid_;
     Eigen::Vector3d center_ = Eigen::Vector3d::Zero();

@@ -51,7 +51,7 @@ double slope_of(double aspect) {
     return aspect / (2.0 + std::sqrt(aspect * aspect + 4.0));
 }
 
-void set_drag(const AerodynamicGeometry& g, size_t k, AerodynamicData& out) {
+template <class Loads> void set_drag(const AerodynamicGeometry& g, size_t k, Loads& out) {
     const size_t i = (k + 1) % 3, j = (k + 2) % 3;
     const double beta = g.bluntness[k], area = g.area[k], round = roundness(beta), thick = 1.0 - sheetness(g, k);
     const double wide = std::max(g.extent[i], g.extent[j]), narrow = std::min(g.extent[i], g.extent[j]);
@@ -69,6 +69,24 @@ void set_drag(const AerodynamicGeometry& g, size_t k, AerodynamicData& out) {
     out.drag_layer[k] = run > 0.0 ? faces / std::sqrt(run) : 0.0;
 }
 
+// Normal force of a plate of this extent across the axis n, which has a share `area` of the silhouette `plan`.
+template <class Loads>
+void set_normal_force(const std::array<double, 3>& extent, double plan, double area, size_t n,
+                      const PlateCoefficients& plate, Loads& out) {
+    const size_t i = (n + 1) % 3, j = (n + 2) % 3;
+    const double wide = std::max(extent[i], extent[j]), narrow = std::min(extent[i], extent[j]);
+    const auto aspect_drag = [](double ratio) { return 1.0 + aspect_gain * share(ratio, aspect_half); };
+    out.plate_drag = plate.drag * area * aspect_drag(wide / narrow) / aspect_drag(1.0);
+    for (const size_t along : {i, j}) {
+        const double span = extent[along == i ? j : i], aspect = span * span / plan;
+        const double slope = slope_of(aspect), disc = slope_of(disc_aspect), relative = aspect / disc_aspect;
+        out.plate_lift[along] = plate.lift * area * slope / disc;
+        out.plate_vortex[along] = plate.vortex * area * 4.0 / (3.0 + relative);
+        const double low = (1.0 + disc_aspect * disc_aspect / 2.25) / (1.0 + aspect * aspect / 2.25);
+        out.plate_stall[along] = std::min(strip_stall + (plate.stall - strip_stall) * low, 1.0);
+    }
+}
+
 // The plate across the axis of the largest silhouette.
 void set_plate(const AerodynamicGeometry& g, const PlateCoefficients& plate, AerodynamicData& out) {
     const size_t n = static_cast<size_t>(std::max_element(g.area.begin(), g.area.end()) - g.area.begin());
@@ -76,16 +94,7 @@ void set_plate(const AerodynamicGeometry& g, const PlateCoefficients& plate, Aer
     const double wide = std::max(g.extent[i], g.extent[j]), narrow = std::min(g.extent[i], g.extent[j]);
     if (!(narrow > 0.0)) return;
     const double sheet = sheetness(g, n), area = sheet * g.area[n];
-    const auto aspect_drag = [](double ratio) { return 1.0 + aspect_gain * share(ratio, aspect_half); };
-    out.plate_drag = plate.drag * area * aspect_drag(wide / narrow) / aspect_drag(1.0);
-    for (const size_t along : {i, j}) {
-        const double span = g.extent[along == i ? j : i], aspect = span * span / g.area[n];
-        const double slope = slope_of(aspect), disc = slope_of(disc_aspect), relative = aspect / disc_aspect;
-        out.plate_lift[along] = plate.lift * area * slope / disc;
-        out.plate_vortex[along] = plate.vortex * area * 4.0 / (3.0 + relative);
-        const double low = (1.0 + disc_aspect * disc_aspect / 2.25) / (1.0 + aspect * aspect / 2.25);
-        out.plate_stall[along] = std::min(strip_stall + (plate.stall - strip_stall) * low, 1.0);
-    }
+    set_normal_force(g.extent, g.area[n], area, n, plate, out);
     out.plate_separated_shedding = sheet * plate.separated_shedding;
     out.start_drag = plate.start;
     out.wake_length = 4.0 / std::numbers::pi * g.area[n] / wide;
@@ -99,22 +108,27 @@ void set_plate(const AerodynamicGeometry& g, const PlateCoefficients& plate, Aer
     out.shedding_rate_moment = plate.rate_moment * area * out.wake_length;
 }
 
-// Circulation about the axis k in a stream along i and j.
-void set_lift(const AerodynamicGeometry& g, size_t k, const PlateCoefficients& plate, AerodynamicData& out) {
+struct Circulation {
+    double lift, spin_lift;
+};
+
+// Circulation about the axis k in a stream along i and j, and the drag of spin about k.
+template <class Loads>
+Circulation set_spin(const AerodynamicGeometry& g, size_t k, double span, const PlateCoefficients& plate, Loads& out) {
     const size_t i = (k + 1) % 3, j = (k + 2) % 3;
-    const double plan = std::max(g.area[i], g.area[j]), span = g.extent[k];
+    const double plan = std::max(g.area[i], g.area[j]);
     const double total = g.area[i] + g.area[j];
     const double flatness = total > 0.0 ? std::abs(g.area[j] - g.area[i]) / total : 0.0;
     // The extent along the flat side; of a body that is as thick as wide, the mean of both.
     const double chord = total > 0.0 ? (g.area[j] * g.extent[i] + g.area[i] * g.extent[j]) / total : 0.0;
     const double thick = 1.0 - std::max(sheetness(g, i), sheetness(g, j));
-    out.lift[k] = thick * translation_lift * (g.area[j] - g.area[i]) * share(span, lift_span * chord);
-    out.spin_lift[k] = 0.5 * plate.rotation * plan * chord * flatness * share(span, plate.rotation_span * chord) +
-                       magnus * g.volume * (1.0 - flatness);
     const double moment =
         by_slenderness(plate.spin_disc, plate.spin_strip, chord > 0.0 ? std::max(0.0, span / chord - 1.0) : 0.0);
     out.spin_drag[k] = 0.5 * (moment * g.stroke3[k] + spin_friction * g.rub[k]);
     out.spin_drag_stream[k] = plate.spin_stream * (1.0 - thick) * g.stroke2[k];
+    return {thick * translation_lift * (g.area[j] - g.area[i]) * share(span, lift_span * chord),
+            0.5 * plate.rotation * plan * chord * flatness * share(span, plate.rotation_span * chord) +
+                magnus * g.volume * (1.0 - flatness)};
 }
 } // namespace
 
@@ -125,7 +139,9 @@ AerodynamicData default_aerodynamics(const AerodynamicGeometry& g, const PlateCo
     const double largest = std::max({g.area[0], g.area[1], g.area[2]});
     for (size_t k = 0; k < 3; ++k) {
         set_drag(g, k, out);
-        set_lift(g, k, plate, out);
+        const Circulation circulation = set_spin(g, k, g.extent[k], plate, out);
+        out.lift[k] = circulation.lift;
+        out.spin_lift[k] = circulation.spin_lift;
         out.broadside[k] = largest > 0.0 ? g.area[k] / largest : 0.0;
     }
     set_plate(g, plate, out);
@@ -135,6 +151,24 @@ AerodynamicData default_aerodynamics(const AerodynamicGeometry& g, const PlateCo
     out.intensity = plate.intensity;
     out.length = plate.correlation * std::max({g.extent[0], g.extent[1], g.extent[2]});
     out.wake_reynolds = plate.wake_reynolds;
+    return out;
+}
+
+StationData default_station(const AerodynamicGeometry& g, const Wing& wing, const PlateCoefficients& plate) {
+    StationData out;
+    out.axes = g.axes;
+    // Layers run along the whole wing.
+    AerodynamicGeometry in_wing = g;
+    in_wing.extent[0] = std::max(g.extent[0], wing.chord);
+    in_wing.extent[1] = std::max(g.extent[1], wing.span);
+    for (size_t k = 0; k < 3; ++k) {
+        set_drag(in_wing, k, out);
+        // The circulation about the span runs along the whole wing.
+        out.spin_lift[k] = set_spin(g, k, k == 1 ? in_wing.extent[1] : g.extent[k], plate, out).spin_lift;
+    }
+    out.plate_stall = {1.0, 1.0, 0.0};
+    if (wing.span > 0.0 && wing.chord > 0.0 && wing.area > 0.0)
+        set_normal_force({wing.chord, wing.span, 0.0}, wing.area, sheetness(g, 2) * g.area[2], 2, plate, out);
     return out;
 }
 } // namespace lr::shape

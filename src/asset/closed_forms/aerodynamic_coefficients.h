@@ -43,4 +43,14 @@ struct PlateCoefficients {
 
 // The default coefficients: one set of rules for all shapes.
 AerodynamicData default_aerodynamics(const AerodynamicGeometry& geometry, const PlateCoefficients& plate = {});
+
+// The wing that a part belongs to: what lift, stall and broadside drag depend on.
+struct Wing {
+    double span = 0.0, chord = 0.0; // m, extents
+    double area = 0.0;              // m^2
+};
+
+// The same rules for a part of a body, by itself but for its wing. Axes of the geometry: along the chord, along the span, the normal. Creeping
+// flow is the body's: the caller shares it out. Place, added mass and camber are left at their defaults.
+StationData default_station(const AerodynamicGeometry& part, const Wing& wing, const PlateCoefficients& plate = {});
 } // namespace lr::shape

@@ -1,0 +1,13 @@
+// How thick a solid is under each of its faces: to tell the nut of a winged seed from its wing.
+#pragma once
+
+#include "baker/aerodynamics/surface_parts.h"
+
+#include <utility>
+
+namespace lr::baker {
+
+// The lump and the rest of a closed surface of this size: faces under which the solid is several times thicker than elsewhere, and close together.
+// No lump (first empty) if they are few, as rims are.
+std::pair<Part, Part> split_lump(const Part& part, double size);
+} // namespace lr::baker

@@ -1,0 +1,382 @@
+#include "baker/aerodynamics/stations.h"
+
+#include "asset/closed_forms/aerodynamic_coefficients.h"
+#include "baker/aerodynamics/camber.h"
+#include "baker/aerodynamics/local_thickness.h"
+#include "baker/aerodynamics/silhouette.h"
+#include "baker/aerodynamics/station_loads.h"
+#include "baker/aerodynamics/surface_measures.h"
+#include "baker/aerodynamics/surface_parts.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+
+namespace lr::baker {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double good_error = 0.06;     // no more stations below
+constexpr double bad_error = 0.2;       // warned of
+constexpr double flat = 0.015;          // mean squared sine of the tilt: a cap with a rise of 0.04 diameters
+constexpr double bent_chord = 0.008;    // of the tilt along the chord, above which the chord is cut too: less is camber
+constexpr double off_centre = 0.05;     // centre of mass from the middle of the area, over the extent
+constexpr double thick = 0.1;           // volume over the area to the power 3/2; half of a sphere's
+constexpr double convex = 0.9;          // volume over the hull's
+constexpr double slender = 3.0;         // root mean square of the span over that of the chord
+constexpr double hiding = 0.36;         // share of the surface in the lee of the rest; a hemispherical bowl has 1/3
+constexpr double far_from_convex = 0.5; // volume over the hull's
+constexpr double reynolds = 1e4;
+
+struct Plan {
+    Part part;
+    Vector3d chord, span, normal;
+    shape::Wing wing;
+    bool curved = false; // along the chord
+    bool lump = false;   // one station, whatever its shape
+};
+
+std::array<double, 3> to_array(const Vector3d& v) {
+    return {v[0], v[1], v[2]};
+}
+
+std::array<double, 9> rows_of(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+    return {a[0], a[1], a[2], b[0], b[1], b[2], c[0], c[1], c[2]};
+}
+
+Vector3d row(const std::array<double, 9>& axes, std::size_t k) {
+    return {axes[3 * k], axes[3 * k + 1], axes[3 * k + 2]};
+}
+
+std::size_t broadside_of(const AerodynamicData& loads) {
+    return static_cast<std::size_t>(std::max_element(loads.broadside.begin(), loads.broadside.end()) -
+                                    loads.broadside.begin());
+}
+
+// The faces that look along the normal, without rims.
+Part faces_along(const Part& part, const Vector3d& normal) {
+    Part out;
+    for (const Facet& f : part)
+        if (std::abs(f.normal.dot(normal)) > 0.5) out.push_back(f);
+    return out;
+}
+
+// How unlike fore and aft are: third moment and offset of the centre of mass, which is the origin, over the root mean square.
+double lopsided(const Part& part, const PartMoments& m, const Vector3d& axis, double size) {
+    double third = 0.0;
+    for (const Facet& f : refined(part, size / 24.0)) {
+        const double x = axis.dot(f.middle() - m.centroid);
+        third += f.area * x * x * x;
+    }
+    const double square = axis.dot(m.second * axis), root = std::sqrt(square);
+    return square > 0.0 ? std::abs(third) / (m.area * square * root) + std::abs(axis.dot(m.centroid)) / root : 0.0;
+}
+
+Plan plan_of(Part part, const AerodynamicData& loads, double size) {
+    Plan out;
+    const std::size_t broad = broadside_of(loads);
+    const PartMoments all = moments_of(part);
+    out.normal = common_normal(all, row(loads.axes, broad));
+    const Part faces = faces_along(part, out.normal);
+    const PartMoments m = moments_of(faces);
+    const Matrix3d across = Matrix3d::Identity() - out.normal * out.normal.transpose();
+    const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(across * m.second * across);
+    const double shortest = std::max(solver.eigenvalues()[1], 0.0), longest = solver.eigenvalues()[2];
+    Vector3d length = solver.eigenvectors().col(2);
+    length = (length - out.normal.dot(length) * out.normal).normalized();
+    // Equal moments define no axes: the body's are as good.
+    if (longest < 1.05 * shortest) {
+        Vector3d best = across * row(loads.axes, (broad + 1) % 3);
+        const Vector3d other = across * row(loads.axes, (broad + 2) % 3);
+        if (other.squaredNorm() > 1.01 * best.squaredNorm()) best = other;
+        if (best.squaredNorm() > 1e-6) length = best.normalized();
+    }
+    const Vector3d width = out.normal.cross(length);
+    // A strip is as long as its span. Other wings fly along the axis in which fore and aft differ.
+    const bool along = longest < slender * slender * shortest &&
+                       lopsided(faces, m, length, size) > lopsided(faces, m, width, size) + 0.05;
+    out.chord = along ? length : width;
+    // The leading edge is where the weight is, or where the camber line is flatter.
+    const auto extent = [](const std::pair<double, double>& e) { return e.second - e.first; };
+    out.span = out.normal.cross(out.chord);
+    out.wing.chord = extent(extent_of(faces, out.chord));
+    out.wing.span = extent(extent_of(faces, out.span));
+    for (const Facet& f : part) out.wing.area += f.area * std::abs(f.normal.dot(out.normal));
+    const double ahead = -out.chord.dot(m.centroid);
+    bool turn = ahead < 0.0;
+    if (std::abs(ahead) < 0.02 * out.wing.chord) {
+        const Camber one = camber_of(part, m.centroid, out.chord, out.normal);
+        const Camber other = camber_of(part, m.centroid, -out.chord, out.normal);
+        turn = std::abs(other.incidence) > std::abs(one.incidence) * (1.0 + 1e-6) + 1e-6;
+    }
+    if (turn) {
+        out.chord = -out.chord;
+        out.span = -out.span;
+    }
+    out.curved = out.chord.dot(m.normals * out.chord) > bent_chord;
+    out.part = std::move(part);
+    return out;
+}
+
+struct Body {
+    double size, area; // area of all parts
+    const StationOptions& options;
+    const AerodynamicData& loads;
+};
+
+struct Grid {
+    std::size_t along_span = 1, along_chord = 1;
+    std::size_t count() const { return along_span * along_chord; }
+};
+
+// Moves a place along the part's own line to this distance along a direction.
+void move_to(Vector3d& place, const Matrix3d& second, const Vector3d& direction, double node) {
+    const Vector3d along = second * direction;
+    const double square = direction.dot(along);
+    if (square > 0.0) place += (node - direction.dot(place)) / square * along;
+}
+
+StationData station_of(const Part& part, const Plan& plan, const Grid& grid, double span_node, double chord_node,
+                       const Body& body) {
+    const bool whole_chord = grid.along_chord == 1;
+    PartMoments m = moments_of(part);
+    if (grid.along_span > 1) move_to(m.centroid, m.second, plan.span, span_node);
+    if (!whole_chord) move_to(m.centroid, m.second, plan.chord, chord_node);
+    const Vector3d normal = common_normal(m, plan.normal);
+    const Vector3d span = (plan.span - normal.dot(plan.span) * normal).normalized(), chord = span.cross(normal);
+    shape::SurfaceMeasures measures(rows_of(chord, span, normal), to_array(m.centroid), body.size);
+    for (const Facet& f : part) measures.add(to_array(f.at[0]), to_array(f.at[1]), to_array(f.at[2]), f.sides);
+    shape::AerodynamicGeometry g = measures.geometry();
+    g.volume = body.options.volume * m.area / body.area;
+    StationData out = shape::default_station(g, plan.wing);
+    // Several places have the velocities of a spin across them; what it does to each in itself is left out, as it vanishes with their number.
+    if (grid.along_span > 1) out.spin_lift[0] = out.spin_drag[0] = out.spin_drag_stream[0] = 0.0;
+    if (!whole_chord) out.spin_lift[1] = out.spin_drag[1] = out.spin_drag_stream[1] = 0.0;
+    out.place = to_array(m.centroid);
+    const double width = whole_chord ? g.extent[1] : plan.wing.span;
+    const double own_chord =
+        width > 0.0 ? std::min((whole_chord ? g.area[2] : plan.wing.area) / width, plan.wing.chord) : 0.0;
+    const double aspect = plan.wing.area > 0.0 ? plan.wing.span * plan.wing.span / plan.wing.area : 0.0;
+    out.added_mass = 0.25 * std::numbers::pi * own_chord * g.area[2] * aspect / (1.0 + aspect);
+    if (whole_chord && !plan.lump && plan.wing.area > 0.0 && g.area[2] > 0.0) {
+        const Camber camber = camber_of(part, m.centroid, chord, normal);
+        out.camber = std::clamp(camber.incidence, -0.5, 0.5);
+        // Kirchhoff's equations put the lift of incidence at the quarter chord, but do not know that of the camber.
+        out.camber_moment = own_chord * (g.area[2] * camber.moment + 0.25 * out.plate_lift[0] * out.camber);
+    }
+    // Creeping flow is the body's, by area; along this part's axes.
+    for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double cosine = row(out.axes, k).dot(row(body.loads.axes, i));
+            out.drag_stokes[k] += cosine * cosine * body.loads.drag_stokes[i] * m.area / body.area;
+        }
+    return out;
+}
+
+// What the drag of the places does not give of the body's couple in creeping flow.
+void share_stokes_couple(std::vector<StationData>& stations, const std::vector<double>& shares,
+                         const AerodynamicData& loads) {
+    std::array<double, 3> rest = loads.spin_drag_stokes;
+    for (const StationData& s : stations)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Vector3d moved = row(loads.axes, i).cross(Vector3d(s.place[0], s.place[1], s.place[2]));
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double along = row(s.axes, k).dot(moved);
+                rest[i] -= s.drag_stokes[k] * along * along;
+            }
+        }
+    for (std::size_t n = 0; n < stations.size(); ++n)
+        for (std::size_t k = 0; k < 3; ++k)
+            for (std::size_t i = 0; i < 3; ++i) {
+                const double cosine = row(stations[n].axes, k).dot(row(loads.axes, i));
+                stations[n].spin_drag_stokes[k] += cosine * cosine * std::max(rest[i], 0.0) * shares[n];
+            }
+}
+
+std::vector<StationData> stations_of(const std::vector<Plan>& plans, const std::vector<Grid>& grids, const Body& body) {
+    std::vector<StationData> out;
+    std::vector<double> shares;
+    for (std::size_t p = 0; p < plans.size(); ++p)
+        for (const Slice& strip : sliced(plans[p].part, plans[p].span, grids[p].along_span))
+            for (const Slice& piece : sliced(strip.part, plans[p].chord, grids[p].along_chord)) {
+                const double area = moments_of(piece.part).area;
+                if (!(area > 1e-6 * body.area)) continue;
+                out.push_back(station_of(piece.part, plans[p], grids[p], strip.node, piece.node, body));
+                shares.push_back(area / body.area);
+            }
+    share_stokes_couple(out, shares, body.loads);
+    return out;
+}
+
+std::vector<Wrench> sum_of_loads(const std::vector<StationData>& stations, const std::vector<Motion>& motions,
+                                 double viscosity, double length) {
+    std::vector<Wrench> out;
+    for (const Motion& motion : motions) {
+        Wrench sum = Wrench::Zero();
+        for (const StationData& s : stations) sum += loads_of(s, motion, viscosity, length);
+        out.push_back(sum);
+    }
+    return out;
+}
+
+// A plan cut in one way, and what it bears.
+struct Choice {
+    Grid grid;
+    std::vector<Wrench> loads;
+};
+
+template <class LoadsWith>
+std::vector<Choice> choices_of(const Plan& plan, std::size_t most, const LoadsWith& loads_with, const Body& body) {
+    std::vector<Choice> out;
+    for (std::size_t n = 1; n <= (plan.lump ? 1 : most); ++n)
+        for (std::size_t chordwise = 1; chordwise <= (plan.curved ? n : 1); ++chordwise)
+            if (n % chordwise == 0) {
+                const Grid grid{n / chordwise, chordwise};
+                out.push_back({grid, loads_with(stations_of({plan}, {grid}, body))});
+            }
+    return out;
+}
+
+// The fewest stations with a good error, or the least error, of all combinations.
+std::vector<Grid> best_grids(const std::vector<std::vector<Choice>>& choices, std::size_t most,
+                             const std::vector<Wrench>& reference) {
+    std::vector<Grid> best, grids(choices.size());
+    double least = 0.0;
+    std::size_t fewest = 0;
+    const auto visit = [&](const auto& self, std::size_t plan, std::size_t count,
+                           const std::vector<Wrench>& sum) -> void {
+        if (plan == choices.size()) {
+            const double error = difference(sum, reference), counted = std::max(error, good_error);
+            const bool better =
+                counted < least * (1.0 - 1e-9) ||
+                (counted <= least * (1.0 + 1e-9) && (count < fewest || (count == fewest && error < least)));
+            if (!best.empty() && !better) return;
+            best = grids;
+            least = counted;
+            fewest = count;
+            return;
+        }
+        const std::size_t left = choices.size() - plan - 1;
+        for (const Choice& choice : choices[plan]) {
+            if (count + choice.grid.count() + left > most) continue;
+            std::vector<Wrench> next = sum;
+            for (std::size_t i = 0; i < next.size(); ++i) next[i] += choice.loads[i];
+            grids[plan] = choice.grid;
+            self(self, plan + 1, count + choice.grid.count(), next);
+        }
+    };
+    visit(visit, 0, 0, std::vector<Wrench>(reference.size(), Wrench::Zero()));
+    return best;
+}
+
+// Share of the surface, as seen along the axes of the loads, that other parts cover.
+double share_hidden(const Part& part, const AerodynamicData& loads) {
+    double seen = 0.0, faces = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Vector3d n = row(loads.axes, k), x = row(loads.axes, (k + 1) % 3), y = row(loads.axes, (k + 2) % 3);
+        std::vector<FlatTriangle> flat_faces;
+        for (const Facet& f : part) {
+            faces += f.area * std::abs(f.normal.dot(n));
+            FlatTriangle t;
+            for (std::size_t v = 0; v < 3; ++v) t[v] = {x.dot(f.at[v]), y.dot(f.at[v])};
+            flat_faces.push_back(t);
+        }
+        seen += union_area(std::move(flat_faces));
+    }
+    return faces > 0.0 ? 1.0 - seen / faces : 0.0;
+}
+} // namespace
+
+Stations make_stations(const Mesh& mesh, const AerodynamicData& loads, const Vector3d& center,
+                       const StationOptions& options) {
+    Stations out;
+    const Part all = part_of(mesh, options.thickness > 0.0 ? 2.0 : 1.0);
+    const PartMoments m = moments_of(all);
+    double size = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto [low, high] = extent_of(all, row(loads.axes, k));
+        size = std::max(size, high - low);
+    }
+    if (!(m.area > 0.0) || !(size > 0.0)) return out;
+    const bool sheet = options.thickness > 0.0;
+    if (!sheet && options.volume > thick * m.area * std::sqrt(m.area)) {
+        if (options.volume < far_from_convex * options.hull_volume) out.fit = StationFit::hollow;
+        return out;
+    }
+    const Vector3d normal = common_normal(m, row(loads.axes, broadside_of(loads)));
+    const Part faces = faces_along(all, normal);
+    const PartMoments along = moments_of(faces);
+    const double tilt = 1.0 - normal.dot(along.normals * normal);
+    const bool is_flat = tilt < flat && along.area > 0.9 * m.area;
+    if (!is_flat && !sheet && options.volume > convex * options.hull_volume) return out;
+    const Vector3d offset = along.centroid - normal.dot(along.centroid) * normal;
+    if (is_flat && compactness(faces, normal) > least_compactness && offset.norm() < off_centre * size) return out;
+    if (share_hidden(all, loads) > hiding) {
+        out.fit = StationFit::hidden;
+        return out;
+    }
+
+    std::vector<Plan> plans;
+    auto [lump, rest] = sheet ? std::pair{Part{}, all} : split_lump(all, size);
+    if (!lump.empty()) {
+        plans.push_back(plan_of(std::move(lump), loads, size));
+        plans.back().lump = true;
+        plans.back().curved = false;
+    }
+    std::vector<Part> groups = split_by_normal(std::move(rest), 4);
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        const Vector3d n = common_normal(moments_of(groups[i]), normal);
+        const std::size_t most = options.most - plans.size() - (groups.size() - 1 - i);
+        for (Part& part : split_by_outline(std::move(groups[i]), n, most))
+            plans.push_back(plan_of(std::move(part), loads, size));
+    }
+    const Body body{size, m.area, options, loads};
+    std::vector<Grid> fine;
+    for (const Plan& plan : plans) fine.push_back(plan.lump ? Grid{} : plan.curved ? Grid{8, 8} : Grid{32, 1});
+    const std::vector<Motion> motions = test_motions(reynolds * options.viscosity / options.length, size);
+    const auto loads_with = [&](const std::vector<StationData>& stations) {
+        return sum_of_loads(stations, motions, options.viscosity, options.length);
+    };
+    const std::vector<Wrench> reference = loads_with(stations_of(plans, fine, body));
+    Vector3d lift;
+    const StationData whole = as_station(loads, center, lift);
+    std::vector<Wrench> one;
+    for (const Motion& motion : motions)
+        one.push_back(loads_of(whole, motion, options.viscosity, options.length, lift));
+    out.error_one = difference(one, reference);
+    if (out.error_one <= good_error) return out;
+
+    std::vector<std::vector<Choice>> choices;
+    for (const Plan& plan : plans)
+        choices.push_back(choices_of(plan, options.most - plans.size() + 1, loads_with, body));
+    const std::vector<Grid> grids = best_grids(choices, options.most, reference);
+    std::vector<StationData> best = stations_of(plans, grids, body);
+    const double error = difference(loads_with(best), reference);
+    if (best.size() < 2) return out;
+    out.at = std::move(best);
+    out.error = error;
+    out.fit = error > bad_error ? StationFit::coarse : StationFit::fits;
+    return out;
+}
+
+void share_added_mass(const AerodynamicData& loads, const std::array<double, 36>& added_mass,
+                      std::vector<StationData>& stations) {
+    const Vector3d n = row(loads.axes, broadside_of(loads));
+    double whole = 0.0, sum = 0.0;
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j)
+            whole += n[static_cast<Eigen::Index>(i)] * added_mass[6 * i + j] * n[static_cast<Eigen::Index>(j)];
+    for (const StationData& s : stations) {
+        const double cosine = row(s.axes, 2).dot(n);
+        sum += s.added_mass * cosine * cosine;
+    }
+    for (StationData& s : stations) s.added_mass = sum > 0.0 ? s.added_mass * whole / sum : 0.0;
+}
+} // namespace lr::baker

@@ -1,0 +1,46 @@
+// Stations: parts of a body that see a stream of their own; docs/maintainers/physics.md, "Partition".
+#pragma once
+
+#include "asset/asset_data.h"
+#include "baker/mesh/mesh.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace lr::baker {
+
+struct StationOptions {
+    double thickness = 0.0;   // m, of a sheet; 0: the mesh bounds a solid
+    double volume = 0.0;      // m^3, of the body
+    double hull_volume = 0.0; // m^3
+    double length = 1.0;      // m, of the Reynolds number
+    double viscosity = 1.5e-5;
+    std::size_t most = most_stations;
+};
+
+// Why a body has the stations that it has.
+enum class StationFit {
+    one,    // flat and compact, or thick: the loads of the whole body
+    fits,   // the error is within the bound
+    coarse, // not even with the most stations
+    hidden, // parts lie in each other's lee: no sum of parts is right
+    hollow, // a thick body far from convex
+};
+
+struct Stations {
+    std::vector<StationData> at;
+    StationFit fit = StationFit::one;
+    double error =
+        0.0; // of the loads of `at`, against many stations: root mean square over motions, of force or moment, the larger
+    double error_one = 0.0; // the same with the loads of the whole body
+};
+
+// Mesh in the body frame, repaired. loads: of the whole body about `center` (from the centre of mass, body frame).
+Stations make_stations(const Mesh& mesh, const AerodynamicData& loads, const Eigen::Vector3d& center,
+                       const StationOptions& options);
+
+// Scales the added masses so that their sum along the body's broadside normal is that of the matrix.
+void share_added_mass(const AerodynamicData& loads, const std::array<double, 36>& added_mass,
+                      std::vector<StationData>& stations);
+} // namespace lr::baker

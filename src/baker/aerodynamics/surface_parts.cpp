@@ -1,0 +1,474 @@
+#include "baker/aerodynamics/surface_parts.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace lr::baker {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double steep_share = 0.08;  // of the area, tilted by more than 60 degrees: regrouped
+constexpr double folded = 0.03;       // mean squared sine of the tilt, above which a fold with flat sides is regrouped
+constexpr double flat_sides = 0.1;    // what is left of it within the sides
+constexpr double least_share = 0.04;  // of the area, in a group
+constexpr double good_sectors = 0.88; // their mean compactness
+constexpr int directions = 24, offsets = 23;
+
+void add(Part& part, const Vector3d& a, const Vector3d& b, const Vector3d& c, const Facet& from) {
+    const double twice = (b - a).cross(c - a).norm();
+    if (twice > 0.0) part.push_back({{a, b, c}, from.sides, from.normal, 0.25 * twice * from.sides});
+}
+
+// Lloyd's iteration of two axes over the normals. Returns the misfit; `second` receives the faces of the second axis.
+double two_axes(const Part& part, Vector3d a, Vector3d b, std::vector<char>& second) {
+    second.assign(part.size(), 0);
+    double misfit = 0.0;
+    for (int round = 0; round < 20; ++round) {
+        Matrix3d sum[2] = {Matrix3d::Zero(), Matrix3d::Zero()};
+        misfit = 0.0;
+        for (std::size_t f = 0; f < part.size(); ++f) {
+            const double pa = a.dot(part[f].normal), pb = b.dot(part[f].normal);
+            second[f] = pb * pb > pa * pa;
+            sum[second[f] ? 1 : 0] += part[f].area * part[f].normal * part[f].normal.transpose();
+            misfit += part[f].area * (1.0 - std::max(pa * pa, pb * pb));
+        }
+        if (sum[0].trace() <= 0.0 || sum[1].trace() <= 0.0) break;
+        a = Eigen::SelfAdjointEigenSolver<Matrix3d>(sum[0]).eigenvectors().col(2);
+        b = Eigen::SelfAdjointEigenSolver<Matrix3d>(sum[1]).eigenvectors().col(2);
+    }
+    return misfit;
+}
+
+struct Dot {
+    Eigen::Vector2d at;
+    double area;
+};
+
+struct Outline {
+    double area = 0.0;
+    Eigen::Vector2d first = Eigen::Vector2d::Zero();
+    Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
+    void add(const Dot& d) {
+        area += d.area;
+        first += d.area * d.at;
+        second += d.area * d.at * d.at.transpose();
+    }
+    double compactness() const {
+        if (!(area > 0.0)) return 1.0;
+        const Eigen::Vector2d middle = first / area;
+        const Eigen::Matrix2d central = second / area - middle * middle.transpose();
+        const double det = central.determinant();
+        return det > 0.0 ? area / (12.0 * std::sqrt(det)) : 1.0;
+    }
+};
+
+struct Frame {
+    Vector3d x, y;
+};
+
+Frame frame_across(const Vector3d& normal) {
+    const Vector3d x = normal.unitOrthogonal();
+    return {x, normal.cross(x)};
+}
+
+std::vector<Dot> dots_of(const Part& part, const Vector3d& normal) {
+    const Frame frame = frame_across(normal);
+    double size = 0.0;
+    for (const Vector3d& e : {frame.x, frame.y}) {
+        const auto [low, high] = extent_of(part, e);
+        size = std::max(size, high - low);
+    }
+    std::vector<Dot> dots;
+    for (const Facet& f : refined(part, size / 40.0)) {
+        const Vector3d m = f.middle();
+        dots.push_back({{frame.x.dot(m), frame.y.dot(m)}, f.area * std::abs(f.normal.dot(normal))});
+    }
+    return dots;
+}
+
+struct Line {
+    double cosine = 1.0, sine = 0.0, offset = 0.0, score = -1.0;
+};
+
+// Area by compactness of both sides.
+double score_of(const std::vector<Dot>& dots, const Line& line) {
+    Outline below, above;
+    for (const Dot& d : dots) (line.cosine * d.at.x() + line.sine * d.at.y() < line.offset ? below : above).add(d);
+    const double whole = below.area + above.area;
+    if (std::min(below.area, above.area) < least_share * whole) return -1.0;
+    return (below.area * std::min(below.compactness(), 1.0) + above.area * std::min(above.compactness(), 1.0)) / whole;
+}
+
+struct Turn {
+    double cosine = 1.0, sine = 0.0;
+    Turn plus(const Turn& a) const { return {cosine * a.cosine - sine * a.sine, sine * a.cosine + cosine * a.sine}; }
+};
+
+// Even sectors about the centroid.
+struct Sectors {
+    std::size_t count = 0;
+    Turn first, width;
+    Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+    double score = -1.0;
+    Turn border(std::size_t k) const {
+        Turn a = first;
+        for (std::size_t i = 0; i < k; ++i) a = a.plus(width);
+        return a;
+    }
+};
+
+double score_of(const std::vector<Dot>& dots, const Sectors& sectors) {
+    std::vector<Outline> outlines(sectors.count);
+    std::vector<Turn> borders;
+    for (std::size_t k = 0; k <= sectors.count; ++k) borders.push_back(sectors.border(k));
+    const auto left_of = [](const Turn& a, const Eigen::Vector2d& p) {
+        return a.cosine * p.y() - a.sine * p.x() > 0.0;
+    };
+    double area = 0.0, sum = 0.0;
+    for (const Dot& d : dots) {
+        const Eigen::Vector2d p = d.at - sectors.centre;
+        area += d.area;
+        for (std::size_t k = 0; k < sectors.count; ++k)
+            if (left_of(borders[k], p) && !left_of(borders[k + 1], p)) {
+                outlines[k].add({p, d.area});
+                break;
+            }
+    }
+    for (const Outline& o : outlines) sum += o.area * std::min(o.compactness(), 1.0);
+    return sum / area;
+}
+
+// The fewest sectors that are compact, or the best.
+Sectors best_sectors(const std::vector<Dot>& dots, std::size_t most) {
+    // Cosines of 2 pi/n for n = 3 to 8.
+    const double cosines[] = {-0.5, 0.0, 0.25 * (std::sqrt(5.0) - 1.0), 0.5, 0.6234898018587336, std::sqrt(0.5)};
+    Sectors best;
+    Outline all;
+    for (const Dot& d : dots) all.add(d);
+    for (std::size_t n = 3; n <= std::min<std::size_t>(most, 8); ++n) {
+        Sectors s, found;
+        s.count = n;
+        s.centre = all.first / all.area;
+        s.width = {cosines[n - 3], std::sqrt(1.0 - cosines[n - 3] * cosines[n - 3])};
+        // Some three degrees, over the width of a sector.
+        const double small = 0.05, cosine = std::sqrt(1.0 - small * small);
+        for (int turn = 0; turn < static_cast<int>(126 / n) + 1; ++turn) {
+            s.score = score_of(dots, s);
+            if (s.score > found.score + 1e-9) found = s;
+            s.first = s.first.plus({cosine, small});
+        }
+        for (double step = 0.5 * small; step > 1e-3; step *= 0.5)
+            for (const double by : {step, -step}) {
+                s = found;
+                s.first = s.first.plus({std::sqrt(1.0 - by * by), by});
+                s.score = score_of(dots, s);
+                if (s.score > found.score + 1e-9) found = s;
+            }
+        if (found.score > best.score + 0.01) best = found;
+        if (best.score > good_sectors) break;
+    }
+    return best;
+}
+
+Line best_line(const std::vector<Dot>& dots) {
+    Line best;
+    double step = 0.0;
+    // A turn by pi/24, without the C library's sine.
+    const double cosine = std::sqrt(0.5 + 0.5 * std::sqrt(0.5 + 0.5 * std::sqrt(0.75))),
+                 sine = std::sqrt(1.0 - cosine * cosine);
+    Line line;
+    for (int turn = 0; turn < directions; ++turn) {
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (const Dot& d : dots) {
+            const double x = line.cosine * d.at.x() + line.sine * d.at.y();
+            low = std::min(low, x);
+            high = std::max(high, x);
+        }
+        for (int i = 1; i <= offsets; ++i) {
+            line.offset = low + (high - low) * i / (offsets + 1);
+            line.score = score_of(dots, line);
+            if (line.score > best.score + 1e-9) {
+                best = line;
+                step = (high - low) / (offsets + 1);
+            }
+        }
+        const double c = cosine * line.cosine - sine * line.sine;
+        line.sine = sine * line.cosine + cosine * line.sine;
+        line.cosine = c;
+    }
+    // Downhill in smaller and smaller steps, so that the line does not depend on the frame.
+    double turn = 0.06;
+    for (int round = 0; round < 12; ++round) {
+        bool better = false;
+        for (const auto& [by, shift] : {std::pair{turn, 0.0}, {-turn, 0.0}, {0.0, step}, {0.0, -step}}) {
+            Line next = best;
+            const double length = std::sqrt(1.0 + by * by);
+            next.cosine = (best.cosine - by * best.sine) / length;
+            next.sine = (best.sine + by * best.cosine) / length;
+            next.offset = best.offset + shift;
+            next.score = score_of(dots, next);
+            if (next.score > best.score + 1e-9) {
+                best = next;
+                better = true;
+            }
+        }
+        if (!better) {
+            turn *= 0.5;
+            step *= 0.5;
+        }
+    }
+    return best;
+}
+} // namespace
+
+Part part_of(const Mesh& mesh, double sides) {
+    Part out;
+    for (const Face& f : mesh.faces) {
+        const Vector3d &a = mesh.vertices[f[0]], &b = mesh.vertices[f[1]], &c = mesh.vertices[f[2]];
+        const Vector3d across = (b - a).cross(c - a);
+        const double twice = across.norm();
+        if (twice > 0.0) out.push_back({{a, b, c}, sides, across / twice, 0.25 * twice * sides});
+    }
+    return out;
+}
+
+std::pair<Part, Part> cut(const Part& part, const Vector3d& direction, double offset) {
+    std::pair<Part, Part> out;
+    for (const Facet& f : part) {
+        std::array<double, 3> h{};
+        for (std::size_t v = 0; v < 3; ++v) h[v] = direction.dot(f.at[v]) - offset;
+        const auto above = std::count_if(h.begin(), h.end(), [](double x) { return x > 0.0; });
+        if (above == 0 || above == 3) {
+            (above ? out.second : out.first).push_back(f);
+            continue;
+        }
+        // The corner alone on its side.
+        std::size_t k = 0;
+        while ((h[k] > 0.0) != (above == 1)) ++k;
+        const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+        const Vector3d p = f.at[k] + (h[k] / (h[k] - h[i])) * (f.at[i] - f.at[k]);
+        const Vector3d q = f.at[k] + (h[k] / (h[k] - h[j])) * (f.at[j] - f.at[k]);
+        Part &alone = above == 1 ? out.second : out.first, &pair = above == 1 ? out.first : out.second;
+        add(alone, f.at[k], p, q, f);
+        add(pair, p, f.at[i], f.at[j], f);
+        add(pair, p, f.at[j], q, f);
+    }
+    return out;
+}
+
+Part refined(const Part& part, double longest) {
+    Part out, rest = part;
+    while (!rest.empty()) {
+        const Facet f = rest.back();
+        rest.pop_back();
+        std::size_t k = 0;
+        double most = 0.0;
+        for (std::size_t e = 0; e < 3; ++e) {
+            const double length = (f.at[(e + 1) % 3] - f.at[e]).squaredNorm();
+            if (length > most) {
+                most = length;
+                k = e;
+            }
+        }
+        if (most <= longest * longest) {
+            out.push_back(f);
+            continue;
+        }
+        const Vector3d &a = f.at[k], &b = f.at[(k + 1) % 3], &c = f.at[(k + 2) % 3], m = 0.5 * (a + b);
+        add(rest, a, m, c, f);
+        add(rest, m, b, c, f);
+    }
+    return out;
+}
+
+PartMoments moments_of(const Part& part) {
+    PartMoments out;
+    if (part.empty()) return out;
+    const Vector3d origin = part.front().at[0];
+    Vector3d first = Vector3d::Zero();
+    for (const Facet& f : part) {
+        out.area += f.area;
+        Vector3d sum = Vector3d::Zero();
+        Matrix3d squares = Matrix3d::Zero();
+        for (const Vector3d& corner : f.at) {
+            const Vector3d r = corner - origin;
+            sum += r;
+            squares += r * r.transpose();
+        }
+        first += f.area / 3.0 * sum;
+        out.second += f.area / 12.0 * (squares + sum * sum.transpose());
+        out.normals += f.area * f.normal * f.normal.transpose();
+    }
+    if (!(out.area > 0.0)) return out;
+    first /= out.area;
+    out.second = (out.second / out.area - first * first.transpose()).eval();
+    out.normals /= out.area;
+    out.centroid = origin + first;
+    return out;
+}
+
+Vector3d common_normal(const PartMoments& moments, const Vector3d& like) {
+    const Vector3d n = Eigen::SelfAdjointEigenSolver<Matrix3d>(moments.normals).eigenvectors().col(2);
+    return n.dot(like) < 0.0 ? Vector3d(-n) : n;
+}
+
+std::pair<double, double> extent_of(const Part& part, const Vector3d& direction) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Facet& f : part)
+        for (const Vector3d& corner : f.at) {
+            const double x = direction.dot(corner);
+            low = std::min(low, x);
+            high = std::max(high, x);
+        }
+    return part.empty() ? std::pair{0.0, 0.0} : std::pair{low, high};
+}
+
+std::vector<Part> split_by_normal(Part part, std::size_t most) {
+    const PartMoments m = moments_of(part);
+    const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(m.normals);
+    const Vector3d n = solver.eigenvectors().col(2), e = solver.eigenvectors().col(1);
+    const double tilt = 1.0 - solver.eigenvalues()[2];
+    if (most < 2 || tilt < folded) return {std::move(part)};
+    double steep = 0.0;
+    for (const Facet& f : part)
+        if (std::abs(f.normal.dot(n)) < 0.5) steep += f.area;
+    // Two beginnings: a fold, whose sides tilt both ways from their mean; and a wing with a keel at right angles.
+    std::vector<char> fold, keel;
+    const double as_fold = two_axes(part, n + e, n - e, fold), as_keel = two_axes(part, n, e, keel);
+    const bool is_keel = as_keel < as_fold * (1.0 - 1e-9);
+    const std::vector<char>& second = is_keel ? keel : fold;
+    if (steep < steep_share * m.area && std::min(as_fold, as_keel) > flat_sides * tilt * m.area)
+        return {std::move(part)};
+    Part halves[2];
+    double area[2] = {};
+    for (std::size_t f = 0; f < part.size(); ++f) {
+        halves[second[f] ? 1 : 0].push_back(part[f]);
+        area[second[f] ? 1 : 0] += part[f].area;
+    }
+    if (std::min(area[0], area[1]) < least_share * m.area) return {std::move(part)};
+    const std::size_t first = area[1] > area[0] ? 1 : 0;
+    std::vector<Part> out = split_by_normal(std::move(halves[first]), most - 1);
+    for (Part& p : split_by_normal(std::move(halves[1 - first]), most - out.size())) out.push_back(std::move(p));
+    return out;
+}
+
+std::vector<Slice> sliced(const Part& part, const Vector3d& direction, std::size_t n) {
+    const auto [low, high] = extent_of(part, direction);
+    if (n < 2 || !(high > low)) return {{part, direction.dot(moments_of(part).centroid)}};
+    // The distribution of the area as points, on -1..1.
+    const double centre = 0.5 * (low + high), scale = 0.5 * (high - low);
+    std::vector<std::pair<double, double>> points;
+    double area = 0.0;
+    for (const Facet& f : refined(part, (high - low) / 64.0)) {
+        points.emplace_back((direction.dot(f.middle()) - centre) / scale, f.area);
+        area += f.area;
+    }
+    std::sort(points.begin(), points.end());
+    // Stieltjes' recurrence of the orthogonal polynomials, and Golub and Welsch's eigenvalues (1969).
+    const auto size = static_cast<Eigen::Index>(n);
+    Eigen::MatrixXd jacobi = Eigen::MatrixXd::Zero(size, size);
+    std::vector<double> now(points.size(), 1.0 / std::sqrt(area)), before(points.size(), 0.0);
+    double beta = 0.0;
+    for (Eigen::Index k = 0; k < size; ++k) {
+        double alpha = 0.0, square = 0.0;
+        for (std::size_t i = 0; i < points.size(); ++i) alpha += points[i].second * points[i].first * now[i] * now[i];
+        jacobi(k, k) = alpha;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const double next = (points[i].first - alpha) * now[i] - beta * before[i];
+            before[i] = now[i];
+            now[i] = next;
+            square += points[i].second * next * next;
+        }
+        beta = std::sqrt(square);
+        if (!(beta > 0.0)) break;
+        for (double& p : now) p /= beta;
+        if (k + 1 < size) jacobi(k, k + 1) = jacobi(k + 1, k) = beta;
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(jacobi);
+    std::vector<Slice> out;
+    Part rest = part;
+    double share = 0.0, passed = 0.0;
+    std::size_t next = 0;
+    for (Eigen::Index k = 0; k < size; ++k) {
+        const double node = centre + scale * solver.eigenvalues()[k];
+        if (k + 1 == size) {
+            out.push_back({std::move(rest), node});
+            break;
+        }
+        const double first = solver.eigenvectors()(0, k);
+        share += first * first * area;
+        while (next + 1 < points.size() && passed + points[next].second < share) passed += points[next++].second;
+        auto [below, above] = cut(rest, direction, centre + scale * points[next].first);
+        out.push_back({std::move(below), node});
+        rest = std::move(above);
+    }
+    return out;
+}
+
+double compactness(const Part& part, const Vector3d& normal) {
+    const Frame frame = frame_across(normal);
+    Outline all;
+    const Vector3d origin = part.empty() ? Vector3d(Vector3d::Zero()) : part.front().at[0];
+    for (const Facet& f : part) {
+        const double area = f.area * std::abs(f.normal.dot(normal));
+        Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+        Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
+        for (const Vector3d& corner : f.at) {
+            const Vector3d r = corner - origin;
+            const Eigen::Vector2d p(frame.x.dot(r), frame.y.dot(r));
+            sum += p;
+            squares += p * p.transpose();
+        }
+        all.area += area;
+        all.first += area / 3.0 * sum;
+        all.second += area / 12.0 * (squares + sum * sum.transpose());
+    }
+    return all.compactness();
+}
+
+std::vector<Part> split_by_outline(Part part, const Vector3d& normal, std::size_t most) {
+    if (compactness(part, normal) > least_compactness) return {std::move(part)};
+    const Frame frame = frame_across(normal);
+    const std::vector<Dot> dots = dots_of(part, normal);
+    const Sectors sectors = best_sectors(dots, most);
+    std::vector<Part> out;
+    if (sectors.score > good_sectors) {
+        for (std::size_t i = 0; i < sectors.count; ++i) {
+            const auto border = [&](std::size_t k) {
+                const Turn a = sectors.border(k);
+                return Vector3d(a.cosine * frame.y - a.sine * frame.x);
+            };
+            const Vector3d from = border(i), to = border(i + 1);
+            const Vector3d at = sectors.centre.x() * frame.x + sectors.centre.y() * frame.y;
+            out.push_back(cut(cut(part, from, from.dot(at)).second, to, to.dot(at)).first);
+        }
+        return out;
+    }
+    out.push_back(std::move(part));
+    while (out.size() < most) {
+        std::size_t worst = out.size();
+        double gain = 0.0;
+        for (std::size_t i = 0; i < out.size(); ++i) {
+            const double c = compactness(out[i], normal), area = moments_of(out[i]).area;
+            if (c < least_compactness && area * (1.0 - c) > gain) {
+                gain = area * (1.0 - c);
+                worst = i;
+            }
+        }
+        if (worst == out.size()) break;
+        const Line line = best_line(dots_of(out[worst], normal));
+        if (!(line.score > compactness(out[worst], normal))) break;
+        auto [below, above] = cut(out[worst], line.cosine * frame.x + line.sine * frame.y, line.offset);
+        out[worst] = std::move(below);
+        out.push_back(std::move(above));
+    }
+    return out;
+}
+} // namespace lr::baker
