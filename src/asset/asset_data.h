@@ -122,9 +122,10 @@ struct StationData {
     std::array<double, 3> spin_drag_stream{}; // m^4
     std::array<double, 3> spin_drag_stokes{}; // m^3
     double plate_drag = 0.0;                  // m^2
-    // m^3, the part of the added mass along the normal whose momentum stays behind: in attached streams along chord and span, and in separated ones.
-    std::array<double, 3> attached_shedding{};
-    double separated_shedding = 0.0;
+    std::array<double, 3>
+        lift_arm{}; // m, along chord and span: how far aft of `place` attached lift acts, besides Munk's moment
+    double separated_shedding =
+        0.0; // m^3, the part of the added mass along the normal whose momentum a separated stream leaves behind
     double camber = 0.0;        // incidence at which a stream along the chord lifts nothing, with its sign reversed
     double camber_moment = 0.0; // m^3, nose up: couple over rho/2 U^2 at that incidence
 };
@@ -144,7 +145,7 @@ inline constexpr size_t most_stations = 8;
     X(spin_drag, 0.0, 1e6, 5.0)                                                                                        \
     X(spin_drag_stream, 0.0, 1e6, 4.0)                                                                                 \
     X(spin_drag_stokes, 0.0, 1e6, 3.0)                                                                                 \
-    X(attached_shedding, -100.0, 100.0, 3.0)
+    X(lift_arm, -1.0, 1.0, 1.0)
 #define LR_STATION_NUMBERS(X)                                                                                          \
     X(plate_drag, 0.0, 1e6, 2.0)                                                                                       \
     X(separated_shedding, 0.0, 100.0, 3.0)                                                                             \

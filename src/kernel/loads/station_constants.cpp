@@ -32,8 +32,6 @@ void make_station(const StationData& from, double d, double start_drag, StationC
         put(axis[k], 1.0, to.axes + 3 * k);
         put_outer(0.0, axis[k], axis[k], 1.0, to.outer[k]);
     }
-    const Vector arm = cross(r, axis[2]);
-    put_outer(0.0, arm, arm, 1.0, to.arm_outer);
     put(r, 1.0, to.place);
     put_outer(r[0] * r[0] + r[1] * r[1] + r[2] * r[2], r, r, -1.0, to.spread);
     put(from.drag, 0.5 * d, to.drag);
@@ -49,7 +47,7 @@ void make_station(const StationData& from, double d, double start_drag, StationC
     for (size_t k = 0; k < 2; ++k) {
         to.lift[k] = static_cast<float>(0.5 * d * from.plate_lift[k]);
         to.vortex[k] = static_cast<float>(0.5 * d * from.plate_vortex[k]);
-        to.attached_shedding[k] = static_cast<float>(from.attached_shedding[k]);
+        to.lift_arm[k] = static_cast<float>(from.lift_arm[k] / d);
         to.stall[k] = static_cast<float>(1.0 / std::max(from.plate_stall[k], 1e-3));
     }
     to.plate_drag = static_cast<float>(0.5 * d * from.plate_drag);

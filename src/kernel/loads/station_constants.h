@@ -10,14 +10,13 @@ namespace lr {
 struct StationConstants {
     float along[3][6]; // velocities along chord, span and normal by the body's velocity and spin
     float axes[9], place[3];
-    float spread[6];    // |r|^2 - r r^T, r: the place; upper triangle
-    float outer[3][6];  // upper triangles of e e^T, e: the axes
-    float arm_outer[6]; // of a a^T, a = r x normal
+    float spread[6];   // |r|^2 - r r^T, r: the place; upper triangle
+    float outer[3][6]; // upper triangles of e e^T, e: the axes
     float drag[3], drag_blunt[3], drag_layer[3], drag_stokes[3];
     float spin_lift[3], spin_drag[3], spin_drag_stream[3], spin_drag_stokes[3], spin_weight[3];
     float lift[2], vortex[2], stall[2]; // along chord and span; stall: the inverse
     float plate_drag, start_drag;
-    float attached_shedding[2], separated_shedding;
+    float lift_arm[2], separated_shedding;
     float camber, camber_moment, camber_turn[3]; // turn: (r x chord) x span
 };
 

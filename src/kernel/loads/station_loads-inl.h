@@ -76,9 +76,13 @@ HWY_INLINE void add_station(const StationConstants& k, const A& a, const Held& h
     const Vec3 r = broadcast(k.place);
     const VF twist = dot(turn, r);
     const Vec3 n = broadcast(k.along[2]), arm = broadcast(k.along[2] + 3), by = drag * r;
+    // Munk's moment puts the attached lift ahead of the middle, more than the quarter chord of a short wing: it acts as far aft as is too much.
+    const VF aft = hn::Min(lift / hn::Max(stiff, least), one) * hn::Sqrt(inverse);
+    const Vec3 at = arm + constant(k.lift_arm[0]) * aft * f.x * broadcast(k.axes + 3) -
+                    constant(k.lift_arm[1]) * aft * f.y * broadcast(k.axes);
     for (int i = 0; i < 6; ++i) out.drag[i] += constant(k.outer[2][i]) * stiff;
     for (int i : {0, 3, 5}) out.drag[i] += drag;
-    out.mixed += outer(stiff * n, arm) + Matrix{{{zero, by.z, -by.y}, {-by.z, zero, by.x}, {by.y, -by.x, zero}}};
+    out.mixed += outer(stiff * n, at) + Matrix{{{zero, by.z, -by.y}, {-by.z, zero, by.x}, {by.y, -by.x, zero}}};
     out.turn += turn;
     out.spin += twist * r;
     out.couple.row[0] -= r.x * turn;
@@ -95,14 +99,19 @@ HWY_INLINE void add_station(const StationConstants& k, const A& a, const Held& h
             fluid_spin * (constant(k.spin_drag[i]) * spinning +
                           (constant(k.spin_drag_stream[i]) * hn::Abs(u.z) + constant(k.spin_drag_stokes[i]) * nu));
     for (int i = 0; i < 6; ++i)
-        out.spin_drag[i] += constant(k.spread[i]) * drag + constant(k.arm_outer[i]) * stiff +
+        out.spin_drag[i] += constant(k.spread[i]) * drag +
                             (constant(k.outer[0][i]) * resist[0] +
                              (constant(k.outer[1][i]) * resist[1] + constant(k.outer[2][i]) * resist[2]));
-    // Kirchhoff's products move the lift ahead by all of the added mass. An attached stream lifts at the quarter chord; a separated one leaves most
-    // of that momentum behind.
-    const VF share = attached * by_direction(k.attached_shedding) +
-                     separated * shedding_share(a, nu, hn::Sqrt(inverse_s2)) * constant(k.separated_shedding);
-    const VF shed = constant(a.fluid[3]) * share * u.z;
+    const Vec3 push = stiff * at;
+    out.spin_drag[0] += push.x * at.x;
+    out.spin_drag[1] += push.x * at.y;
+    out.spin_drag[2] += push.x * at.z;
+    out.spin_drag[3] += push.y * at.y;
+    out.spin_drag[4] += push.y * at.z;
+    out.spin_drag[5] += push.z * at.z;
+    // A separated stream leaves the momentum of its added mass behind.
+    const VF shed = separated * shedding_share(a, nu, hn::Sqrt(inverse_s2)) * constant(k.separated_shedding) *
+                    constant(a.fluid[3]) * u.z;
     out.lost += Twist{shed * n, shed * arm};
     if (k.camber_moment != 0.0f) {
         // Nose up is about -span; the force on the chord that its work needs is not seen.
