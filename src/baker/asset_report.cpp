@@ -39,6 +39,15 @@ Json make_json(const AerodynamicData& a) {
     return j;
 }
 
+Json make_json(const StationData& s) {
+    Json j{{"axes", s.axes}};
+#define LR_ENTRY(name, ...) j[#name] = s.name;
+    LR_STATION_VECTORS(LR_ENTRY)
+    LR_STATION_NUMBERS(LR_ENTRY)
+#undef LR_ENTRY
+    return j;
+}
+
 Json make_json(const AssetData& a) {
     const auto times_fluid = [&](std::array<double, 36> m) {
         for (double& v : m) v *= a.fluid_density;
@@ -84,6 +93,8 @@ Json make_json(const AssetData& a) {
                        {"loop", loop},
                        {"max_divergence", a.turbulence.max_divergence}};
     j["aerodynamics"] = make_json(a.aerodynamics);
+    j["stations"] = Json::array();
+    for (const StationData& s : a.stations) j["stations"].push_back(make_json(s));
     j["hull"] = {{"vertices", a.hull.vertices.size() / 3}, {"triangles", a.hull.triangles.size() / 3}};
     j["provenance"] = make_json(a.provenance);
     return j;
@@ -116,8 +127,10 @@ std::string report_json(const AssetData& asset) {
     return make_json(asset).dump(2) + "\n";
 }
 
-std::string report_json(const AssetData& asset, const Faults& faults, const BakeTimings& timings) {
+std::string report_json(const AssetData& asset, const Faults& faults, const BakeTimings& timings,
+                        const StationErrors& errors) {
     Json j = make_json(asset);
+    j["station_errors"] = {{"with_stations", errors.with_stations}, {"without", errors.without}};
     j["faults"] = Json::array();
     for (const Fault& f : faults)
         j["faults"].push_back({{"number", static_cast<uint32_t>(f.id)},
@@ -162,6 +175,7 @@ std::string summary(const AssetData& a) {
     line(text, "  drag            C_D S %.4g %.4g %.4g m^2 along its axes, lift %.4g %.4g %.4g m^2",
          a.aerodynamics.drag[0], a.aerodynamics.drag[1], a.aerodynamics.drag[2], a.aerodynamics.lift[0],
          a.aerodynamics.lift[1], a.aerodynamics.lift[2]);
+    if (!a.stations.empty()) line(text, "  stations        %zu", a.stations.size());
     line(text, "  hull            %zu vertices, %zu triangles", a.hull.vertices.size() / 3,
          a.hull.triangles.size() / 3);
     return text;

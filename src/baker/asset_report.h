@@ -13,7 +13,8 @@ namespace lr::baker {
 std::string report_json(const AssetData& asset);
 
 // The same with "faults" and "timings" of the bake.
-std::string report_json(const AssetData& asset, const Faults& faults, const BakeTimings& timings);
+std::string report_json(const AssetData& asset, const Faults& faults, const BakeTimings& timings,
+                        const StationErrors& errors = {});
 
 // Whether the report belongs to an asset of this provenance.
 bool is_report_of(std::string_view json, const ProvenanceData& provenance);

@@ -252,6 +252,7 @@ private:
         const Eigen::Vector3d center = solid_.centroid - center_ + Eigen::Vector3d(offset[0], offset[1], offset[2]);
         stations_ = lr::baker::make_stations(mesh_, out_.aerodynamics, center, how);
         out_.stations = stations_.at;
+        if (hooks_.station_errors) *hooks_.station_errors = {stations_.error, stations_.error_one};
         warn_of_stations();
     }
 

@@ -74,9 +74,16 @@ using BakeTimings = std::vector<std::pair<std::string, double>>; // phase, s
 // Called with 0 at the start of a phase and with 1 at its end.
 using BakeProgress = std::function<void(const char* phase, double fraction)>;
 
+// Of the loads against those of many stations: root mean square over streams and spins, of force or moment, the larger. Zero for a flat compact
+// plate and for a thick body, which are not compared.
+struct StationErrors {
+    double with_stations = 0.0, without = 0.0;
+};
+
 struct BakeHooks {
     // Receives the repaired surface in the body frame; for an ellipsoid, a mesh of it.
     Mesh* body = nullptr;
+    StationErrors* station_errors = nullptr;
     // Called with the number of faces before large allocations; can block.
     std::function<void(std::size_t faces)> before_solve;
     unsigned threads = 0; // of the solver for large meshes; 0: one per processor

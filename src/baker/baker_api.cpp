@@ -149,13 +149,16 @@ void run(const core::BakeOptions& options, bool may_open, const BakeProgress& pr
     lr::AssetData asset;
     lr::Faults faults;
     core::BakeTimings timings;
+    core::StationErrors errors;
+    core::BakeHooks hooks;
+    hooks.station_errors = &errors;
     ProgressCall call(progress);
-    const bool good =
-        core::bake(options, asset, faults, &timings, [&](const char* phase, double part) { call(phase, part); });
+    const bool good = core::bake(
+        options, asset, faults, &timings, [&](const char* phase, double part) { call(phase, part); }, hooks);
     for (const lr::Fault& f : faults) result.faults.push_back(to_public(f));
     if (!good) return;
     result.asset = lr::write_asset(asset);
-    result.report = core::report_json(asset, faults, timings);
+    result.report = core::report_json(asset, faults, timings, errors);
     result.status = BakeStatus::done;
 }
 

@@ -102,6 +102,8 @@ BakeOutcome make_outputs(const BakeJob& job, const BakeProgress& progress, const
     Mesh body;
     BakeHooks hooks = given;
     if (!job.plots.empty()) hooks.body = &body;
+    StationErrors errors;
+    hooks.station_errors = &errors;
     if (check_outputs(job, outcome.faults)) {
         if (job.if_changed && is_current(job)) {
             outcome.state = BakeOutcome::State::unchanged;
@@ -109,7 +111,7 @@ BakeOutcome make_outputs(const BakeJob& job, const BakeProgress& progress, const
             outcome.state = BakeOutcome::State::baked;
             outcome.files.push_back(write_asset(outcome.asset));
             if (!job.report.empty())
-                outcome.files.push_back(to_bytes(report_json(outcome.asset, outcome.faults, outcome.timings)));
+                outcome.files.push_back(to_bytes(report_json(outcome.asset, outcome.faults, outcome.timings, errors)));
             if (!job.plots.empty())
                 for (const std::string& plot : make_plots(outcome.asset, body)) outcome.files.push_back(to_bytes(plot));
         }
