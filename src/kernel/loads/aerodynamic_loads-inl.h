@@ -147,10 +147,7 @@ HWY_INLINE void advance_wake(const StepInput& in, const A& c, const Held& held, 
                              Vec3 v, Vec3 u, Body& b) {
     const VF one = constant(1.0f), half = constant(0.5f), zero = hn::Zero(DF());
     const Vec3 n = broadcast(c.normal_axis);
-    // Where the body turns fast, its stations leave the wake at the speed of its ends.
-    VF s = hn::Sqrt(speed_squared(v));
-    if (in.body.stations.count != 0) s = hn::Sqrt(s * s + dot(u, u));
-    const VF inverse_s = one / s;
+    const VF s = hn::Sqrt(speed_squared(v)), inverse_s = one / s;
     const VF travel = constant(in.h) * held.inverse_length * s;
 
     // The body spins about its normal below its wake.

@@ -136,7 +136,10 @@ static HWY_NOINLINE Resistance station_resistance(const StationSet& stations, co
     for (VF& x : out.spin_drag) x = zero;
     out.mixed = out.couple = {{none, none, none}};
     out.turn = out.spin = out.lost.v = out.lost.u = none;
-    const Vec3 behind = columns(a.axes, lag - centre_velocity<true>(a, t));
+    // The wake remembers the body's fall. Where its ends outrun that, as a winged seed's do, their streams are other ones.
+    const Vec3 v = centre_velocity<true>(a, t);
+    const VF v2 = speed_squared(v);
+    const Vec3 behind = columns(a.axes, v2 / (v2 + dot(t.u, t.u)) * (lag - v));
     for (uint32_t i = 0; i < stations.count; ++i) add_station(stations.station[i], a, held, nu, behind, t, out);
     return out;
 }
