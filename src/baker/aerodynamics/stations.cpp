@@ -79,6 +79,26 @@ double lopsided(const Part& part, const PartMoments& m, const Vector3d& axis, do
     return square > 0.0 ? std::abs(third) / (m.area * square * root) + std::abs(axis.dot(m.centroid)) / root : 0.0;
 }
 
+// Mean square by which the slope along the chord differs from its mean in the same strip: a twist of the wing is no bend.
+double bend_along_chord(const Part& faces, const Plan& plan) {
+    constexpr std::size_t strips = 16;
+    std::array<std::array<double, 3>, strips> sums{};
+    const auto [low, high] = extent_of(faces, plan.span);
+    for (const Facet& f : refined(faces, plan.wing.span / strips)) {
+        const double x = (plan.span.dot(f.middle()) - low) / (high - low) * strips;
+        std::array<double, 3>& sum = sums[static_cast<std::size_t>(std::clamp(x, 0.0, strips - 1.0))];
+        const double slope = f.normal.dot(plan.chord) / f.normal.dot(plan.normal);
+        const std::array<double, 3> terms{1.0, slope, slope * slope};
+        for (std::size_t k = 0; k < 3; ++k) sum[k] += f.area * terms[k];
+    }
+    double area = 0.0, bend = 0.0;
+    for (const std::array<double, 3>& sum : sums) {
+        area += sum[0];
+        if (sum[0] > 0.0) bend += sum[2] - sum[1] * sum[1] / sum[0];
+    }
+    return area > 0.0 ? bend / area : 0.0;
+}
+
 Plan plan_of(Part part, const AerodynamicData& loads, double size) {
     Plan out;
     const std::size_t broad = broadside_of(loads);
@@ -112,17 +132,39 @@ Plan plan_of(Part part, const AerodynamicData& loads, double size) {
     const double ahead = -out.chord.dot(m.centroid);
     bool turn = ahead < 0.0;
     if (std::abs(ahead) < 0.02 * out.wing.chord) {
-        const Camber one = camber_of(part, m.centroid, out.chord, out.normal);
-        const Camber other = camber_of(part, m.centroid, -out.chord, out.normal);
-        turn = std::abs(other.incidence) > std::abs(one.incidence) * (1.0 + 1e-6) + 1e-6;
+        const double one = camber_of(part, m.centroid, out.chord, out.normal);
+        const double other = camber_of(part, m.centroid, -out.chord, out.normal);
+        turn = std::abs(other) > std::abs(one) * (1.0 + 1e-6) + 1e-6;
     }
     if (turn) {
         out.chord = -out.chord;
         out.span = -out.span;
     }
-    out.curved = out.chord.dot(m.normals * out.chord) > bent_chord;
+    out.curved = bend_along_chord(faces, out) > bent_chord;
     out.part = std::move(part);
     return out;
+}
+
+// Arms in one line that meet are one wing.
+void join_arms(std::vector<Plan>& plans) {
+    const auto middle = [](const Plan& p) { return moments_of(p.part).centroid; };
+    std::vector<shape::Wing> joined;
+    for (const Plan& a : plans) {
+        joined.push_back(a.wing);
+        for (const Plan& b : plans) {
+            if (&a == &b || a.lump || b.lump || std::abs(a.span.dot(b.span)) < 0.98 ||
+                std::abs(a.normal.dot(b.normal)) < 0.98)
+                continue;
+            const Vector3d apart = middle(b) - middle(a);
+            const double along = std::abs(a.span.dot(apart)), length = 0.5 * (a.wing.span + b.wing.span);
+            if (std::abs(along - length) > 0.2 * length ||
+                (apart.squaredNorm() - along * along) > 0.0625 * a.wing.chord * a.wing.chord)
+                continue;
+            joined.back().span += b.wing.span;
+            joined.back().area += b.wing.area;
+        }
+    }
+    for (std::size_t i = 0; i < plans.size(); ++i) plans[i].wing = joined[i];
 }
 
 struct Body {
@@ -165,12 +207,7 @@ StationData station_of(const Part& part, const Plan& plan, const Grid& grid, dou
         width > 0.0 ? std::min((whole_chord ? g.area[2] : plan.wing.area) / width, plan.wing.chord) : 0.0;
     const double aspect = plan.wing.area > 0.0 ? plan.wing.span * plan.wing.span / plan.wing.area : 0.0;
     out.added_mass = 0.25 * std::numbers::pi * own_chord * g.area[2] * aspect / (1.0 + aspect);
-    if (whole_chord && !plan.lump && plan.wing.area > 0.0 && g.area[2] > 0.0) {
-        const Camber camber = camber_of(part, m.centroid, chord, normal);
-        out.camber = std::clamp(camber.incidence, -0.5, 0.5);
-        // Kirchhoff's equations put the lift of incidence at the quarter chord, but do not know that of the camber.
-        out.camber_moment = own_chord * (g.area[2] * camber.moment + 0.25 * out.plate_lift[0] * out.camber);
-    }
+    if (whole_chord && !plan.lump) out.camber = std::clamp(camber_of(part, m.centroid, chord, normal), -0.5, 0.5);
     // Creeping flow is the body's, by area; along this part's axes.
     for (std::size_t k = 0; k < 3; ++k)
         for (std::size_t i = 0; i < 3; ++i) {
@@ -337,6 +374,7 @@ Stations make_stations(const Mesh& mesh, const AerodynamicData& loads, const Vec
         for (Part& part : split_by_outline(std::move(groups[i]), n, most))
             plans.push_back(plan_of(std::move(part), loads, size));
     }
+    join_arms(plans);
     const Body body{size, m.area, options, loads};
     std::vector<Grid> fine;
     for (const Plan& plan : plans) fine.push_back(plan.lump ? Grid{} : plan.curved ? Grid{8, 8} : Grid{32, 1});
