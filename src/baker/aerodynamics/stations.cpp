@@ -23,7 +23,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double good_error = 0.06;     // no more stations below
+constexpr double good_error = 0.08;     // no more stations below
 constexpr double bad_error = 0.2;       // warned of
 constexpr double flat = 0.015;          // mean squared sine of the tilt: a cap with a rise of 0.04 diameters
 constexpr double bent_chord = 0.008;    // of the tilt along the chord, above which the chord is cut too: less is camber
@@ -175,6 +175,7 @@ struct Body {
 
 struct Grid {
     std::size_t along_span = 1, along_chord = 1;
+    bool operator==(const Grid&) const = default;
     std::size_t count() const { return along_span * along_chord; }
 };
 
@@ -281,9 +282,25 @@ std::vector<Choice> choices_of(const Plan& plan, std::size_t most, const LoadsWi
     return out;
 }
 
+// For each plan the first of about its size: arms of a cross must be cut alike, or a symmetric body would have a preferred side.
+std::vector<std::size_t> first_alike(const std::vector<Plan>& plans) {
+    const auto close = [](double a, double b) { return std::abs(a - b) < 0.05 * a; };
+    std::vector<std::size_t> out;
+    for (const Plan& p : plans)
+        out.push_back(static_cast<std::size_t>(std::find_if(plans.begin(), plans.end(),
+                                                            [&](const Plan& q) {
+                                                                return q.lump == p.lump && q.curved == p.curved &&
+                                                                       close(p.wing.area, q.wing.area) &&
+                                                                       close(p.wing.span, q.wing.span) &&
+                                                                       close(p.wing.chord, q.wing.chord);
+                                                            }) -
+                                               plans.begin()));
+    return out;
+}
+
 // The fewest stations with a good error, or the least error, of all combinations.
-std::vector<Grid> best_grids(const std::vector<std::vector<Choice>>& choices, std::size_t most,
-                             const std::vector<Wrench>& reference) {
+std::vector<Grid> best_grids(const std::vector<std::vector<Choice>>& choices, const std::vector<std::size_t>& like,
+                             std::size_t most, const std::vector<Wrench>& reference) {
     std::vector<Grid> best, grids(choices.size());
     double least = 0.0;
     std::size_t fewest = 0;
@@ -303,6 +320,7 @@ std::vector<Grid> best_grids(const std::vector<std::vector<Choice>>& choices, st
         const std::size_t left = choices.size() - plan - 1;
         for (const Choice& choice : choices[plan]) {
             if (count + choice.grid.count() + left > most) continue;
+            if (like[plan] < plan && !(choice.grid == grids[like[plan]])) continue;
             std::vector<Wrench> next = sum;
             for (std::size_t i = 0; i < next.size(); ++i) next[i] += choice.loads[i];
             grids[plan] = choice.grid;
@@ -394,7 +412,7 @@ Stations make_stations(const Mesh& mesh, const AerodynamicData& loads, const Vec
     std::vector<std::vector<Choice>> choices;
     for (const Plan& plan : plans)
         choices.push_back(choices_of(plan, options.most - plans.size() + 1, loads_with, body));
-    const std::vector<Grid> grids = best_grids(choices, options.most, reference);
+    const std::vector<Grid> grids = best_grids(choices, first_alike(plans), options.most, reference);
     std::vector<StationData> best = stations_of(plans, grids, body);
     const double error = difference(loads_with(best), reference);
     if (best.size() < 2) return out;
