@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -76,15 +75,14 @@ bool height_at(const Section& section, double x, double& height) {
 }
 } // namespace
 
-Camber camber_of(const Part& strip, const Vector3d& at, const Vector3d& chord, const Vector3d& normal) {
-    Camber out;
+double camber_of(const Part& strip, const Vector3d& at, const Vector3d& chord, const Vector3d& normal) {
     const Section section = section_of(strip, at, chord, normal);
     const double length = section.trailing - section.leading;
-    if (!(length > 0.0)) return out;
+    if (!(length > 0.0)) return 0.0;
     // x = leading + length (1 - cos t)/2: heights at odd half steps, slopes and weights between them; the outermost stand for the edges too.
     const Angle half = half_step();
     Angle t = half;
-    double before = 0.0, x_before = 0.0, sums[3] = {}; // of the slope times cos 0, t and 2t
+    double before = 0.0, x_before = 0.0, sum = 0.0; // of the slope times cos t - 1
     bool begun = false;
     for (int i = 0; i < steps; ++i) {
         const double x = section.leading + 0.5 * length * (1.0 - t.cosine);
@@ -95,9 +93,7 @@ Camber camber_of(const Part& strip, const Vector3d& at, const Vector3d& chord, c
                 middle.turn_by({half.cosine, -half.sine});
                 const double slope = (height - before) / (x - x_before);
                 const double weight = i == 1 || i + 1 == steps ? 1.5 : 1.0;
-                sums[0] += weight * slope;
-                sums[1] += weight * slope * middle.cosine;
-                sums[2] += weight * slope * (2.0 * middle.cosine * middle.cosine - 1.0);
+                sum += weight * slope * (middle.cosine - 1.0);
             }
             begun = true;
             before = height;
@@ -106,9 +102,6 @@ Camber camber_of(const Part& strip, const Vector3d& at, const Vector3d& chord, c
         t.turn_by(half);
         t.turn_by(half);
     }
-    // With A_n = 2/pi int slope cos(n t) dt: zero lift at -1/pi int slope (cos t - 1) dt, Cm = -pi/4 (A_1 - A_2).
-    out.incidence = (sums[1] - sums[0]) / steps;
-    out.moment = -0.5 * std::numbers::pi * (sums[1] - sums[2]) / steps;
-    return out;
+    return sum / steps;
 }
 } // namespace lr::baker

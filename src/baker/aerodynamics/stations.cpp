@@ -23,7 +23,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double good_error = 0.06;     // no more stations below
+constexpr double good_error = 0.08;     // no more stations below
 constexpr double bad_error = 0.2;       // warned of
 constexpr double flat = 0.015;          // mean squared sine of the tilt: a cap with a rise of 0.04 diameters
 constexpr double bent_chord = 0.008;    // of the tilt along the chord, above which the chord is cut too: less is camber
@@ -79,6 +79,26 @@ double lopsided(const Part& part, const PartMoments& m, const Vector3d& axis, do
     return square > 0.0 ? std::abs(third) / (m.area * square * root) + std::abs(axis.dot(m.centroid)) / root : 0.0;
 }
 
+// Mean square by which the slope along the chord differs from its mean in the same strip: a twist of the wing is no bend.
+double bend_along_chord(const Part& faces, const Plan& plan) {
+    constexpr std::size_t strips = 16;
+    std::array<std::array<double, 3>, strips> sums{};
+    const auto [low, high] = extent_of(faces, plan.span);
+    for (const Facet& f : refined(faces, plan.wing.span / strips)) {
+        const double x = (plan.span.dot(f.middle()) - low) / (high - low) * strips;
+        std::array<double, 3>& sum = sums[static_cast<std::size_t>(std::clamp(x, 0.0, strips - 1.0))];
+        const double slope = f.normal.dot(plan.chord) / f.normal.dot(plan.normal);
+        const std::array<double, 3> terms{1.0, slope, slope * slope};
+        for (std::size_t k = 0; k < 3; ++k) sum[k] += f.area * terms[k];
+    }
+    double area = 0.0, bend = 0.0;
+    for (const std::array<double, 3>& sum : sums) {
+        area += sum[0];
+        if (sum[0] > 0.0) bend += sum[2] - sum[1] * sum[1] / sum[0];
+    }
+    return area > 0.0 ? bend / area : 0.0;
+}
+
 Plan plan_of(Part part, const AerodynamicData& loads, double size) {
     Plan out;
     const std::size_t broad = broadside_of(loads);
@@ -112,17 +132,39 @@ Plan plan_of(Part part, const AerodynamicData& loads, double size) {
     const double ahead = -out.chord.dot(m.centroid);
     bool turn = ahead < 0.0;
     if (std::abs(ahead) < 0.02 * out.wing.chord) {
-        const Camber one = camber_of(part, m.centroid, out.chord, out.normal);
-        const Camber other = camber_of(part, m.centroid, -out.chord, out.normal);
-        turn = std::abs(other.incidence) > std::abs(one.incidence) * (1.0 + 1e-6) + 1e-6;
+        const double one = camber_of(part, m.centroid, out.chord, out.normal);
+        const double other = camber_of(part, m.centroid, -out.chord, out.normal);
+        turn = std::abs(other) > std::abs(one) * (1.0 + 1e-6) + 1e-6;
     }
     if (turn) {
         out.chord = -out.chord;
         out.span = -out.span;
     }
-    out.curved = out.chord.dot(m.normals * out.chord) > bent_chord;
+    out.curved = bend_along_chord(faces, out) > bent_chord;
     out.part = std::move(part);
     return out;
+}
+
+// Arms in one line that meet are one wing.
+void join_arms(std::vector<Plan>& plans) {
+    const auto middle = [](const Plan& p) { return moments_of(p.part).centroid; };
+    std::vector<shape::Wing> joined;
+    for (const Plan& a : plans) {
+        joined.push_back(a.wing);
+        for (const Plan& b : plans) {
+            if (&a == &b || a.lump || b.lump || std::abs(a.span.dot(b.span)) < 0.98 ||
+                std::abs(a.normal.dot(b.normal)) < 0.98)
+                continue;
+            const Vector3d apart = middle(b) - middle(a);
+            const double along = std::abs(a.span.dot(apart)), length = 0.5 * (a.wing.span + b.wing.span);
+            if (std::abs(along - length) > 0.2 * length ||
+                (apart.squaredNorm() - along * along) > 0.0625 * a.wing.chord * a.wing.chord)
+                continue;
+            joined.back().span += b.wing.span;
+            joined.back().area += b.wing.area;
+        }
+    }
+    for (std::size_t i = 0; i < plans.size(); ++i) plans[i].wing = joined[i];
 }
 
 struct Body {
@@ -133,6 +175,7 @@ struct Body {
 
 struct Grid {
     std::size_t along_span = 1, along_chord = 1;
+    bool operator==(const Grid&) const = default;
     std::size_t count() const { return along_span * along_chord; }
 };
 
@@ -165,12 +208,7 @@ StationData station_of(const Part& part, const Plan& plan, const Grid& grid, dou
         width > 0.0 ? std::min((whole_chord ? g.area[2] : plan.wing.area) / width, plan.wing.chord) : 0.0;
     const double aspect = plan.wing.area > 0.0 ? plan.wing.span * plan.wing.span / plan.wing.area : 0.0;
     out.added_mass = 0.25 * std::numbers::pi * own_chord * g.area[2] * aspect / (1.0 + aspect);
-    if (whole_chord && !plan.lump && plan.wing.area > 0.0 && g.area[2] > 0.0) {
-        const Camber camber = camber_of(part, m.centroid, chord, normal);
-        out.camber = std::clamp(camber.incidence, -0.5, 0.5);
-        // Kirchhoff's equations put the lift of incidence at the quarter chord, but do not know that of the camber.
-        out.camber_moment = own_chord * (g.area[2] * camber.moment + 0.25 * out.plate_lift[0] * out.camber);
-    }
+    if (whole_chord && !plan.lump) out.camber = std::clamp(camber_of(part, m.centroid, chord, normal), -0.5, 0.5);
     // Creeping flow is the body's, by area; along this part's axes.
     for (std::size_t k = 0; k < 3; ++k)
         for (std::size_t i = 0; i < 3; ++i) {
@@ -244,9 +282,25 @@ std::vector<Choice> choices_of(const Plan& plan, std::size_t most, const LoadsWi
     return out;
 }
 
+// For each plan the first of about its size: arms of a cross must be cut alike, or a symmetric body would have a preferred side.
+std::vector<std::size_t> first_alike(const std::vector<Plan>& plans) {
+    const auto close = [](double a, double b) { return std::abs(a - b) < 0.05 * a; };
+    std::vector<std::size_t> out;
+    for (const Plan& p : plans)
+        out.push_back(static_cast<std::size_t>(std::find_if(plans.begin(), plans.end(),
+                                                            [&](const Plan& q) {
+                                                                return q.lump == p.lump && q.curved == p.curved &&
+                                                                       close(p.wing.area, q.wing.area) &&
+                                                                       close(p.wing.span, q.wing.span) &&
+                                                                       close(p.wing.chord, q.wing.chord);
+                                                            }) -
+                                               plans.begin()));
+    return out;
+}
+
 // The fewest stations with a good error, or the least error, of all combinations.
-std::vector<Grid> best_grids(const std::vector<std::vector<Choice>>& choices, std::size_t most,
-                             const std::vector<Wrench>& reference) {
+std::vector<Grid> best_grids(const std::vector<std::vector<Choice>>& choices, const std::vector<std::size_t>& like,
+                             std::size_t most, const std::vector<Wrench>& reference) {
     std::vector<Grid> best, grids(choices.size());
     double least = 0.0;
     std::size_t fewest = 0;
@@ -266,6 +320,7 @@ std::vector<Grid> best_grids(const std::vector<std::vector<Choice>>& choices, st
         const std::size_t left = choices.size() - plan - 1;
         for (const Choice& choice : choices[plan]) {
             if (count + choice.grid.count() + left > most) continue;
+            if (like[plan] < plan && !(choice.grid == grids[like[plan]])) continue;
             std::vector<Wrench> next = sum;
             for (std::size_t i = 0; i < next.size(); ++i) next[i] += choice.loads[i];
             grids[plan] = choice.grid;
@@ -337,6 +392,7 @@ Stations make_stations(const Mesh& mesh, const AerodynamicData& loads, const Vec
         for (Part& part : split_by_outline(std::move(groups[i]), n, most))
             plans.push_back(plan_of(std::move(part), loads, size));
     }
+    join_arms(plans);
     const Body body{size, m.area, options, loads};
     std::vector<Grid> fine;
     for (const Plan& plan : plans) fine.push_back(plan.lump ? Grid{} : plan.curved ? Grid{8, 8} : Grid{32, 1});
@@ -356,7 +412,7 @@ Stations make_stations(const Mesh& mesh, const AerodynamicData& loads, const Vec
     std::vector<std::vector<Choice>> choices;
     for (const Plan& plan : plans)
         choices.push_back(choices_of(plan, options.most - plans.size() + 1, loads_with, body));
-    const std::vector<Grid> grids = best_grids(choices, options.most, reference);
+    const std::vector<Grid> grids = best_grids(choices, first_alike(plans), options.most, reference);
     std::vector<StationData> best = stations_of(plans, grids, body);
     const double error = difference(loads_with(best), reference);
     if (best.size() < 2) return out;
