@@ -160,20 +160,45 @@ HWY_INLINE Twist resisted(const Resistance& k, const Twist& t) {
     return {v, u};
 }
 
+// How the products of momentum with velocity and spin change with the momentum, near a motion: blocks from v and u.
+struct Products {
+    Matrix v_of_v, v_of_u, u_of_v, u_of_u;
+};
+template <class C> HWY_INLINE Products products(const C& c, VF g, const Twist& t) {
+    const auto* const m = c.full_mass;
+    const auto matrix = [&](int i0, int i1, int i2, int i3, int i4, int i5, int i6, int i7, int i8) LR_LAMBDA {
+        return Matrix{{{constant(m[i0]), constant(m[i1]), constant(m[i2])},
+                       {constant(m[i3]), constant(m[i4]), constant(m[i5])},
+                       {constant(m[i6]), constant(m[i7]), constant(m[i8])}}};
+    };
+    const Matrix first = matrix(0, 1, 2, 1, 6, 7, 2, 7, 11), mixed = matrix(3, 4, 5, 8, 9, 10, 12, 13, 14);
+    const Matrix last = matrix(15, 16, 17, 16, 18, 19, 17, 19, 20);
+    const auto times = [](Vec3 a, const Matrix& b) LR_LAMBDA {
+        return Matrix{
+            {a.z * b.row[1] - a.y * b.row[2], a.x * b.row[2] - a.z * b.row[0], a.y * b.row[0] - a.x * b.row[1]}};
+    };
+    const Vec3 v = g * t.v, u = g * t.u;
+    return {times(u, first), times(u, mixed), times(v, first) + times(u, transposed(mixed)),
+            times(v, mixed) + times(u, last)};
+}
+HWY_INLINE Twist operator*(const Products& p, const Twist& t) {
+    return {p.v_of_v * t.v + p.v_of_u * t.u, p.u_of_v * t.v + p.u_of_u * t.u};
+}
+
 // (M + theta (S - W))^-1: the block of v inverted, the rest by its Schur complement. Positive definite plus skew needs no pivots.
 struct Factors {
     Matrix inverse;      // of the block of v
     Matrix right, below; // inverse times the block from u to v; the block back times inverse
     Columns rest;
 };
-template <class C> HWY_INLINE Factors factors(const C& c, VF theta, const Resistance& k) {
+template <class C> HWY_INLINE Factors factors(const C& c, VF theta, const Resistance& k, const Products& p) {
     const auto* const m = c.full_mass;
     const Vec3 turn = theta * k.turn;
     const auto entry = [&](int i) LR_LAMBDA { return theta * k.drag[i]; };
     const VF xy0 = constant(m[1]) + entry(1), xz0 = constant(m[2]) + entry(2), yz0 = constant(m[7]) + entry(4);
-    const Vec3 a0{constant(m[0]) + entry(0), xy0 + turn.z, xz0 - turn.y};
-    const Vec3 a1{xy0 - turn.z, constant(m[6]) + entry(3), yz0 + turn.x};
-    const Vec3 a2{xz0 + turn.y, yz0 - turn.x, constant(m[11]) + entry(5)};
+    const Vec3 a0 = Vec3{constant(m[0]) + entry(0), xy0 + turn.z, xz0 - turn.y} - theta * p.v_of_v.row[0];
+    const Vec3 a1 = Vec3{xy0 - turn.z, constant(m[6]) + entry(3), yz0 + turn.x} - theta * p.v_of_v.row[1];
+    const Vec3 a2 = Vec3{xz0 + turn.y, yz0 - turn.x, constant(m[11]) + entry(5)} - theta * p.v_of_v.row[2];
     const Vec3 c0 = cross(a1, a2), c1 = cross(a2, a0), c2 = cross(a0, a1); // columns of the adjugate
     const VF over = constant(1.0f) / dot(a0, c0);
     const Matrix inverse{{over * Vec3{c0.x, c1.x, c2.x}, over * Vec3{c0.y, c1.y, c2.y}, over * Vec3{c0.z, c1.z, c2.z}}};
@@ -181,10 +206,10 @@ template <class C> HWY_INLINE Factors factors(const C& c, VF theta, const Resist
     const Matrix mass{{{constant(m[3]), constant(m[4]), constant(m[5])},
                        {constant(m[8]), constant(m[9]), constant(m[10])},
                        {constant(m[12]), constant(m[13]), constant(m[14])}}};
-    const Matrix couple = theta * k.couple, both = mass + theta * k.mixed, to = both - couple;
-    const Matrix back = transposed(both + couple);
+    const Matrix couple = theta * k.couple, both = mass + theta * k.mixed, to = both - couple - theta * p.v_of_u;
+    const Matrix back = transposed(both + couple) - theta * p.u_of_v;
     Factors out{inverse, inverse * to, back * inverse, {}};
-    const Matrix schur = back * out.right;
+    const Matrix schur = back * out.right + theta * p.u_of_u;
     const Vec3 spin = theta * k.spin;
     const VF* const s = k.spin_drag;
     const VF xx = constant(m[15]) + theta * s[0], xy = constant(m[16]) + theta * s[1],
@@ -249,7 +274,8 @@ template <class C> HWY_INLINE Vec3 station_substep(const StepInput& in, const C&
     Quaternion q = normalised(turn(b.q, b.q, turning, start.u));
     Vec3 couple = body_shedding_couple(in, c, held, b.shedding, nu, centre_velocity<true>(a, start));
     Resistance k = resistance(in, c, held, nu, b, start, fluid_spin(b.q), push);
-    Factors f = factors(c, constant(0.25f * h), k);
+    Products p = products(c, held.inverse_length, start);
+    Factors f = factors(c, constant(0.25f * h), k, p);
     const Twist half = solve(f, constant(0.5f * h) * (applied(c, held, q, couple) + push + resisted(k, start)));
     const Twist middle = start + half;
 
@@ -257,13 +283,26 @@ template <class C> HWY_INLINE Vec3 station_substep(const StepInput& in, const C&
     const Vec3 v = centre_velocity<true>(a, middle);
     couple = body_shedding_couple(in, c, held, b.shedding, nu, v);
     k = resistance(in, c, held, nu, b, middle, fluid_spin(q), push);
-    f = factors(c, constant(gamma * h), k);
-    const Twist r = constant(h) * (applied(c, held, q, couple) + push + resisted(k, start));
+    p = products(c, held.inverse_length, middle);
+    f = factors(c, constant(gamma * h), k, p);
+    const Twist force = applied(c, held, q, couple) + push;
+    const Twist r = constant(h) * (force + resisted(k, start) - p * half);
     const Twist first = solve(f, r);
     // h (W - S) first = (M first - r)/gamma
     constexpr float rest = (1.0f - gamma) / gamma;
     const Twist second = solve(f, r - constant(rest) * (r - momentum<true>(c, first)));
     b.t = start + (constant(1.0f - gamma) * first + constant(gamma) * second);
+
+    // The change of the products is not skew: no step may gain more energy than its forces give.
+    const auto energy = [&](const Twist& t) LR_LAMBDA {
+        const Twist m = momentum<true>(c, t);
+        return dot(m.v, t.v) + dot(m.u, t.u);
+    };
+    const Twist sum = start + b.t;
+    const VF most = hn::Max(energy(start) + constant(h) * (dot(force.v, sum.v) + dot(force.u, sum.u)), hn::Zero(DF()));
+    const VF now = energy(b.t);
+    const VF kept = hn::Sqrt(most / hn::Max(now, constant(1e-30f)));
+    b.t = hn::Min(kept, constant(1.0f)) * b.t;
 
     const VF g = stretched(constant(0.5f) * (start.u + b.t.u), constant(0.5f * h) * held.inverse_length);
     const Quaternion q1 = normalised(turn(b.q, b.q, g, constant(0.5f) * (start.u + b.t.u)));
