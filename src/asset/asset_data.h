@@ -126,8 +126,7 @@ struct StationData {
         lift_arm{}; // m, along chord and span: how far aft of `place` attached lift acts, besides Munk's moment
     double separated_shedding =
         0.0; // m^3, the part of the added mass along the normal whose momentum a separated stream leaves behind
-    double camber = 0.0;        // incidence at which a stream along the chord lifts nothing, with its sign reversed
-    double camber_moment = 0.0; // m^3, nose up: couple over rho/2 U^2 at that incidence
+    double camber = 0.0; // incidence at which a stream along the chord lifts nothing, with its sign reversed
 };
 inline constexpr size_t most_stations = 8;
 
@@ -149,8 +148,7 @@ inline constexpr size_t most_stations = 8;
 #define LR_STATION_NUMBERS(X)                                                                                          \
     X(plate_drag, 0.0, 1e6, 2.0)                                                                                       \
     X(separated_shedding, 0.0, 100.0, 3.0)                                                                             \
-    X(camber, -1.0, 1.0, 0.0)                                                                                          \
-    X(camber_moment, -1e6, 1e6, 3.0)
+    X(camber, -1.0, 1.0, 0.0)
 
 // Null if a body of any size can have these loads, else the reason.
 const char* wrong_in(const AerodynamicData& loads);

@@ -35,12 +35,13 @@ double normal_force(const StationData& t, const Vector3d& u) {
 }
 } // namespace
 
-Wrench loads_of(const StationData& t, const Motion& motion, double viscosity, double length, const Vector3d& lift) {
+Wrench loads_of(const StationData& t, const Motion& motion, double viscosity, double length, const Vector3d* lift) {
     const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> axes(t.axes.data());
     const Vector3d place = vector_of(t.place);
     const Vector3d u = axes * (motion.velocity + motion.spin.cross(place)), w = axes * motion.spin;
     const double s2 = u.squaredNorm(), s = std::sqrt(s2);
     const double reynolds = s * length / viscosity, blunt = reynolds / (reynolds + 8710.0);
+    const double stream = lift ? s : std::abs(u.z());
     Vector3d force = Vector3d::Zero(), moment = Vector3d::Zero(), circulation = Vector3d::Zero();
     const double most = std::max({t.spin_drag[0], t.spin_drag[1], t.spin_drag[2]});
     double whirl = 0.0;
@@ -55,11 +56,11 @@ Wrench loads_of(const StationData& t, const Motion& motion, double viscosity, do
         force -= part * 0.5 * (t.drag[k] + t.drag_blunt[k] * blunt) * s * u;
         force[at] -= (t.drag_layer[k] * std::sqrt(viscosity * s) + t.drag_stokes[k] * viscosity) * u[at];
         circulation[at] = t.spin_lift[k] * w[at];
-        if (s > 0.0) circulation[at] -= lift[at] * u[(at + 1) % 3] * u[(at + 2) % 3] / s;
-        moment[at] -= (t.spin_drag[k] * whirl + t.spin_drag_stream[k] * s + t.spin_drag_stokes[k] * viscosity) * w[at];
+        if (s > 0.0 && lift) circulation[at] -= (*lift)[at] * u[(at + 1) % 3] * u[(at + 2) % 3] / s;
+        moment[at] -=
+            (t.spin_drag[k] * whirl + t.spin_drag_stream[k] * stream + t.spin_drag_stokes[k] * viscosity) * w[at];
     }
     force.z() -= 0.5 * normal_force(t, {u.x(), u.y(), u.z() - t.camber * std::abs(u.x())});
-    moment.y() -= 0.5 * t.camber_moment * u.x() * std::abs(u.x());
     force += circulation.cross(u);
     Wrench out;
     const Vector3d f = axes.transpose() * force;

@@ -17,10 +17,10 @@ struct Motion {
     Eigen::Vector3d velocity, spin;
 };
 
-// Steady loads of one station: docs/maintainers/physics.md, "Stations". length: that of the Reynolds number. lift: of AerodynamicData, for a body
-// that is one station.
+// Steady loads of one station, without the momentum of the fluid and what corrects it: docs/maintainers/physics.md, "Stations". length: that of the
+// Reynolds number. lift: of AerodynamicData, for a body that is one station; else null.
 Wrench loads_of(const StationData& station, const Motion& motion, double viscosity, double length,
-                const Eigen::Vector3d& lift = Eigen::Vector3d::Zero());
+                const Eigen::Vector3d* lift = nullptr);
 
 // A whole body's loads in the form of one station. center: of its loads, from the centre of mass.
 StationData as_station(const AerodynamicData& loads, const Eigen::Vector3d& center, Eigen::Vector3d& lift);

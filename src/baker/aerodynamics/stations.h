@@ -40,7 +40,8 @@ struct Stations {
 Stations make_stations(const Mesh& mesh, const AerodynamicData& loads, const Eigen::Vector3d& center,
                        const StationOptions& options);
 
-// Scales the added masses so that their sum along the body's broadside normal is that of the matrix.
+// From the added masses of strips, scaled so that their sum along the body's broadside normal is that of the matrix: where attached lift acts, and the
+// momentum that separated streams leave behind.
 void share_added_mass(const AerodynamicData& loads, const std::array<double, 36>& added_mass,
                       std::vector<StationData>& stations);
 } // namespace lr::baker

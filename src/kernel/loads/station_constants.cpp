@@ -54,8 +54,6 @@ void make_station(const StationData& from, double d, double start_drag, StationC
     to.start_drag = static_cast<float>(0.5 * d * from.plate_drag * start_drag);
     to.separated_shedding = static_cast<float>(from.separated_shedding);
     to.camber = static_cast<float>(from.camber);
-    to.camber_moment = static_cast<float>(0.5 * from.camber_moment);
-    put(cross(cross(r, axis[0]), axis[1]), 1.0, to.camber_turn);
 }
 } // namespace
 

@@ -17,7 +17,7 @@ struct StationConstants {
     float lift[2], vortex[2], stall[2]; // along chord and span; stall: the inverse
     float plate_drag, start_drag;
     float lift_arm[2], separated_shedding;
-    float camber, camber_moment, camber_turn[3]; // turn: (r x chord) x span
+    float camber;
 };
 
 struct StationSet {

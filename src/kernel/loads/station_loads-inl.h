@@ -113,17 +113,6 @@ HWY_INLINE void add_station(const StationConstants& k, const A& a, const Held& h
     const VF shed = separated * shedding_share(a, nu, hn::Sqrt(inverse_s2)) * constant(k.separated_shedding) *
                     constant(a.fluid[3]) * u.z;
     out.lost += Twist{shed * n, shed * arm};
-    if (k.camber_moment != 0.0f) {
-        // Nose up is about -span; the force on the chord that its work needs is not seen.
-        const VF moment = fluid_lift * attached * constant(k.camber_moment) * hn::Abs(u.x);
-        const Vec3 span = moment * broadcast(k.axes + 3);
-        const Vec3 chord = broadcast(k.axes);
-        for (int i = 0; i < 3; ++i) {
-            const VF e = i == 0 ? chord.x : i == 1 ? chord.y : chord.z;
-            out.couple.row[i] += e * span;
-        }
-        out.spin -= moment * broadcast(k.camber_turn);
-    }
 }
 
 template <class A>
