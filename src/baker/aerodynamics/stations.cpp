@@ -36,8 +36,8 @@ constexpr double far_from_convex = 0.5; // volume over the hull's
 constexpr double reynolds = 1e4;
 
 // Munk's moment puts the lift of a short wing further ahead of its middle than thin wings have it, at the quarter chord. Falls of discs fit best with
-// Munk's alone, caps and curled leaves need the quarter chord: half way.
-constexpr double quarter = 0.25, aft_share = 0.5;
+// Munk's alone, caps and curled leaves need more of the quarter chord: a third of the way.
+constexpr double quarter = 0.25, aft_share = 1.0 / 3.0;
 
 struct Plan {
     Part part;
