@@ -81,11 +81,6 @@ static void create_batch(scene* s, scene_batch* b) {
     check(lr_batch_contact_init(&contact, sizeof contact), "lr_batch_contact_init", NULL);
     contact.ground_effect = s->plan->ground_effect;
     check(lr_batch_set_contact(s->world, b->batch, &contact), "contact", NULL);
-    if (!(s->plan->lift > 0.0f)) return;
-    lr_load_gains gains;
-    check(lr_load_gains_init(&gains, sizeof gains), "lr_load_gains_init", NULL);
-    gains.lift = s->plan->lift;
-    check(lr_batch_set_load_gains(s->world, b->batch, &gains), "gains", NULL);
 }
 
 /* Old bodies, and bodies outside the visible part, respawn. */

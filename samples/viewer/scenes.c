@@ -119,7 +119,6 @@ const scene_plan scene_plans[scene_plan_count] = {
      .ground = ground_boards,
      .life = 16.0f,
      .ready = 0.6f,
-     .lift = 2.5f, /* of plates; darts sink less: docs/maintainers/measurements.md */
      .ground_effect = 0.5f,
      .initially = {{0.0f, 0.0f, 0.0f, 0.0f, 320.0f, 1.0f, 4.0f, 0.0f, 0.0f}},
      .camera = {{0.0f, 0.65f, 0.0f}, 3.0f, 0.35f, 0.26f}},

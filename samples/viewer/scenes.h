@@ -44,7 +44,6 @@ typedef struct scene_plan {
     float life;         /* s from spawn to respawn */
     float ready;        /* elapsed part of a life of bodies in the air at the start; 0: an empty sky */
     float ground_effect;
-    float lift; /* gain of the loads; 0: 1 */
     settings initially;
     camera camera;
 } scene_plan;
