@@ -15,8 +15,8 @@ Vector3d vector_of(const std::array<double, 3>& a) {
     return {a[0], a[1], a[2]};
 }
 
-// Over rho/2, against the normal; u: the stream as seen with camber.
-double normal_force(const StationData& t, const Vector3d& u) {
+// Over rho/2, against the normal; u: the stream as seen with camber. Stations stall more gently than a whole plate.
+double normal_force(const StationData& t, const Vector3d& u, bool whole) {
     const double along = u.x() * u.x() + u.y() * u.y(), s2 = along + u.z() * u.z();
     if (!(s2 > 0.0) || !(t.plate_drag > 0.0)) return 0.0;
     const double s = std::sqrt(s2), sine2 = u.z() * u.z() / s2;
@@ -27,7 +27,7 @@ double normal_force(const StationData& t, const Vector3d& u) {
         vortex = chord * t.plate_vortex[0] + span * t.plate_vortex[1];
         const double limit = 1.0 / std::max(chord / t.plate_stall[0] + span / t.plate_stall[1], 1.0);
         const double x = sine2 / limit * (sine2 / limit);
-        const double left = (1.0 - limit) * x * x;
+        const double left = (1.0 - limit) * (whole ? x * x : x);
         attached = 1.0 - sine2 + left > 0.0 ? (1.0 - sine2) / (1.0 - sine2 + left) : 0.0;
     }
     return u.z() * (attached * (slope * std::sqrt(along) + vortex * std::abs(u.z())) +
@@ -60,7 +60,7 @@ Wrench loads_of(const StationData& t, const Motion& motion, double viscosity, do
         moment[at] -=
             (t.spin_drag[k] * whirl + t.spin_drag_stream[k] * stream + t.spin_drag_stokes[k] * viscosity) * w[at];
     }
-    force.z() -= 0.5 * normal_force(t, {u.x(), u.y(), u.z() - t.camber * std::abs(u.x())});
+    force.z() -= 0.5 * normal_force(t, {u.x(), u.y(), u.z() - t.camber * std::abs(u.x())}, lift);
     force += circulation.cross(u);
     Wrench out;
     const Vector3d f = axes.transpose() * force;

@@ -205,8 +205,8 @@ template <bool kFull, class A> HWY_INLINE Vec3 load_spin(const A& c, Twist t) {
     return rows(c.axes, t.u);
 }
 
-// Real leaves differ. Thickness multiplies all loads, as they are per mass; curl the lift. Both factors are uniform with the same deviation, from a
-// hash of the noise seed (finalizer of MurmurHash3).
+// Real leaves differ. Thickness multiplies all loads, as they are per mass; curl the lift, unless stations have it. Both factors are uniform with the
+// same deviation, from a hash of the noise seed (finalizer of MurmurHash3).
 HWY_INLINE void vary(const StepInput& in, VU noise_seed, Held& held) {
     held.drag = held.lift = held.inverse_length;
     if (in.variation == 0.0f) return;
@@ -220,7 +220,8 @@ HWY_INLINE void vary(const StepInput& in, VU noise_seed, Held& held) {
         return from_signed(bits) * constant(most / 32768.0f) + constant(1.0f - most * (65535.0f / 65536.0f));
     };
     held.drag = held.inverse_length * factor(hn::ShiftRight<16>(x));
-    held.lift = held.drag * factor(hn::And(x, hn::Set(du, 0xffffu)));
+    held.lift = held.drag;
+    if (in.body.stations.count == 0) held.lift *= factor(hn::And(x, hn::Set(du, 0xffffu)));
 }
 
 // The sum of all loads as force and torque about the centre of mass, body axes, for Runge-Kutta.

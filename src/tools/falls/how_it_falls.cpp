@@ -61,10 +61,10 @@ Falls drop_and_measure(const lr_asset* asset, const Drop& options, std::vector<F
 }
 
 std::string sentence(const Falls& falls, const Shape& shape) {
-    const double speed = std::abs(falls.descent.mean);
+    const double speed = std::abs(falls.descent.p50);
     if (speed < 0.02 * shape.length) return "floats";
     const bool liquid = shape.fluid_density > 100.0;
-    const std::string verb = falls.descent.mean < 0.0 ? "rises" : liquid ? "sinks" : "falls";
+    const std::string verb = falls.descent.p50 < 0.0 ? "rises" : liquid ? "sinks" : "falls";
     if (!falls.settled)
         return verb + " at " + speed_text(std::abs(falls.last_quarter)) + " (not settled yet), " + manner(falls);
     return verb + " at about " + speed_text(speed) + ", " + manner(falls);
