@@ -291,8 +291,8 @@ TEST_CASE("stations: a body with two equal sides keeps its mirror symmetry") {
         for (int i = 0; i < 20; ++i) {
             lr_body_desc d = moving(random, 0.6, 4.0);
             const lr_body one = add_body(world, batch, d);
-            for (float* x : {d.orientation, d.orientation + 2, d.linear_velocity + 1, d.angular_velocity,
-                             d.angular_velocity + 2})
+            for (float* x :
+                 {d.orientation, d.orientation + 2, d.linear_velocity + 1, d.angular_velocity, d.angular_velocity + 2})
                 *x = -*x;
             pairs.push_back({one, add_body(world, batch, d)});
         }
