@@ -257,16 +257,16 @@ TEST_CASE("stations: bent, pierced and crossed sheets have some, and the error i
         Mesh mesh;
         double error;
     };
-    const Row rows[] = {{"shallow cap", cap(0.05, 12), 0.10},
-                        {"cap", cap(0.1, 12), 0.12},
-                        {"leaf curled a little", curled(0.6, 8), 0.08},
-                        {"leaf curled", curled(1.5, 8), 0.13},
-                        {"ring", ring(0.5, 6), 0.08},
+    const Row rows[] = {{"shallow cap", cap(0.05, 12), 0.085},
+                        {"cap", cap(0.1, 12), 0.105},
+                        {"leaf curled a little", curled(0.6, 8), 0.075},
+                        {"leaf curled", curled(1.5, 8), 0.12},
+                        {"ring", ring(0.5, 6), 0.075},
                         {"thin ring", ring(0.8, 6), 0.15},
-                        {"cross", star(4, 2.5, 1.0), 0.08},
-                        {"snow crystal", star(6, 3.0, 0.5), 0.12}};
+                        {"cross", star(4, 2.5, 1.0), 0.03},
+                        {"snow crystal", star(6, 3.0, 0.5), 0.17}};
     for (const Row& r : rows) {
-        CAPTURE(r.name);
+        CAPTURE(std::string(r.name));
         const Made m = made(r.mesh, 0.005);
         CHECK(m.stations.at.size() >= 2);
         CHECK(m.stations.at.size() <= most_stations);
@@ -289,7 +289,7 @@ TEST_CASE("stations: a dart has wings and a keel, the same as a sheet and as a s
     const Made sheet = made(asset("paper_plane_surface.obj"), 1e-4), solid = made(asset("paper_plane.obj"), 0.0);
     for (const Made* m : {&sheet, &solid}) {
         REQUIRE(m->stations.at.size() > 3);
-        CHECK(m->stations.error < 0.1);
+        CHECK(m->stations.error < 0.115);
         std::size_t keel = 0;
         for (const StationData& s : m->stations.at) {
             if (std::abs(row(s, 2).y()) > 0.9) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "support/reference_aerodynamics.h"
+#include "support/reference_stations.h"
 #include "support/scene.h"
 #include "support/vector.h"
 
@@ -68,6 +69,8 @@ public:
     // Quasi-steady loads, when `aerodynamic`.
     ReferenceLoads loads;
     bool aerodynamic = false;
+    // Loads of stations instead, at a velocity and spin.
+    std::function<ReferenceStations::Loads(Vec, Vec)> stations;
 
     // The floor under the damping of spin: docs/maintainers/physics.md, "Viscous floor".
     static constexpr double viscous_floor = 0.02;
@@ -137,8 +140,14 @@ private:
             const double lost = loads.shed(v, w) * added_along(n) * (dot(n, v) + dot(arm, w));
             p = p - lost * n, l = l - lost * arm;
         }
-        Vec force = cross(p, w) + weight * g - a * upper(drag) + to_body(s.q, upper(world_force)) + upper(body_force);
-        Vec torque = cross(l, w) + cross(p, v) - displaced * cross(buoyancy_arm, g) - a * lower(drag) +
+        ReferenceStations::Loads parts;
+        if (stations) {
+            parts = stations(v, w);
+            p = p - parts.lost, l = l - parts.lost_moment;
+        }
+        Vec force = parts.force + cross(p, w) + weight * g - a * upper(drag) + to_body(s.q, upper(world_force)) +
+                    upper(body_force);
+        Vec torque = parts.torque + cross(l, w) + cross(p, v) - displaced * cross(buoyancy_arm, g) - a * lower(drag) +
                      to_body(s.q, lower(world_force)) + lower(body_force);
         if (aerodynamic) {
             const ReferenceLoads::Wrench load = loads(v, w);

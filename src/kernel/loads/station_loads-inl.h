@@ -269,8 +269,7 @@ template <class C> HWY_INLINE Vec3 station_substep(const StepInput& in, const C&
     const Twist middle = start + half;
 
     q = normalised(turn(b.q, b.q, turning, start.u + constant(0.5f) * half.u));
-    const Vec3 v = centre_velocity<true>(a, middle);
-    couple = body_shedding_couple(in, c, held, b.shedding, nu, v);
+    couple = body_shedding_couple(in, c, held, b.shedding, nu, centre_velocity<true>(a, middle));
     k = resistance(in, c, held, nu, b, middle, fluid_spin(q), push);
     p = products(c, held.inverse_length, middle);
     f = factors(c, constant(gamma * h), k, p);
@@ -282,22 +281,23 @@ template <class C> HWY_INLINE Vec3 station_substep(const StepInput& in, const C&
     const Twist second = solve(f, r - constant(rest) * (r - momentum<true>(c, first)));
     b.t = start + (constant(1.0f - gamma) * first + constant(gamma) * second);
 
-    // The change of the products is not skew: no step may gain more energy than its forces give.
-    const auto energy = [&](const Twist& t) LR_LAMBDA {
-        const Twist m = momentum<true>(c, t);
-        return dot(m.v, t.v) + dot(m.u, t.u);
-    };
-    const Twist sum = start + b.t;
-    const VF most = hn::Max(energy(start) + constant(h) * (dot(force.v, sum.v) + dot(force.u, sum.u)), hn::Zero(DF()));
-    const VF now = energy(b.t);
-    const VF kept = hn::Sqrt(most / hn::Max(now, constant(1e-30f)));
-    b.t = hn::Min(kept, constant(1.0f)) * b.t;
+    // The change of the products is not skew: no step may gain more energy than its forces give. kept: the share k of the new twist z at which
+    // k^2 z.Mz = start.M start + h f.(start + k z).
+    const auto work = [&](const Twist& a, const Twist& t) LR_LAMBDA { return dot(a.v, t.v) + dot(a.u, t.u); };
+    const auto energy = [&](const Twist& t) LR_LAMBDA { return work(momentum<true>(c, t), t); };
+    const VF now = energy(b.t), over = constant(1.0f) / hn::Max(now, constant(1e-30f));
+    const VF pushed = constant(0.5f * h) * over * work(force, b.t);
+    const VF begun = over * hn::Max(energy(start) + constant(h) * work(force, start), hn::Zero(DF()));
+    const VF kept = hn::Sqrt(pushed * pushed + begun) + pushed;
+    // Beyond single precision, or where the products leave no solution, a body is at rest in the fluid. NaN fails the comparison.
+    const Twist still{zero3(), zero3()};
+    b.t = select(now <= constant(1e30f), hn::Min(kept, constant(1.0f)) * b.t, still);
 
     const VF g = stretched(constant(0.5f) * (start.u + b.t.u), constant(0.5f * h) * held.inverse_length);
     const Quaternion q1 = normalised(turn(b.q, b.q, g, constant(0.5f) * (start.u + b.t.u)));
     b.x += constant(0.5f * h) * (to_world(b.q, start.v) + to_world(q1, b.t.v));
     b.q = q1;
-    return v;
+    return centre_velocity<true>(a, constant(0.5f) * (start + b.t)); // whose energy is bounded, unlike that of `middle`
 }
 
 // Force and torque for Runge-Kutta, with the products of the momentum shed.
