@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -34,6 +35,27 @@ std::vector<Coefficient> coefficients() {
 #undef LR_NUMBER
 }
 
+struct StationCoefficient {
+    const char* name;
+    std::function<double*(StationData&)> at;
+    size_t size;
+    double least, most, power;
+};
+std::vector<StationCoefficient> station_coefficients() {
+#define LR_VECTOR(name, least, most, power)                                                                            \
+    {#name, [](StationData& s) { return s.name.data(); }, 3, least, most, power},
+#define LR_NUMBER(name, least, most, power) {#name, [](StationData& s) { return &s.name; }, 1, least, most, power},
+    return {LR_STATION_VECTORS(LR_VECTOR) LR_STATION_NUMBERS(LR_NUMBER)};
+#undef LR_VECTOR
+#undef LR_NUMBER
+}
+
+bool same(const StationData& a, const StationData& b) {
+#define LR_SAME(name, ...) &&a.name == b.name
+    return a.axes == b.axes LR_STATION_VECTORS(LR_SAME) LR_STATION_NUMBERS(LR_SAME);
+#undef LR_SAME
+}
+
 bool same(const AerodynamicData& a, const AerodynamicData& b) {
 #define LR_SAME(name, ...) &&a.name == b.name
     return a.axes == b.axes LR_AERODYNAMIC_VECTORS(LR_SAME) LR_AERODYNAMIC_NUMBERS(LR_SAME);
@@ -58,7 +80,9 @@ bool same(const AssetData& a, const AssetData& b) {
            a.turbulence.max_divergence == b.turbulence.max_divergence && hull && p.tool == q.tool &&
            p.tool_version == q.tool_version && p.source == q.source && p.input_hash == q.input_hash &&
            p.options == q.options && p.faces == q.faces && p.vertices == q.vertices &&
-           same(a.aerodynamics, b.aerodynamics);
+           same(a.aerodynamics, b.aerodynamics) &&
+           std::equal(a.stations.begin(), a.stations.end(), b.stations.begin(), b.stations.end(),
+                      [](const StationData& x, const StationData& y) { return same(x, y); });
 }
 
 } // namespace
@@ -78,6 +102,11 @@ TEST_CASE("written data is read back, the same bytes for the same data") {
     double next = 1e-13; // all different, and allowed for a body of this size
     for (const Coefficient& c : coefficients())
         for (size_t k = 0; k < c.size; ++k) c.at(d.aerodynamics)[k] = c.least > 0.0 ? c.least + next : next += 1e-13;
+    d.stations = test::winged_data().stations;
+    d.stations[1].axes = {0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0};
+    for (StationData& s : d.stations)
+        for (const StationCoefficient& c : station_coefficients())
+            for (size_t k = 0; k < c.size; ++k) c.at(s)[k] = c.least > 0.0 ? c.least + next : next += 1e-13;
     const std::vector<uint8_t> bytes = write_asset(d);
     CHECK(write_asset(d) == bytes);
     CHECK(std::memcmp(bytes.data() + 4, "LRBA", 4) == 0);
@@ -125,6 +154,25 @@ TEST_CASE("the content hash sees everything that moves a body, and no names") {
             CAPTURE(c.name);
             CHECK(content_hash(other) != hash);
         }
+    const AssetData winged = test::winged_data();
+    for (size_t i = 0; i < winged.stations.size(); ++i) {
+        const auto changed = [&](const std::function<void(StationData&)>& change) {
+            AssetData other = winged;
+            change(other.stations[i]);
+            return content_hash(other) != content_hash(winged);
+        };
+        for (const StationCoefficient& c : station_coefficients())
+            for (size_t k = 0; k < c.size; ++k) {
+                CAPTURE(c.name);
+                CHECK(changed([&](StationData& s) { c.at(s)[k] += 1e-3; }));
+            }
+        for (size_t k = 0; k < 9; ++k) CHECK(changed([&](StationData& s) { s.axes[k] += 1e-3; }));
+    }
+    AssetData without = winged, swapped = winged;
+    without.stations.clear();
+    std::swap(swapped.stations[0], swapped.stations[1]);
+    CHECK(content_hash(without) != content_hash(winged));
+    CHECK(content_hash(swapped) != content_hash(winged));
     AssetData renamed = d;
     renamed.name = "other";
     renamed.provenance.source = "elsewhere.obj";
@@ -232,6 +280,31 @@ TEST_CASE("each impossible number has its fault, at its field") {
                 {FaultId::asset_out_of_range, where, becomes(c.least * unit * (c.least > 0.0 ? 0.9 : 1.1) - 1e-20)});
             cases.push_back({FaultId::asset_out_of_range, where, becomes(c.most * unit * 1.1)});
         }
+    const auto station = [](const std::function<void(StationData&)>& change) {
+        return [=](AssetData& a) {
+            a.stations = test::winged_data().stations;
+            change(a.stations[2]);
+        };
+    };
+    cases.insert(cases.end(),
+                 {{FaultId::asset_wrong_length, "stations", [](AssetData& a) { a.stations.resize(1); }},
+                  {FaultId::asset_wrong_length, "stations", [](AssetData& a) { a.stations.resize(9); }},
+                  {FaultId::asset_bad_axes, "stations[2].axes", station([](StationData& s) { s.axes[0] = 1.001; })},
+                  {FaultId::asset_bad_axes, "stations[2].axes", station([](StationData& s) { s.axes[8] = -1.0; })},
+                  {FaultId::asset_bad_axes, "stations[2].axes", station([](StationData& s) { s.axes.fill(0.0); })},
+                  {FaultId::asset_not_finite, "stations[2].axes[5]",
+                   station([](StationData& s) { s.axes[5] = not_a_number; })}});
+    for (const StationCoefficient& c : station_coefficients())
+        for (size_t k = 0; k < c.size; ++k) {
+            const std::string where =
+                std::string("stations[2].") + c.name + (c.size > 1 ? "[" + std::to_string(k) + "]" : "");
+            const double unit = std::pow(test::leaf_data().length_d, c.power);
+            const auto becomes = [=](double v) { return station([=](StationData& s) { c.at(s)[k] = v; }); };
+            cases.push_back({FaultId::asset_not_finite, where, becomes(not_a_number)});
+            cases.push_back({FaultId::asset_not_finite, where, becomes(infinite)});
+            cases.push_back({FaultId::asset_out_of_range, where, becomes(c.least * unit * 1.1 - 1e-20)});
+            cases.push_back({FaultId::asset_out_of_range, where, becomes(c.most * unit * 1.1)});
+        }
     for (const Case& c : cases) {
         CAPTURE(c.where);
         AssetData d = test::leaf_data();
@@ -276,7 +349,7 @@ TEST_CASE("every field of the root is required") {
 
 // Resealed with a correct checksum, so that every change reaches the later checks under AddressSanitizer.
 TEST_CASE("a file that was changed and sealed again is refused or holds possible numbers") {
-    const std::vector<uint8_t> good = write_asset(test::leaf_data());
+    const std::vector<uint8_t> good = write_asset(test::winged_data());
     const size_t sum = test::root_field(good, 1);
     uint64_t state = 1;
     int read = 0, refused = 0;

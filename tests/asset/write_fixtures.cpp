@@ -72,7 +72,9 @@ int main(int count, char** arguments) {
     invalid.mass = std::numeric_limits<double>::quiet_NaN();
     std::vector<uint8_t> newer = lr::write_asset(good);
     test::set_format_version(newer, lr::asset_format_version + 1);
-    const bool ok = write(folder + "/leaf.lrb", lr::write_asset(good)) && write(folder + "/newer.lrb", newer) &&
-                    write(folder + "/invalid.lrb", lr::write_asset(invalid)) && write_faulty(folder, good);
+    const bool ok = write(folder + "/leaf.lrb", lr::write_asset(good)) &&
+                    write(folder + "/winged.lrb", lr::write_asset(test::winged_data())) &&
+                    write(folder + "/newer.lrb", newer) && write(folder + "/invalid.lrb", lr::write_asset(invalid)) &&
+                    write_faulty(folder, good);
     return ok ? 0 : 1;
 }

@@ -38,5 +38,5 @@ TEST_CASE("in scenes of piles bodies touch each other, and that they meet matter
         scene.body_contact = false;
         CHECK(outcome(scene) != hash);
     }
-    CHECK(found == 6);
+    CHECK(found == 7);
 }

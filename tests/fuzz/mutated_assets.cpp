@@ -21,9 +21,10 @@ void keep(int) {
     std::_Exit(1);
 }
 
-// A leaf, a sphere in water, and a needle without a hull.
+// A leaf, a sphere in water, a needle without a hull, and a leaf with stations.
 lr::AssetData start(uint32_t which) {
     if (which == 0) return test::leaf_data();
+    if (which == 3) return test::winged_data();
     lr::shape::EllipsoidSpec spec;
     spec.semi_axes = which == 1 ? std::array{0.01, 0.01, 0.01} : std::array{0.1, 0.0005, 0.001};
     spec.density = 1100.0;
@@ -45,7 +46,7 @@ int main(int count, char** arguments) {
     int loaded = 0;
     for (int i = 0; i < wanted; ++i) {
         const uint32_t draw = (seed * 1000003u + static_cast<uint32_t>(i)) * 2654435761u;
-        lr::AssetData data = start(draw >> 8 & 3u ? draw % 3 : 0);
+        lr::AssetData data = start(draw >> 8 & 3u ? draw % 4 : 0);
         fuzz::mutate_asset(data, draw);
         bytes = lr::write_asset(data);
         lr_asset* asset = nullptr;

@@ -27,6 +27,34 @@ inline lr::AssetData leaf_data() {
     return data;
 }
 
+// A leaf with three stations: two halves that are bent, and a stem.
+inline lr::AssetData winged_data() {
+    lr::AssetData data = leaf_data();
+    const lr::AerodynamicData& a = data.aerodynamics;
+    const auto share = [](std::array<double, 3> v, double part) {
+        for (double& x : v) x *= part;
+        return v;
+    };
+    for (const double along : {0.02, -0.02, 0.038}) {
+        const double part = along > 0.03 ? 0.1 : 0.45, sine = along > 0.03 ? 0.0 : along > 0.0 ? 0.28 : -0.28;
+        const double cosine = sine == 0.0 ? 1.0 : 0.96;
+        lr::StationData s;
+        s.axes = {cosine, 0.0, -sine, 0.0, 1.0, 0.0, sine, 0.0, cosine};
+        s.place = {along, 0.001 * part, 0.0};
+        s.drag = share(a.drag, part), s.drag_blunt = share(a.drag_blunt, part);
+        s.drag_layer = share(a.drag_layer, part), s.drag_stokes = share(a.drag_stokes, part);
+        s.plate_lift = share(a.plate_lift, part), s.plate_vortex = share(a.plate_vortex, part);
+        s.plate_stall = a.plate_stall;
+        s.spin_lift = share(a.spin_lift, part), s.spin_drag = share(a.spin_drag, part);
+        s.spin_drag_stream = share(a.spin_drag_stream, part), s.spin_drag_stokes = share(a.spin_drag_stokes, part);
+        s.plate_drag = part * a.plate_drag;
+        s.lift_arm = {0.002, 0.001, 0.0};
+        s.separated_shedding = 1e-7 * part, s.camber = 0.02;
+        data.stations.push_back(s);
+    }
+    return data;
+}
+
 // Byte offset of a field of the root table, from the FlatBuffers layout: root offset, table, vtable. 0 if absent, or if the path
 // to it leads outside the bytes.
 inline size_t root_field(const std::vector<uint8_t>& bytes, size_t id) {

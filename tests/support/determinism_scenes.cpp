@@ -1,6 +1,7 @@
 #include "support/determinism_scenes.h"
 
 #include "support/random.h"
+#include "support/station_bodies.h"
 #include "support/water.h"
 
 #include <algorithm>
@@ -151,6 +152,21 @@ std::vector<PlayedScene> played_scenes() {
     apart_pile.divisors[0] = 3, apart_pile.divisors[1] = 1, apart_pile.resting = true;
     apart_pile.dt = 0.0125f, apart_pile.frames = 90;
 
+    // Bodies with stations.
+    const auto winged_bodies = [&](PlayedScene& scene) -> PlayedScene& {
+        scene.loads = LR_LOADS_AERODYNAMIC, scene.stations = true;
+        return scene;
+    };
+    winged_bodies(add("stations"));
+    rk4(winged_bodies(add("stations_rk4")), 12);
+    winged_bodies(with("stations_age", LR_LOADS_AERODYNAMIC, LR_CLOCK_AGE)).born_and_dying = true;
+    winged_bodies(blown("stations_in_wind_of_all", every)).called_back = true;
+    PlayedScene& stations_afloat = winged_bodies(at_sea("stations_at_sea", LR_LOADS_AERODYNAMIC));
+    stations_afloat.forced = stations_afloat.governed = true;
+    winged_bodies(pile("stations_in_a_pile", Solids::ground));
+    PlayedScene& stations_faulty = winged_bodies(add("stations_faults_rk4"));
+    rk4(stations_faulty), stations_faulty.faulty = true;
+
     // Bodies that diverge by forces, and in an unstable scheme: in air, wind, water, in front of colliders, in a heap.
     const auto faulty = [&](PlayedScene& scene) -> PlayedScene& {
         scene.faulty = true;
@@ -184,7 +200,7 @@ std::vector<PlayedScene> played_scenes() {
 
 Play::Play(const PlayedScene& scene, const Circumstances& how) : scene_(scene), how_(how), colliders_(scene.solids) {
     assets_[0] = leaf();
-    assets_[1] = scene_.solids == Solids::none ? curled_leaf() : brick();
+    assets_[1] = scene_.stations ? winged() : scene_.solids == Solids::none ? curled_leaf() : brick();
     build();
     colliders_.place(world);
     for (Source kind : scene_.sources) add_source(kind);

@@ -16,6 +16,7 @@ struct PlayedScene {
     int32_t table_end = LR_TABLE_CLAMP;
     int32_t integrator = LR_INTEGRATOR_DEFAULT;
     bool full = false;
+    bool stations = false; // the bodies of the second batch have stations
     bool windy = false;
     bool born_and_dying = false;
     bool forced = false;              // forces on bodies and on batches

@@ -26,6 +26,7 @@ std::vector<double*> numbers_of(lr::AssetData& d) {
     LR_AERODYNAMIC_VECTORS(LR_VECTOR)
     LR_AERODYNAMIC_NUMBERS(LR_NUMBER)
     for (lr::StationData& s : d.stations) {
+        each(s.axes);
         LR_STATION_VECTORS(LR_STATION_VECTOR)
         LR_STATION_NUMBERS(LR_STATION_NUMBER)
     }
@@ -110,6 +111,14 @@ void scale_lengths(lr::AssetData& d, double f) {
     LR_AERODYNAMIC_NUMBERS(LR_NUMBER)
 #undef LR_VECTOR
 #undef LR_NUMBER
+#define LR_VECTOR(name, least, most, power) by(s.name, std::pow(f, power));
+#define LR_NUMBER(name, least, most, power) s.name *= std::pow(f, power);
+    for (lr::StationData& s : d.stations) {
+        LR_STATION_VECTORS(LR_VECTOR)
+        LR_STATION_NUMBERS(LR_NUMBER)
+    }
+#undef LR_VECTOR
+#undef LR_NUMBER
     a.length *= f, a.wake_length *= f; // their limits do not grow with the body
 }
 
@@ -166,6 +175,8 @@ void one_change(lr::AssetData& d, test::Random& random) {
         (random.below(2) ? d.turbulence.stationary : d.turbulence.loop_end) = static_cast<uint32_t>(random.bits());
         return;
     case 10:
+        if (random.below(4) == 0 && !d.stations.empty())
+            d.stations.resize(random.below(11), d.stations[random.below(static_cast<uint32_t>(d.stations.size()))]);
         if (random.below(4) == 0) d.hull = {};
         d.name.assign(random.below(300), static_cast<char>(random.bits()));
         d.provenance.options.assign(random.below(3), 'x');
