@@ -1,7 +1,11 @@
 #include "lr_bench/leaf.h"
 
+#include "asset/asset_file.h"
+#include "asset/closed_forms/ellipsoid_asset.h"
+
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace lr_bench {
 
@@ -15,6 +19,38 @@ lr_asset* leaf_asset(bool ballasted) {
     if (ballasted) desc.center_of_mass[0] = 0.004, desc.center_of_mass[1] = -0.001;
     lr_asset* asset = nullptr;
     return lr_asset_create_ellipsoid(&desc, &asset) == LR_OK ? asset : nullptr;
+}
+
+lr_asset* leaf_asset_of_stations(uint32_t count) {
+    lr::shape::EllipsoidSpec spec;
+    std::copy_n(leaf_semi_axes, 3, spec.semi_axes.begin());
+    spec.density = leaf_density, spec.fluid_density = air_density, spec.fluid_viscosity = air_viscosity;
+    spec.center_of_mass = {0.004, -0.001, 0.0};
+    lr::AssetData data;
+    lr::Faults faults;
+    if (!lr::shape::ellipsoid_body(spec, data, faults)) return nullptr;
+    data.turbulence = lr::shape::decay_table(data, 1.0);
+    const lr::AerodynamicData& a = data.aerodynamics;
+    for (uint32_t i = 0; i < count; ++i) {
+        const auto part = [&](std::array<double, 3> v) { // its axes: the body's y, -x, z
+            return std::array{v[1] / count, v[0] / count, v[2] / count};
+        };
+        lr::StationData s;
+        s.axes = {0.0, 1.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 1.0};
+        s.place = data.center_of_buoyancy;
+        s.place[0] += leaf_semi_axes[0] * ((2.0 * i + 1.0) / count - 1.0);
+        s.drag = part(a.drag), s.drag_blunt = part(a.drag_blunt), s.drag_layer = part(a.drag_layer);
+        s.drag_stokes = part(a.drag_stokes), s.plate_lift = part(a.plate_lift), s.plate_vortex = part(a.plate_vortex);
+        s.plate_stall = {a.plate_stall[1], a.plate_stall[0], a.plate_stall[2]};
+        s.spin_lift = part(a.spin_lift), s.spin_drag = part(a.spin_drag);
+        s.spin_drag_stream = part(a.spin_drag_stream), s.spin_drag_stokes = part(a.spin_drag_stokes);
+        s.plate_drag = a.plate_drag / count;
+        s.lift_arm = {0.001, 0.001, 0.0}, s.separated_shedding = 1e-7 / count, s.camber = 0.02;
+        data.stations.push_back(s);
+    }
+    const std::vector<uint8_t> bytes = lr::write_asset(data);
+    lr_asset* asset = nullptr;
+    return lr_asset_load_memory(bytes.data(), bytes.size(), &asset) == LR_OK ? asset : nullptr;
 }
 
 LeafConstants leaf_constants() {

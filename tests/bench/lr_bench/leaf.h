@@ -13,6 +13,9 @@ constexpr double air_viscosity = 1.5e-5;
 // The caller releases it; null after an error. `ballasted`: its weight off centre, which needs the full 6x6 matrix.
 lr_asset* leaf_asset(bool ballasted);
 
+// Ballasted, with this many strips across its span that share its loads.
+lr_asset* leaf_asset_of_stations(uint32_t count);
+
 // Coefficients of the LANGEVIN equations along the body axes; docs/maintainers/physics.md, sections 3 and 4. SI.
 struct LeafConstants {
     float weight;     // m - rho V

@@ -25,7 +25,8 @@ public:
     const char* make(const Row& row) {
         dt_ = substep_seconds * static_cast<float>(row.substeps);
         substeps_ = row.substeps;
-        asset_ = leaf_asset(row.path == "full");
+        const uint32_t stations = row.stations();
+        asset_ = stations != 0 ? leaf_asset_of_stations(stations) : leaf_asset(row.path == "full");
         if (!asset_) return "asset";
         lr_world_desc wd;
         lr_world_desc_init(&wd, sizeof wd);

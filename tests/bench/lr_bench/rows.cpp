@@ -88,6 +88,8 @@ std::vector<Row> goals(const std::vector<std::string>& targets, bool quick) {
     for (const std::string& target : targets) {
         for (const char* const model : {"langevin-speed", "aerodynamic"})
             for (const char* const path : paths) rows.ours(model, "default", path, target, 0, middle, 4);
+        for (const char* const path : {"stations5", "stations8"})
+            rows.ours("aerodynamic", "default", path, target, 0, middle, 4);
         if (target == "avx2" && !quick)
             for (const uint32_t bodies : {1000u, 100000u, 1000000u})
                 rows.ours("langevin-speed", "default", "diagonal", target, 0, bodies, 4);

@@ -12,13 +12,15 @@ struct Row {
     std::string subject;    // "langevin_rigid", "transforms" and "memcpy", or a peer's name
     std::string model;      // loads
     std::string integrator; //
-    std::string path;       // "diagonal", "full"; "alike": without variation; "user": with user data
-    std::string target;     // instruction set
-    uint32_t workers = 0;   // threads besides the caller's
+    std::string
+        path; // "diagonal", "full"; "alike": without variation; "user": with user data; "stations5", "stations8"
+    std::string target;   // instruction set
+    uint32_t workers = 0; // threads besides the caller's
     uint32_t bodies = 1;
     uint32_t substeps = 1; // per step
 
     bool ours() const { return subject == "langevin_rigid"; }
+    uint32_t stations() const { return path == "stations5" ? 5 : path == "stations8" ? 8 : 0; }
     // subject/model/integrator/path/target/workers/bodies/substeps
     std::string name() const;
 };
