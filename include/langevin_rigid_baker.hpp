@@ -80,6 +80,7 @@ struct BakeOptions {
     std::optional<BakeCard> card;   // the input is an image; not for triangles and ellipsoids
     bool wake = false;              // puts the body into the stream of the turbulence table
     std::optional<BakeMass> mass;   // for meshes; not with center_of_mass
+    std::uint32_t stations = 8;     // at most; 1: loads as one plate, twice as fast
 };
 
 struct BakeFault {

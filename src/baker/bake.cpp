@@ -62,6 +62,7 @@ bool check_options(const BakeOptions& o, Faults& faults) {
     else if (cells > 4194304.0)
         good = fail(faults, FaultId::parameter_out_of_range, "grid", "The grid has " + shortest(cells) + " cells.",
                     "Give at most 4194304 cells, for instance 160,160,160.");
+    good = in_range(o.stations, 1.0, most_stations, "stations", "", faults) && good;
     if (o.center_of_mass)
         for (const double x : *o.center_of_mass) good = in_range(x, -1e9, 1e9, "center of mass", "", faults) && good;
     if (o.mass && (o.semi_axes || o.card))
@@ -242,7 +243,9 @@ private:
     }
 
     void make_stations() {
+        if (options_.stations == 1) return;
         StationOptions how;
+        how.most = options_.stations;
         how.thickness = is_sheet() ? thickness_ : 0.0;
         how.volume = solid_.volume;
         how.hull_volume = hull_volume_;
@@ -261,7 +264,7 @@ private:
             faults_.push_back({FaultId::loads_uncertain, Severity::warning, "aerodynamics", what, remedy});
         };
         if (stations_.fit == StationFit::coarse)
-            warn("The shape has more wings and bends than eight stations can describe.",
+            warn("The shape has more wings and bends than its stations can describe.",
                  "Take its flight as a rough likeness, or bake a simpler shape.");
         if (stations_.fit == StationFit::hidden)
             warn("Large parts of the surface lie behind others (a deep bowl, a tube, a crumpled sheet): the loads are "
@@ -479,6 +482,7 @@ std::string canonical_options(const BakeOptions& o) {
     add(" --grid", o.cells);
     add_one(" --intensity", o.intensity);
     if (o.wake) text += " --wake";
+    if (o.stations != most_stations) add_one(" --stations", o.stations);
     if (o.center_of_mass) add(" --center-of-mass", *o.center_of_mass);
     if (o.mass) text += " --mass-from " + mass_name(o);
     if (o.name) {

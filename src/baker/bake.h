@@ -57,6 +57,7 @@ struct BakeOptions {
     std::array<uint32_t, 3> cells{32, 32, 16}; // of the turbulence grid
     double intensity = 1.0;                    // of the turbulence in k0 = 3/2 (I U0)^2
     bool wake = false;                         // put the body into the stream of the turbulence table
+    uint32_t stations = most_stations;         // at most; 1: the loads of a whole body
     // Centre of mass of a ballasted body, in `unit` and the frame of the mesh (after `up`); default: the centroid. Inertia stays that
     // of the uniform solid about its centroid; everything else is about this point.
     std::optional<std::array<double, 3>> center_of_mass;

@@ -77,6 +77,7 @@ core::BakeOptions to_core(const BakeOptions& o) {
     if (!o.name.empty()) options.name = o.name;
     if (o.sheet) options.sheet = core::SheetOptions{o.sheet->thickness, o.sheet->areal_density};
     options.wake = o.wake;
+    options.stations = o.stations;
     if (o.mass) {
         core::MassOptions& mass = options.mass.emplace();
         mass.path = o.mass->path;

@@ -77,6 +77,8 @@ TEST_CASE("baker API: a file gives the bytes that lr_bake writes") {
                                      "0.25",
                                      "--center-of-mass",
                                      "1,0,2",
+                                     "--stations",
+                                     "3",
                                      "--name",
                                      "leaf",
                                      "--quiet"})
@@ -90,6 +92,7 @@ TEST_CASE("baker API: a file gives the bytes that lr_bake writes") {
     options.grid = {16, 16, 8};
     options.intensity = 0.25;
     options.center_of_mass = {1.0, 0.0, 2.0};
+    options.stations = 3;
     options.name = "leaf";
     const api::BakeResult result = api::bake_file(mesh, options);
     REQUIRE(result);

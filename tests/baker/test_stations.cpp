@@ -476,4 +476,41 @@ TEST_CASE("stations: a bake has them in its asset and its report") {
     AssetData read;
     REQUIRE(read_asset(bytes.data(), bytes.size(), read, faults));
     CHECK(read.stations.size() == made_asset.stations.size());
+    CHECK(made_asset.provenance.options.find("--stations") == std::string::npos);
+
+    // Fewer when they are asked for.
+    for (const uint32_t most : {1u, 2u, 3u, 4u, 7u}) {
+        CAPTURE(most);
+        options.stations = most;
+        AssetData limited;
+        Faults found;
+        REQUIRE(bake(options, limited, found, nullptr, {}, hooks));
+        CHECK(limited.stations.size() <= (most == 1 ? 0 : most));
+        CHECK(limited.provenance.options.find(" --stations " + std::to_string(most)) != std::string::npos);
+        CHECK(limited.provenance.input_hash != made_asset.provenance.input_hash);
+    }
+    for (const uint32_t wrong : {0u, 9u}) {
+        options.stations = wrong;
+        AssetData none;
+        Faults found;
+        CHECK_FALSE(bake(options, none, found, nullptr, {}, hooks));
+        REQUIRE(found.size() == 1);
+        CHECK(found[0].id == FaultId::parameter_out_of_range);
+        CHECK(found[0].where == "stations");
+    }
+}
+
+TEST_CASE("stations: never more than are asked for, whatever the parts") {
+    for (const char* name : {"paper_plane_surface.obj", "petal.obj"})
+        for (std::size_t most = 2; most <= most_stations; ++most) {
+            const Made m = made(asset(name), name[1] == 'a' ? 1e-4 : 0.0, nullptr, most);
+            CAPTURE(std::string(name));
+            CAPTURE(most);
+            CHECK(m.stations.at.size() <= most);
+            CHECK((!m.stations.at.empty() || m.stations.fit == StationFit::coarse));
+        }
+    for (std::size_t most = 2; most <= 6; ++most) {
+        const Made m = made(star(6, 3.0, 0.5), 0.005, nullptr, most);
+        CHECK(m.stations.at.size() <= most);
+    }
 }

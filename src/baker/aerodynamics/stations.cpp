@@ -401,11 +401,16 @@ Stations make_stations(const Mesh& mesh, const AerodynamicData& loads, const Vec
     std::vector<Part> groups = split_by_normal(std::move(rest), 4);
     for (std::size_t i = 0; i < groups.size(); ++i) {
         const Vector3d n = common_normal(moments_of(groups[i]), normal);
-        const std::size_t most = options.most - plans.size() - (groups.size() - 1 - i);
+        const std::size_t others = plans.size() + (groups.size() - 1 - i);
+        const std::size_t most = options.most > others ? options.most - others : 1;
         for (Part& part : split_by_outline(std::move(groups[i]), n, most))
             plans.push_back(plan_of(std::move(part), loads, size));
     }
     join_arms(plans);
+    if (plans.size() > options.most) {
+        out.fit = StationFit::coarse;
+        return out;
+    }
     const Body body{size, m.area, options, loads};
     std::vector<Grid> fine;
     for (const Plan& plan : plans) fine.push_back(plan.lump ? Grid{} : plan.curved ? Grid{8, 8} : Grid{32, 1});

@@ -19,6 +19,7 @@ struct Texts {
     std::string center_of_mass, mass_from, name;
     std::string semi_axis[3];
     std::string output, output_folder, jobs;
+    std::string stations = "8";
     bool force = false;
     std::string thickness, areal_density;
     std::string width, alpha = "0.5", triangles = "2000", mask = "alpha", piece, speck = "0.001";
@@ -85,6 +86,12 @@ void add_bake_options(CLI::App& command, Texts& texts, CommandLine& line) {
     add("--intensity", texts.intensity, "intensity of the turbulence; 1 is the paper's 100 %", "I");
     command.add_flag("--wake", line.bake.wake,
                      "put the body, broadside, into the stream of the turbulence table: its wake adds turbulence");
+    command
+        .add_option("--stations", texts.stations,
+                    "at most N stations, parts of a bent, pierced or long body that see streams of their own; "
+                    "1: loads as one plate, twice as fast")
+        ->capture_default_str()
+        ->type_name("N");
     command
         .add_option(
             "--center-of-mass", texts.center_of_mass,
@@ -228,6 +235,7 @@ void read_bake_options(const CLI::App& command, const Texts& texts, BakeOptions&
     o.fluid_viscosity = viscosity;
     o.cells = parse_list<uint32_t, 3>(texts.grid, "--grid");
     o.intensity = parse_number<double>(texts.intensity, "--intensity");
+    o.stations = parse_number<uint32_t>(texts.stations, "--stations");
     if (command.count("--center-of-mass") > 0)
         o.center_of_mass = parse_list<double, 3>(texts.center_of_mass, "--center-of-mass");
     if (command.count("--name") > 0) o.name = texts.name;
