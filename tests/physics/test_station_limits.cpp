@@ -30,8 +30,9 @@ lr::AssetData drawn_body(Random& random) {
 }
 
 std::array<double, 9> drawn_axes(Random& random) {
-    return turned_axes({random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)},
-                       random.uniform(0.0, 3.0));
+    Vec half_turn{};
+    for (double& x : half_turn) x = random.uniform(-2.0, 2.0);
+    return turned_axes(half_turn);
 }
 
 // Any values that an asset can have: the limits, numbers of a real body's size, and what is between.
@@ -160,7 +161,7 @@ TEST_CASE("stations: a plate of any number of parts falls at the speed of its dr
             const double area = std::numbers::pi * half * 0.5 * half;
             for (size_t i = 0; i < count; ++i) {
                 lr::StationData s = some_station(area / static_cast<double>(count), half);
-                s.axes = turned_axes({0.0, 0.0, 1.0}, 0.0);
+                s.axes = turned_axes({0.0, 0.0, 0.0});
                 s.camber = 0.0;
                 s.drag_blunt = s.drag_layer = s.drag_stokes = {};
                 s.place[0] = 1.6 * half * ((static_cast<double>(i) + 0.5) / static_cast<double>(count) - 0.5);

@@ -33,9 +33,9 @@ inline void calm(lr::AerodynamicData& a) {
     a.intensity = a.shedding_noise = a.shedding_moment = a.shedding_rate_moment = 0.0;
 }
 
-// Rows: chord, span, normal.
-inline std::array<double, 9> turned_axes(Vec axis, double angle) {
-    const Matrix3 r = rotation(about(axis, angle));
+// Rows: chord, span, normal, of a frame turned by some tenths of a radian. Without the C library's functions: its bits differ between systems.
+inline std::array<double, 9> turned_axes(Vec half_turn) {
+    const Matrix3 r = rotation(normalised({half_turn[0], half_turn[1], half_turn[2], 1.0}));
     return {r[0][0], r[0][1], r[0][2], r[1][0], r[1][1], r[1][2], r[2][0], r[2][1], r[2][2]};
 }
 
@@ -59,17 +59,19 @@ inline lr::StationData some_station(double area, double width) {
     return s;
 }
 
-// `count` of them around a body of the length d, each tilted another way.
+// `count` of them about a body of the length d, each tilted another way. One number is drawn a statement: arguments have no order.
 inline std::vector<lr::StationData> some_stations(size_t count, double d, uint64_t seed) {
     Random random(seed);
     std::vector<lr::StationData> all;
     for (size_t i = 0; i < count; ++i) {
-        lr::StationData s = some_station(random.uniform(0.5, 1.5) * 0.2 * d * d / static_cast<double>(count),
-                                         random.uniform(0.15, 0.3) * d);
-        const double around = 2.0 * 3.14159265358979 * static_cast<double>(i) / static_cast<double>(count);
-        s.axes = turned_axes({random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), random.uniform(-0.3, 0.3)},
-                             random.uniform(0.1, 0.5));
-        s.place = {0.35 * d * std::cos(around), 0.25 * d * std::sin(around), random.uniform(-0.05, 0.05) * d};
+        const double area = random.uniform(0.5, 1.5) * 0.2 * d * d / static_cast<double>(count);
+        const double width = random.uniform(0.15, 0.3) * d;
+        lr::StationData s = some_station(area, width);
+        Vec half_turn{};
+        for (double& x : half_turn) x = random.uniform(-0.15, 0.15);
+        s.axes = turned_axes(half_turn);
+        for (double& x : s.place) x = random.uniform(-0.35, 0.35) * d;
+        s.place[2] *= 0.15;
         s.camber *= random.uniform(-1.0, 1.0);
         all.push_back(s);
     }
