@@ -1,6 +1,7 @@
 #include "tools/lr_scorecard/disc_fall.h"
 
 #include "tools/falls/random.h"
+#include "tools/lr_scorecard/measured_bodies.h"
 
 #include <algorithm>
 #include <cmath>
@@ -163,6 +164,25 @@ std::vector<Fall> drop_disc(const Asset& disc, Release release, const DiscFallOp
     std::vector<Fall> falls;
     for (const Track& t : record(disc, run, releases(release, options.falls, options.seed)))
         if (std::optional<Fall> fall = measure_fall(t, release)) falls.push_back(std::move(*fall));
+    return falls;
+}
+
+std::vector<Asset> bake_cell(const MeasuredCell& cell) {
+    std::vector<Asset> discs;
+    for (double radius : cell.radii) discs.push_back(bake_disc(radius, paper_thickness, paper_density, Fluid{}));
+    return discs;
+}
+
+std::vector<Fall> drop_cell(const MeasuredCell& cell, const std::vector<Asset>& discs, DiscFallOptions options) {
+    std::vector<Fall> falls;
+    const auto sizes = static_cast<uint32_t>(discs.size());
+    const uint32_t all = options.falls;
+    options.seed *= sizes;
+    for (uint32_t i = 0; i < sizes; ++i, ++options.seed) {
+        options.falls = (all + sizes - 1 - i) / sizes;
+        if (options.falls == 0) continue;
+        for (Fall& f : drop_disc(discs[i], cell.release, options)) falls.push_back(std::move(f));
+    }
     return falls;
 }
 } // namespace lr::scorecard

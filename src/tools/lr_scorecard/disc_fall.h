@@ -78,4 +78,8 @@ std::vector<Start> releases(Release release, uint32_t count, uint64_t seed);
 
 // Falls of one disc in a world of its own. Those that cannot be measured are left out.
 std::vector<Fall> drop_disc(const Asset& disc, Release release, const DiscFallOptions& options);
+
+// The discs of a cell differ in size: a third of its falls for each third of the measured radii.
+std::vector<Asset> bake_cell(const MeasuredCell& cell);
+std::vector<Fall> drop_cell(const MeasuredCell& cell, const std::vector<Asset>& discs, DiscFallOptions options);
 } // namespace lr::scorecard

@@ -168,4 +168,25 @@ std::vector<ExpectedPoint> expected_points() {
         }
     return out;
 }
+
+SmallDiscFalls drop_small_disc(const SmallDisc& disc, const Asset& asset, uint32_t falls, double duration,
+                               const Loads& loads) {
+    const double unit = disc.diameter * disc.diameter / (disc.reynolds * Fluid{}.viscosity); // s, d/U
+    Random random(7);
+    std::vector<Start> starts(falls);
+    for (Start& s : starts) s.orientation = random.orientation();
+    Run run;
+    run.loads = loads;
+    run.dt = static_cast<float>(0.02 * unit);
+    run.duration = duration * unit;
+    run.interval = 0.1 * unit;
+    const std::vector<Track> tracks = record(asset, run, starts);
+    SmallDiscFalls out;
+    for (const Track& t : tracks) {
+        const Eigen::Vector3d way = t.samples[t.samples.size() / 2].position - t.samples.back().position;
+        out.speed += way.y() / (0.5 * run.duration * falls);
+    }
+    for (Regime r : classify_all(tracks)) out.tumbling += r == Regime::tumbling ? 1.0 / falls : 0.0;
+    return out;
+}
 } // namespace lr::scorecard

@@ -67,4 +67,17 @@ struct ExpectedPoint {
 };
 // Re from 40 to 3e4, I* from 5e-4 to 0.1, evenly on both logarithmic axes, without the neighbourhood of boundaries.
 std::vector<ExpectedPoint> expected_points();
+
+// Discs in air, of Tinklenberg, Guala and Coletti 2023; Re measured in still air. Assets: disc_sinking_at.
+struct SmallDisc {
+    double diameter, reynolds; // m
+};
+inline constexpr std::array<SmallDisc, 2> small_discs{{{1e-3, 96.0}, {3e-3, 360.0}}};
+
+struct SmallDiscFalls {
+    double tumbling = 0.0, speed = 0.0; // share of the falls; m/s
+};
+// Released at rest with any orientation; the second half of the duration, in diameters over the speed, is classified.
+SmallDiscFalls drop_small_disc(const SmallDisc& disc, const Asset& asset, uint32_t falls, double duration,
+                               const Loads& loads);
 } // namespace lr::scorecard

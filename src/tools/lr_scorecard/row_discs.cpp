@@ -1,7 +1,6 @@
 // Rows for the filmed falls of paper discs.
 #include "tools/lr_scorecard/disc_fall.h"
 #include "tools/lr_scorecard/line_plot.h"
-#include "tools/lr_scorecard/measured_bodies.h"
 #include "tools/lr_scorecard/row.h"
 
 #include <algorithm>
@@ -26,26 +25,6 @@ std::string name_of(const MeasuredCell& cell) {
     char text[32];
     std::snprintf(text, sizeof text, "%.1f mm %s", 1e3 * cell.radius, cell.release == Release::flat ? "flat" : "edge");
     return text;
-}
-
-// The discs of a cell differ in size: a third of its falls for each third of the measured radii.
-std::vector<Asset> bake_cell(const MeasuredCell& cell) {
-    std::vector<Asset> discs;
-    for (double radius : cell.radii) discs.push_back(bake_disc(radius, paper_thickness, paper_density, Fluid{}));
-    return discs;
-}
-
-std::vector<Fall> drop_cell(const MeasuredCell& cell, const std::vector<Asset>& discs, DiscFallOptions options) {
-    std::vector<Fall> falls;
-    const auto sizes = static_cast<uint32_t>(discs.size());
-    const uint32_t all = options.falls;
-    options.seed *= sizes;
-    for (uint32_t i = 0; i < sizes; ++i, ++options.seed) {
-        options.falls = (all + sizes - 1 - i) / sizes;
-        if (options.falls == 0) continue;
-        for (Fall& f : drop_disc(discs[i], cell.release, options)) falls.push_back(std::move(f));
-    }
-    return falls;
 }
 
 DiscFallOptions options_of(const Context& context) {

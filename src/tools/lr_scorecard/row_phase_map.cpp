@@ -1,4 +1,3 @@
-#include "tools/falls/random.h"
 #include "tools/lr_scorecard/line_plot.h"
 #include "tools/lr_scorecard/measured_bodies.h"
 #include "tools/lr_scorecard/phase_map.h"
@@ -138,30 +137,6 @@ std::string describe(const Point& p) {
     return text;
 }
 
-struct SmallDisc {
-    double diameter, reynolds;          // m; Re measured in still air
-    double tumbling = 0.0, speed = 0.0; // share of the falls; m/s
-};
-
-// Released at rest with any orientation; the second half of 1000 diameters is classified.
-void drop_small_disc(SmallDisc& disc, uint32_t falls, const Loads& loads) {
-    const double unit = disc.diameter * disc.diameter / (disc.reynolds * Fluid{}.viscosity); // s, d/U
-    Random random(7);
-    std::vector<Start> starts(falls);
-    for (Start& s : starts) s.orientation = random.orientation();
-    Run run;
-    run.loads = loads;
-    run.dt = static_cast<float>(0.02 * unit);
-    run.duration = 1000.0 * unit;
-    run.interval = 0.1 * unit;
-    const std::vector<Track> tracks = record(disc_sinking_at(disc.reynolds, disc.diameter), run, starts);
-    for (const Track& t : tracks) {
-        const Eigen::Vector3d way = t.samples[t.samples.size() / 2].position - t.samples.back().position;
-        disc.speed += way.y() / (0.5 * run.duration * falls);
-    }
-    for (Regime r : classify_all(tracks)) disc.tumbling += r == Regime::tumbling ? 1.0 / falls : 0.0;
-}
-
 void add_agreement(RowResult& result, const std::vector<Point>& points) {
     std::array<double, 4> right{}, count{};
     for (const Point& p : points) {
@@ -191,8 +166,8 @@ RowResult run_phase_map(const Context& context) {
     std::vector<Point> points;
     for (const ExpectedPoint& e : expected_points()) points.push_back({e, {}});
     std::array<Onset, onset_inertia.size()> onsets{};
-    std::array<SmallDisc, 2> small{{{1e-3, 96.0}, {3e-3, 360.0}}}; // Tinklenberg, Guala and Coletti 2023
-    std::map<double, Asset> discs;                                 // by I*
+    std::array<SmallDiscFalls, small_discs.size()> small;
+    std::map<double, Asset> discs; // by I*
     for (const Point& p : points) discs[p.expected.at.inertia] = nullptr;
     for (double inertia : onset_inertia) discs[inertia] = nullptr;
     for (auto& [inertia, disc] : discs) disc = phase_disc(inertia, options);
@@ -206,7 +181,9 @@ RowResult run_phase_map(const Context& context) {
                 },
                 context.quick ? 4 : 6);
         } else if (i < others) {
-            drop_small_disc(small[i - onsets.size()], context.quick ? 100 : 400, options.loads);
+            const SmallDisc& disc = small_discs[i - onsets.size()];
+            small[i - onsets.size()] = drop_small_disc(disc, disc_sinking_at(disc.reynolds, disc.diameter),
+                                                       context.quick ? 100 : 400, 1000.0, options.loads);
         } else {
             Point& p = points[i - others];
             p.result = run_phase_point(discs.at(p.expected.at.inertia), p.expected.at, options, true);
@@ -222,10 +199,11 @@ RowResult run_phase_map(const Context& context) {
     add_agreement(result, points);
     result.add("discs of 1 mm in air: share that tumbles, beyond that of 3 mm", Rule::at_least,
                small[0].tumbling - small[1].tumbling, 0.05, 0.0);
-    for (const SmallDisc& disc : small) {
-        const std::string of = ", discs of " + std::to_string(std::lround(1e3 * disc.diameter)) + " mm";
-        result.show("share that tumbles" + of, disc.tumbling);
-        result.show("Re of the fall" + of, disc.speed * disc.diameter / Fluid{}.viscosity);
+    for (size_t i = 0; i < small.size(); ++i) {
+        const double diameter = small_discs[i].diameter;
+        const std::string of = ", discs of " + std::to_string(std::lround(1e3 * diameter)) + " mm";
+        result.show("share that tumbles" + of, small[i].tumbling);
+        result.show("Re of the fall" + of, small[i].speed * diameter / Fluid{}.viscosity);
     }
     for (const Point& p : points) result.show(describe(p), p.agrees() ? 1.0 : 0.0);
     result.remarks.push_back(std::to_string(options.seeds) + " releases a point, tilted by up to 5 degrees.");
