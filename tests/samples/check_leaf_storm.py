@@ -85,7 +85,8 @@ def check_ground(asset, mesh, path):
     alone = awake()
     scene[walk:walk] = ["--walk", 9]
     assert all(walked[time] == alone[time] for time in alone if time < 9)
-    assert max(walked[time] - alone[time] for time in alone if 9 < time < 11) >= 3
+    woken = [walked[time] - alone[time] for time in alone if 9 < time < 11]  # every 0.1 s
+    assert max(woken) >= 2 and sum(woken) >= 10, woken
 
     assert report("--threads", 3)["state_hash"] == done["state_hash"]
     assert report("--simd", SIMPLEST)["state_hash"] == done["state_hash"]
