@@ -221,8 +221,7 @@ bool make_aerodynamics(const AssetData& a, const AerodynamicData& loads, const G
     out.fluid[1] = lift;
     out.fluid[2] = spin_drag;
     out.fluid[3] = per_unit;
-    body.stations.count = 0;
-    if (uses_stations(a, loads)) make_stations(a, body.stations);
+    make_stations(a, loads, body.stations);
     out.rate_of_gusts = d / loads.length;
     const double intensity = loads.intensity * gains.turbulence * gains.noise;
     out.variance_of_gusts = std::min(intensity * intensity, most_variance);

@@ -1,8 +1,7 @@
 // Guarantees of the default scheme for any body and step: states stay finite, and energy grows only by the loads' work.
 #include "support/aerodynamic_fields.h"
+#include "support/energy.h"
 #include "support/lost_bodies.h"
-#include "support/random.h"
-#include "support/reference_body.h"
 #include "support/wind.h"
 
 #include <cstddef>
@@ -99,26 +98,6 @@ DrawnLoads draw_loads(Random& random, const World& world, lr_batch batch, bool n
     REQUIRE(lr_batch_set_load_gains(world.get(), batch, &gains) == LR_OK);
     out.at = a, out.lift_gain = wide(gains.lift);
     return out;
-}
-
-lr_body_desc draw_motion(Random& random, double size) {
-    lr_body_desc b = body_desc();
-    for (float& q : b.orientation) q = random.real(-1.0, 1.0);
-    const double speed = random.logarithmic(0.01, 100.0), spin = random.logarithmic(0.1, 1000.0);
-    for (float& v : b.linear_velocity) v = random.real(-speed, speed);
-    for (float& w : b.angular_velocity) w = random.real(-0.57 * spin, 0.57 * spin);
-    b.scale = static_cast<float>(std::max(random.logarithmic(0.01, 100.0), 1.001e-6 / size));
-    return b;
-}
-
-// Kinetic energy of the motion through the fluid, of body and fluid together.
-double energy(const ReferenceBody& body, const lr_batch_view& v, const std::vector<Velocity>& u, uint32_t i, Vec wind) {
-    const auto at = [&](const float* const* field, size_t k) { return wide(field[k][i]); };
-    const Quat q{at(v.orientation, 0), at(v.orientation, 1), at(v.orientation, 2), at(v.orientation, 3)};
-    const Six t = join(to_body(q, vec(u[i].linear) - wind), to_body(q, vec(u[i].angular))), p = body.mass * t;
-    double sum = 0.0;
-    for (size_t k = 0; k < 6; ++k) sum += 0.5 * t[k] * p[k];
-    return sum;
 }
 
 // The speed, as the root of twice an energy, that the largest weight and buoyancy couple give in a second.

@@ -1,6 +1,6 @@
 // Bodies with stations at any step: no gain of energy, the right speed of fall, finite numbers for every asset that is accepted.
+#include "support/energy.h"
 #include "support/lost_bodies.h"
-#include "support/reference_body.h"
 #include "support/station_bodies.h"
 #include "support/water.h"
 
@@ -66,33 +66,17 @@ std::vector<lr::StationData> drawn_stations(Random& random, double d) {
     return all;
 }
 
-lr_body_desc drawn_motion(Random& random, double size) {
-    lr_body_desc b = body_desc();
-    for (float& q : b.orientation) q = random.real(-1.0, 1.0);
-    const double speed = random.logarithmic(0.01, 100.0), spin = random.logarithmic(0.1, 1000.0);
-    for (float& v : b.linear_velocity) v = random.real(-speed, speed);
-    for (float& w : b.angular_velocity) w = random.real(-0.57 * spin, 0.57 * spin);
-    b.scale = static_cast<float>(std::max(random.logarithmic(0.01, 100.0), 1.001e-6 / size));
-    return b;
-}
-
 uint64_t diverged(const World& world, lr_batch batch) {
     lr_batch_counts c = initialised(lr_batch_counts_init);
     REQUIRE(lr_batch_get_counts(world.get(), batch, &c) == LR_OK);
     return c.total_diverged;
 }
 
-// Kinetic energies of bodies and fluid together.
 std::vector<double> energies(const std::vector<ReferenceBody>& bodies, const World& world, lr_batch batch) {
     const lr_batch_view v = view_of(world, batch);
     const std::vector<Velocity> u = velocities_of(world, batch);
     std::vector<double> out;
-    for (uint32_t i = 0; i < v.count; ++i) {
-        const auto at = [&](size_t k) { return wide(v.orientation[k][i]); };
-        const Quat q{at(0), at(1), at(2), at(3)};
-        const Six t = join(to_body(q, vec(u[i].linear)), to_body(q, vec(u[i].angular))), p = bodies[i].mass * t;
-        out.push_back(0.5 * (dot(upper(t), upper(p)) + dot(lower(t), lower(p))));
-    }
+    for (uint32_t i = 0; i < v.count; ++i) out.push_back(energy(bodies[i], v, u, i, {}));
     return out;
 }
 
@@ -117,7 +101,7 @@ TEST_CASE("stations: no step gains energy without weight") {
         const lr_batch batch = add_batch(world, aerodynamic(), asset, 20);
         std::vector<ReferenceBody> reference;
         for (int k = 0; k < 20; ++k) {
-            const lr_body_desc d = drawn_motion(random, data.length_b);
+            const lr_body_desc d = draw_motion(random, data.length_b);
             reference.emplace_back(info_of(asset), wide(d.scale));
             add_body(world, batch, d);
         }
@@ -215,7 +199,7 @@ TEST_CASE("stations: every asset that is accepted stays finite at every step") {
             gains.spin_drag = random.real(0.0, 10.0);
             REQUIRE(lr_batch_set_load_gains(world.get(), batch, &gains) == LR_OK);
         }
-        for (int k = 0; k < 2; ++k) add_body(world, batch, drawn_motion(random, data.length_b));
+        for (int k = 0; k < 2; ++k) add_body(world, batch, draw_motion(random, data.length_b));
         const float dt = static_cast<float>(random.logarithmic(1e-4, 1.0));
         for (int n = 0; n < 10; ++n) {
             set_wind(world, random.real(-gale, gale), random.real(-gale, gale), random.real(-gale, gale));

@@ -122,21 +122,17 @@ TEST_CASE("stations: the motion is that of the equations" * doctest::test_suite(
 TEST_CASE("stations: RK4 converges at fourth order, the default at second order" * doctest::test_suite("exact")) {
     for (const Case& c : cases(true))
         for (int32_t integrator : {LR_INTEGRATOR_RK4, LR_INTEGRATOR_DEFAULT}) {
-            // As in test_equations.cpp: the order is that of the last halving well above rounding.
             std::vector<double> errors;
             for (int count = 4; count <= 256; count *= 2)
                 errors.push_back(
                     std::sqrt(compare(c, integrator, 0.15 * std::min(1.0, c.scale), count, 1, true).mean_square));
-            const double rounding = *std::min_element(errors.begin(), errors.end());
-            size_t last = 1;
-            while (last + 1 < errors.size() && errors[last + 1] > 5.0 * rounding) ++last;
-            const double order = std::log2(errors[last - 1] / errors[last]);
+            const Convergence found = convergence(errors);
             CAPTURE(std::string(c.name));
             CAPTURE(integrator);
-            MESSAGE(std::string(c.name), ", integrator ", integrator, ": order ", order, " from ", errors[last - 1],
-                    " to ", errors[last], " in ", 2 << (last + 1), " steps");
-            CHECK(errors[last - 1] < 0.05);
-            CHECK(order > (integrator == LR_INTEGRATOR_RK4 ? 3.7 : 1.8));
+            MESSAGE(std::string(c.name), ", integrator ", integrator, ": order ", found.order, " from ", found.coarse,
+                    " to ", found.fine, " in ", 2 << (found.halvings + 1), " steps");
+            CHECK(found.coarse < 0.05);
+            CHECK(found.order > (integrator == LR_INTEGRATOR_RK4 ? 3.7 : 1.8));
         }
 }
 
@@ -194,7 +190,7 @@ TEST_CASE("stations: halves of a plate at one place are the plate") {
     }
 }
 
-// What stations have in common with the loads of a whole body: all but the sharpness of the stall, viscous drag along single axes, and lift of an
+// Stations share these loads with a whole body: all but the sharpness of the stall, viscous drag along single axes, and lift of an
 // edge. Spin drag in a stream follows another one.
 TEST_CASE("stations: two halves at the centre of the loads are the body without stations") {
     lr::AssetData data = body(2, false, false);

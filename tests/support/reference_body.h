@@ -11,6 +11,7 @@
 #include <cmath>
 #include <functional>
 #include <utility>
+#include <vector>
 
 namespace test {
 
@@ -51,6 +52,19 @@ inline Matrix6 inverse(Matrix6 m) {
         }
     }
     return out;
+}
+
+// Errors at steps halved again and again. Rounding limits the smallest error, which grows again with the number of steps; the order is that of the
+// last halving well above it.
+struct Convergence {
+    double order, coarse, fine; // errors before and after that halving
+    size_t halvings;
+};
+inline Convergence convergence(const std::vector<double>& errors) {
+    const double rounding = *std::min_element(errors.begin(), errors.end());
+    size_t last = 1;
+    while (last + 1 < errors.size() && errors[last + 1] > 5.0 * rounding) ++last;
+    return {std::log2(errors[last - 1] / errors[last]), errors[last - 1], errors[last], last};
 }
 
 class ReferenceBody {

@@ -231,7 +231,7 @@ StationData station_of(const Part& part, const Plan& plan, const Grid& grid, dou
     return out;
 }
 
-// What the drag of the places does not give of the body's couple in creeping flow.
+// The rest of the body's couple in creeping flow, beside that of the drag at the places.
 void share_stokes_couple(std::vector<StationData>& stations, const std::vector<double>& shares,
                          const AerodynamicData& loads) {
     std::array<double, 3> rest = loads.spin_drag_stokes;

@@ -16,10 +16,10 @@ void put(const Vector& from, double factor, float* to) {
     for (size_t i = 0; i < 3; ++i) to[i] = static_cast<float>(from[i] * factor);
 }
 
-// Upper triangle of s - a b^T.
-void put_outer(double s, const Vector& a, const Vector& b, double sign, float* to) {
+// Upper triangle of s + sign a a^T.
+void put_outer(double s, double sign, const Vector& a, float* to) {
     for (size_t i = 0; i < 3; ++i)
-        for (size_t j = i; j < 3; ++j) *to++ = static_cast<float>((i == j ? s : 0.0) + sign * a[i] * b[j]);
+        for (size_t j = i; j < 3; ++j) *to++ = static_cast<float>((i == j ? s : 0.0) + sign * a[i] * a[j]);
 }
 
 void make_station(const StationData& from, double d, double start_drag, StationConstants& to) {
@@ -30,10 +30,10 @@ void make_station(const StationData& from, double d, double start_drag, StationC
         put(axis[k], 1.0, to.along[k]);
         put(cross(r, axis[k]), 1.0, to.along[k] + 3);
         put(axis[k], 1.0, to.axes + 3 * k);
-        put_outer(0.0, axis[k], axis[k], 1.0, to.outer[k]);
+        put_outer(0.0, 1.0, axis[k], to.outer[k]);
     }
     put(r, 1.0, to.place);
-    put_outer(r[0] * r[0] + r[1] * r[1] + r[2] * r[2], r, r, -1.0, to.spread);
+    put_outer(r[0] * r[0] + r[1] * r[1] + r[2] * r[2], -1.0, r, to.spread);
     put(from.drag, 0.5 * d, to.drag);
     put(from.drag_blunt, 0.5 * d, to.drag_blunt);
     put(from.drag_layer, d * std::sqrt(d), to.drag_layer);
@@ -57,12 +57,9 @@ void make_station(const StationData& from, double d, double start_drag, StationC
 }
 } // namespace
 
-bool uses_stations(const AssetData& asset, const AerodynamicData& loads) {
-    return !asset.stations.empty() && loads == asset.aerodynamics;
-}
-
-void make_stations(const AssetData& asset, StationSet& out) {
-    out.count = static_cast<uint32_t>(std::min(asset.stations.size(), most_stations));
+void make_stations(const AssetData& asset, const AerodynamicData& loads, StationSet& out) {
+    const bool own = loads == asset.aerodynamics;
+    out.count = own ? static_cast<uint32_t>(std::min(asset.stations.size(), most_stations)) : 0;
     for (size_t i = 0; i < out.count; ++i)
         make_station(asset.stations[i], asset.length_d, asset.aerodynamics.start_drag, out.station[i]);
 }

@@ -25,8 +25,6 @@ struct StationSet {
     uint32_t count = 0;
 };
 
-// True if these are the asset's own loads: others replace its stations.
-bool uses_stations(const AssetData& asset, const AerodynamicData& loads);
-
-void make_stations(const AssetData& asset, StationSet& out);
+// None if `loads` are not the asset's own: others replace its stations.
+void make_stations(const AssetData& asset, const AerodynamicData& loads, StationSet& out);
 } // namespace lr

@@ -26,16 +26,11 @@ struct Resistance {
     Twist lost; // momentum that separated streams have shed
 };
 
-HWY_INLINE Vec3 symmetric3(const VF (&m)[6], Vec3 a) {
-    return {m[0] * a.x + (m[1] * a.y + m[2] * a.z), m[1] * a.x + (m[3] * a.y + m[4] * a.z),
-            m[2] * a.x + (m[4] * a.y + m[5] * a.z)};
-}
-
 HWY_INLINE VF along6(const float* k, const Twist& t) {
     return weighted(k, t.v) + weighted(k + 3, t.u);
 }
 
-// The wake's flow, body axes: what the lift follows beyond the stream, for all stations alike.
+// behind_body: the stream that the wake remembers less the present one, body axes.
 template <class A>
 HWY_INLINE void add_station(const StationConstants& k, const A& a, const Held& held, VF nu, Vec3 behind_body,
                             const Twist& t, Resistance& out) {
@@ -149,19 +144,24 @@ HWY_INLINE Twist resisted(const Resistance& k, const Twist& t) {
     return {v, u};
 }
 
+// The block of a mass matrix from spin to momentum, from its upper triangle.
+template <class T> HWY_INLINE Matrix coupling(const T* m) {
+    return {{broadcast(m + 3), broadcast(m + 8), broadcast(m + 12)}};
+}
+template <class T>
+HWY_INLINE Matrix symmetric(const T& xx, const T& xy, const T& xz, const T& yy, const T& yz, const T& zz) {
+    const VF y = constant(xy), z = constant(xz), w = constant(yz);
+    return {{{constant(xx), y, z}, {y, constant(yy), w}, {z, w, constant(zz)}}};
+}
+
 // How the products of momentum with velocity and spin change with the momentum, near a motion: blocks from v and u.
 struct Products {
     Matrix v_of_v, v_of_u, u_of_v, u_of_u;
 };
 template <class C> HWY_INLINE Products products(const C& c, VF g, const Twist& t) {
     const auto* const m = c.full_mass;
-    const auto matrix = [&](int i0, int i1, int i2, int i3, int i4, int i5, int i6, int i7, int i8) LR_LAMBDA {
-        return Matrix{{{constant(m[i0]), constant(m[i1]), constant(m[i2])},
-                       {constant(m[i3]), constant(m[i4]), constant(m[i5])},
-                       {constant(m[i6]), constant(m[i7]), constant(m[i8])}}};
-    };
-    const Matrix first = matrix(0, 1, 2, 1, 6, 7, 2, 7, 11), mixed = matrix(3, 4, 5, 8, 9, 10, 12, 13, 14);
-    const Matrix last = matrix(15, 16, 17, 16, 18, 19, 17, 19, 20);
+    const Matrix first = symmetric(m[0], m[1], m[2], m[6], m[7], m[11]), mixed = coupling(m);
+    const Matrix last = symmetric(m[15], m[16], m[17], m[18], m[19], m[20]);
     const auto times = [](Vec3 a, const Matrix& b) LR_LAMBDA {
         return Matrix{
             {a.z * b.row[1] - a.y * b.row[2], a.x * b.row[2] - a.z * b.row[0], a.y * b.row[0] - a.x * b.row[1]}};
@@ -192,10 +192,7 @@ template <class C> HWY_INLINE Factors factors(const C& c, VF theta, const Resist
     const VF over = constant(1.0f) / dot(a0, c0);
     const Matrix inverse{{over * Vec3{c0.x, c1.x, c2.x}, over * Vec3{c0.y, c1.y, c2.y}, over * Vec3{c0.z, c1.z, c2.z}}};
     // Block from u to v: M12 + theta (mixed - couple); back: M12^T + theta (mixed + couple)^T.
-    const Matrix mass{{{constant(m[3]), constant(m[4]), constant(m[5])},
-                       {constant(m[8]), constant(m[9]), constant(m[10])},
-                       {constant(m[12]), constant(m[13]), constant(m[14])}}};
-    const Matrix couple = theta * k.couple, both = mass + theta * k.mixed, to = both - couple - theta * p.v_of_u;
+    const Matrix couple = theta * k.couple, both = coupling(m) + theta * k.mixed, to = both - couple - theta * p.v_of_u;
     const Matrix back = transposed(both + couple) - theta * p.u_of_v;
     Factors out{inverse, inverse * to, back * inverse, {}};
     const Matrix schur = back * out.right + theta * p.u_of_u;
@@ -236,7 +233,7 @@ HWY_INLINE Vec3 body_shedding_couple(const StepInput& in, const C& c, const Held
             bound(couple.z, c.inverse_spin_mass[2])};
 }
 
-// All that resists a motion: the stations, and Kirchhoff's products with the momentum that moves along. push: receives the stations' loads by the
+// The resistance to a motion, of the stations and of Kirchhoff's products with the momentum that moves along. push: receives the stations' loads by the
 // fluid's own spin.
 template <class C>
 HWY_INLINE Resistance resistance(const StepInput& in, const C& c, const Held& held, VF nu, const Body& b,
