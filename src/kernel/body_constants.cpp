@@ -140,6 +140,14 @@ double langevin_beta_squared(double epsilon, double c0, const Gains& gains) {
     return c0 * epsilon * gains.noise * gains.noise;
 }
 
+uint32_t motions_in_substep(const BodyConstants& body, float gravity, float h) {
+    constexpr double longest = 0.31, most = 4.0; // docs/maintainers/numerics.md, "Errors by step"
+    if (!(body.wake_length > 0.0f) || body.aerodynamics.plate_drag <= 0.0f) return 1;
+    const double pull = std::abs(static_cast<double>(body.weight)) * static_cast<double>(gravity);
+    const double steps = static_cast<double>(h) / longest * std::sqrt(pull / static_cast<double>(body.wake_length));
+    return steps < most ? static_cast<uint32_t>(steps) + 1 : static_cast<uint32_t>(most);
+}
+
 void set_speed_turbulence(const TurbulenceSample& s, const Gains& gains, BodyConstants& out) {
     const double d_over_l = static_cast<double>(out.length) / s.l;
     out.speed_alpha = static_cast<float>(langevin_alpha(chi_star(s), s.c0, gains) * d_over_l);
@@ -222,6 +230,7 @@ bool make_aerodynamics(const AssetData& a, const AerodynamicData& loads, const G
     out.fluid[2] = spin_drag;
     out.fluid[3] = per_unit;
     make_stations(a, loads, body.stations);
+    body.wake_length = static_cast<float>(loads.wake_length);
     out.rate_of_gusts = d / loads.length;
     const double intensity = loads.intensity * gains.turbulence * gains.noise;
     out.variance_of_gusts = std::min(intensity * intensity, most_variance);
@@ -233,7 +242,7 @@ bool make_aerodynamics(const AssetData& a, const AerodynamicData& loads, const G
     upper_triangle(inverse, 0, 6, c.full_inverse);
     const double inverse_spin_mass[3] = {inverse[21], inverse[28], inverse[35]};
     derived::set_munk_of_normal(inverse_spin_mass, out);
-    derived::set_frame(0.0, 1.0, eigen3, c);
+    derived::set_frame(0.0, 1.0, c);
     // M^-1 P^T for each direction of P: the response to a force or couple.
     for (size_t i = 0; i < 6; ++i) {
         const double* const q = out.axes + i % 3 * 3;

@@ -33,17 +33,13 @@ template <class T> struct AerodynamicConstantsOf {
     // Of stations: the fluid's density over the mass unit, with the gains of drag, lift and spin drag, and alone.
     T fluid[4];
     // Full path. Q: from body axes to load axes. P = Q (1, -[r]x): velocity of the load centre.
-    T axes[9], arm[3]; // Q; r: from the centre of mass to the load centre, over d
-    T mobility[6];     // P M^-1 P^T, upper triangle
-    T mobility_adjugate[6];
-    T modes[9];                  // columns: its eigenvectors
-    T rate[3];                   // and eigenvalues
-    T spin_response_to_force[9]; // Q (M^-1)_u P^T: spin by an impulse at the load centre
-    T spin_of_force[9];          // spin per change of velocity by that impulse
-    T spin_mobility[6];          // Q (M^-1)_22 Q^T
-    T spin_answer[6];            // its columns over their diagonal entry, without it: x's y, z; y's x, z; z's x, y
-    T fall[18];                  // response to gravity along body axes in a uniform wind: P over Q (M^-1)_u, 6x3
-    T velocity_of_couple[9];     // velocity of the load centre per change of spin by a couple
+    T axes[9], arm[3];       // Q; r: from the centre of mass to the load centre, over d
+    T centre_mass[6];        // (P M^-1 P^T)^-1, upper triangle
+    T spin_of_force[9];      // spin per change of velocity by that impulse
+    T spin_mobility[6];      // Q (M^-1)_22 Q^T
+    T spin_answer[6];        // its columns over their diagonal entry, without it: x's y, z; y's x, z; z's x, y
+    T fall[18];              // response to gravity along body axes in a uniform wind: P over Q (M^-1)_u, 6x3
+    T velocity_of_couple[9]; // velocity of the load centre per change of spin by a couple
     // Gusts with the SPEED clock: correlation rate per speed, variance per square of the speed.
     T rate_of_gusts, variance_of_gusts;
     T wake_reynolds;
@@ -85,6 +81,7 @@ template <class T> struct BodyConstantsOf {
 using AerodynamicConstants = AerodynamicConstantsOf<float>;
 struct BodyConstants : BodyConstantsOf<float> {
     bool diagonal;
+    float wake_length; // m, of a plate
     StationSet stations;
 };
 
@@ -113,6 +110,10 @@ struct Gains {
 
 // diagonal: drop all entries off the diagonals, and the offset of buoyancy. False if the mass matrix has no inverse.
 bool make_body_constants(const AssetData& asset, bool diagonal, double fluid_density, BodyConstants& out);
+
+// How many steps of the motion a substep of h seconds takes with AERODYNAMIC loads: none is longer than a third of the time in which a body at rest falls
+// by half the length of its wake, but there are four at most. gravity: m/s^2.
+uint32_t motions_in_substep(const BodyConstants& body, float gravity, float h);
 
 // `stationary`: the sample that the SPEED clock scales by the body's speed.
 void set_speed_turbulence(const TurbulenceSample& stationary, const Gains& gains, BodyConstants& out);

@@ -87,8 +87,8 @@ template <class N> HWY_INLINE void set_noise_of_modes(BodyConstantsOf<N>& c) {
     }
 }
 
-// All constants of the load centre, from the inverse mass matrix and the axes and arm of the loads. eigen(matrix, vectors) makes the matrix diagonal.
-template <class N, class Eigen> HWY_INLINE void set_frame(N zero, N one, const Eigen& eigen, BodyConstantsOf<N>& c) {
+// All constants of the load centre, from the inverse mass matrix and the axes and arm of the loads.
+template <class N> HWY_INLINE void set_frame(N zero, N one, BodyConstantsOf<N>& c) {
     AerodynamicConstantsOf<N>& a = c.aerodynamics;
     N to[3][6], response[3][6], spin_response[3][6];
     for (size_t j = 0; j < 3; ++j) {
@@ -99,38 +99,26 @@ template <class N, class Eigen> HWY_INLINE void set_frame(N zero, N one, const E
         times_symmetric6(c.full_inverse, to[j], response[j]);
         times_symmetric6(c.full_inverse, couple, spin_response[j]);
     }
-    N n[3][3], vectors[3][3], inverse[6], inverse_spin[6];
+    N mobility[6], inverse_spin[6];
     for (size_t i = 0, k = 0; i < 3; ++i)
         for (size_t j = i; j < 3; ++j, ++k) {
-            n[i][j] = n[j][i] = dot3(to[i], response[j]) + dot3(to[i] + 3, response[j] + 3);
-            a.mobility[k] = n[i][j];
+            mobility[k] = dot3(to[i], response[j]) + dot3(to[i] + 3, response[j] + 3);
             a.spin_mobility[k] = dot3(a.axes + 3 * i, spin_response[j] + 3);
         }
-    for (size_t i = 0, k = 0; i < 3; ++i)
-        for (size_t j = i; j < 3; ++j, ++k) { // cofactors of a symmetric matrix
-            const size_t i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-            a.mobility_adjugate[k] = n[i1][j1] * n[i2][j2] - n[i1][j2] * n[i2][j1];
-        }
     invert_symmetric3(a.spin_mobility, one, inverse_spin);
-    invert_symmetric3(a.mobility, one, inverse);
+    invert_symmetric3(mobility, one, a.centre_mass);
     N turned[3][3]; // rows: spin for an impulse; columns: velocity for a couple
     for (size_t i = 0; i < 3; ++i)
         for (size_t j = 0; j < 3; ++j) turned[i][j] = dot3(a.axes + 3 * i, response[j] + 3);
     for (size_t i = 0; i < 3; ++i) {
         const N couple[3] = {turned[0][i], turned[1][i], turned[2][i]};
-        for (size_t j = 0; j < 3; ++j) a.spin_response_to_force[i * 3 + j] = turned[i][j];
-        times_symmetric3(inverse, turned[i], a.spin_of_force + 3 * i);
+        times_symmetric3(a.centre_mass, turned[i], a.spin_of_force + 3 * i);
         times_symmetric3(inverse_spin, couple, a.velocity_of_couple + 3 * i);
     }
     const N* const spin = a.spin_mobility;
     const N over[3] = {one / spin[0], one / spin[3], one / spin[5]};
     const N beside[6] = {spin[1], spin[2], spin[1], spin[4], spin[2], spin[4]};
     for (size_t i = 0; i < 6; ++i) a.spin_answer[i] = beside[i] * over[i / 2];
-    eigen(n, vectors);
-    for (size_t j = 0; j < 3; ++j) {
-        a.rate[j] = n[j][j];
-        for (size_t i = 0; i < 3; ++i) a.modes[i * 3 + j] = vectors[i][j];
-    }
 }
 } // namespace lr::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -262,6 +262,7 @@ void lr_world::fill_input(Batch& batch, const StepTime& t, uint64_t first_subste
     in.sqrt_h = roots.sqrt;
     in.inverse_sqrt_h = roots.inverse_sqrt;
     std::copy(gravity, gravity + 3, in.gravity);
+    in.motions = motions_in_substep(in.body, length(vector_of(gravity)), in.h);
     batch.external.fill(in.external);
     in.water = surface.present() ? batch.water_body(surface.desc(), unfit) : nullptr;
     std::copy(begin, begin + 3, in.wind_begin);

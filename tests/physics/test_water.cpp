@@ -344,22 +344,34 @@ TEST_CASE("floats of every kind come to rest at the step of a game") {
     }
 }
 
-TEST_CASE("a heavy disc enters the water and sinks through it slower than it fell") {
+TEST_CASE("heavy discs enter the water and sink through it slower than they fell") {
     const Asset disc = make(ellipsoid(0.02, 0.02, 0.0005, 2700.0));
     const World world = make(world_desc());
     set_water(world, water_desc());
-    const lr_batch batch = add_batch(world, loads(LR_LOADS_AERODYNAMIC), disc, 1);
-    lr_body_desc d = at_height(1.0);
-    d.orientation[0] = 0.5f;
-    const lr_body body = add_body(world, batch, d);
-    steps(world, 60, 1.0f / 60.0f, 4);
-    steps(world, 120, 1.0f / 60.0f, 4);
-    const double y = wide(state_of(world, body).position[1]);
+    constexpr uint32_t count = 64;
+    const lr_batch batch = add_batch(world, loads(LR_LOADS_AERODYNAMIC), disc, count);
+    std::vector<lr_body> bodies;
+    for (uint32_t i = 0; i < count; ++i) {
+        lr_body_desc d = at_height(1.0);
+        d.orientation[0] = 0.1f + 0.01f * static_cast<float>(i);
+        bodies.push_back(add_body(world, batch, d));
+    }
+    const auto heights = [&] {
+        std::vector<double> y;
+        for (lr_body body : bodies) y.push_back(wide(state_of(world, body).position[1]));
+        return y;
+    };
+    steps(world, 180, 1.0f / 60.0f, 4);
+    std::vector<double> sank = heights();
+    CHECK(*std::max_element(sank.begin(), sank.end()) < 0.0);
     steps(world, 240, 1.0f / 60.0f, 4);
-    const double sank = (y - wide(state_of(world, body).position[1])) / 4.0;
-    CHECK(y < 0.0);
-    CHECK(sank > 0.03);
-    CHECK(sank < 0.6);
+    const std::vector<double> later = heights();
+    for (uint32_t i = 0; i < count; ++i) sank[i] = (sank[i] - later[i]) / 4.0;
+    std::sort(sank.begin(), sank.end());
+    CHECK(sank.front() > 0.03);
+    // A few dive on edge for a while.
+    CHECK(sank[count / 2] < 0.2);
+    CHECK(sank[count * 4 / 5] < 0.6);
 }
 
 TEST_CASE("a disc that has gone in flutters down") {

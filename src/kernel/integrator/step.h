@@ -28,7 +28,8 @@ struct StepInput {
     uint64_t seed;
     uint64_t first_substep; // time index of the noise
     uint32_t substeps;
-    float h; // s, one substep
+    uint32_t motions; // AERODYNAMIC loads: steps of the motion in a substep, with one of the wake
+    float h;          // s, one substep
     float sqrt_h, inverse_sqrt_h;
     float gravity[3];    // m/s^2, world, less the acceleration of the uniform wind
     float wind_begin[3]; // m/s, world: the uniform wind as the step begins,

@@ -59,18 +59,15 @@ HWY_INLINE void rk4_substep(const StepInput& in, const C& c, Held& held, VF beta
     }
     const auto rate = [&](Quaternion q, Twist t) LR_LAMBDA {
         if constexpr (!kAerodynamic) return twist_rate<kFull, false>(in, c, held, q, t);
-        const VF nu = constant(c.aerodynamics.viscosity) * held.inverse_length;
-        if constexpr (kFull)
-            if (in.body.stations.count != 0) {
-                const Vec3 spin = held.sheared ? to_body(q, held.fluid_spin) : zero3();
-                return twist_rate<kFull, true>(in, c, held, q, t) +
-                       acceleration<kFull>(c, station_loads(in, c, held, nu, b, spin, t));
-            }
-        const Plate plate = plate_at(c.aerodynamics, held, nu, b.lag, centre_velocity<kFull>(c.aerodynamics, t));
-        held.shed = plate.shed;
-        const Twist r = twist_rate<kFull, true>(in, c, held, q, t);
-        if (held.sheared) t.u -= to_body(q, held.fluid_spin);
-        return r + acceleration<kFull>(c, aerodynamic_loads<kFull>(c.aerodynamics, held, plate, b.shedding, t));
+        const Vec3 fluid_spin = held.sheared ? to_body(q, held.fluid_spin) : zero3();
+        Twist loads;
+        if (kFull && in.body.stations.count != 0) {
+            const VF nu = constant(c.aerodynamics.viscosity) * held.inverse_length;
+            loads = station_loads(in, c, held, nu, b, fluid_spin, t);
+        } else {
+            loads = aerodynamic_loads<kFull>(c.aerodynamics, held, b, {t.v, t.u - fluid_spin}, held.shed);
+        }
+        return twist_rate<kFull, true>(in, c, held, q, t) + acceleration<kFull>(c, loads);
     };
     const auto spin = [&](Twist t) LR_LAMBDA { return held.inverse_length * t.u; };
 
@@ -173,10 +170,13 @@ HWY_INLINE void aerodynamic_substep(const StepInput& in, const C& c, Held& held,
     b.x += constant(in.h) * b.gust;
     Vec3 middle = v;
     if constexpr (kIntegrator == Integrator::splitting) {
-        if (kFull && in.body.stations.count != 0)
-            middle = station_substep(in, c, held, nu, b);
-        else
-            middle = aerodynamic_splitting_substep<kFull>(in, c, held, nu, b);
+        const float h = in.h / static_cast<float>(in.motions);
+        for (uint32_t i = 0; i < in.motions; ++i) {
+            if (kFull && in.body.stations.count != 0)
+                middle = station_motion(in, h, c, held, nu, b);
+            else
+                middle = splitting_motion<kFull>(h, c, held, nu, b);
+        }
         b.x += constant(in.h) * held.wind;
         grow_older(b, constant(in.h));
     } else {

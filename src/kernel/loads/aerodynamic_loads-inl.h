@@ -30,102 +30,73 @@ template <class A> HWY_INLINE VF shedding_share(const A& c, VF nu, VF inverse_s)
     return hn::Max(constant(1.0f) - x * x, constant(0.0f));
 }
 
-// The flow past a plate at one moment of the loads: their start, their middle, or their end.
-struct Plate {
-    Vec3 lag;
-    VF lift, vortex; // attached
-    VF drag, start;  // separated, and of a wake that is being made
-    VF shed;         // the added mass that does not move with the body
+// The flow past a plate: the stream that its attached part follows, which is partly that of the wake, and the share that is attached.
+struct PlateFlow {
+    Vec3 squares; // of that stream, along the load axes
+    VF across, along2, inverse_along2, attached;
 };
-
-// The stream that the attached flow follows: partly that of the wake.
-template <class A> HWY_INLINE Vec3 followed(const A& c, Vec3 lag, Vec3 v) {
-    return v + constant(c.wake_share) * (lag - v);
-}
-
-template <class A> HWY_INLINE Plate plate_at(const A& c, const Held& held, VF nu, Vec3 lag, Vec3 v) {
+template <class A> HWY_INLINE PlateFlow plate_flow(const A& c, Vec3 lag, Vec3 v) {
     const VF one = constant(1.0f);
     // A stream exactly along the normal is as one along both other axes by turns.
     const VF least = constant(1e-20f);
-    const Vec3 u = followed(c, lag, v), squares = times(u, u) + Vec3{least, least, least};
-    const VF across = dot(broadcast(c.normal_axis), u), a2 = across * across;
-    const VF along = dot(broadcast(c.plate_axes) + broadcast(c.plate_axes + 3), squares), inverse = one / along;
-    const VF s2 = along + a2;
+    const Vec3 u = v + constant(c.wake_share) * (lag - v);
+    PlateFlow out;
+    out.squares = times(u, u) + Vec3{least, least, least};
+    out.across = dot(broadcast(c.normal_axis), u);
+    const VF a2 = out.across * out.across;
+    out.along2 = dot(broadcast(c.plate_axes) + broadcast(c.plate_axes + 3), out.squares);
+    out.inverse_along2 = one / out.along2;
+    const VF s2 = out.along2 + a2;
     // (sin a)^2 over that of the stall angle, to the fourth power against (cos a)^2: half of each at the stall angle.
-    const VF stall = hn::Max(weighted(c.plate_stall, squares) * inverse, one);
+    const VF stall = hn::Max(weighted(c.plate_stall, out.squares) * out.inverse_along2, one);
     VF x = a2 * stall / s2;
     x *= x;
-    const VF kept = along * stall, attached = kept / (kept + s2 * (stall - one) * (x * x) + constant(1e-30f));
-    const VF lift = held.lift * attached * inverse;
-    const Vec3 behind = lag - v;
-    const VF inverse_v2 = one / speed_squared(v);
-    const VF growing = hn::Sqrt(speed_squared(behind)) * dot(behind, v) * inverse_v2;
-    const VF rest = constant(c.separated_shed) * shedding_share(c, nu, hn::Sqrt(inverse_v2));
-    Plate out;
-    out.lag = lag;
-    out.lift = lift * weighted(c.plate_lift, squares);
-    out.vortex = lift * weighted(c.plate_vortex, squares);
-    out.drag = held.drag * constant(c.plate_drag) * (one - attached);
-    out.start = -(held.drag * constant(c.start_drag) * growing);
-    out.shed = (one - attached) * rest;
+    const VF kept = out.along2 * stall;
+    out.attached = kept / (kept + s2 * (stall - one) * (x * x) + constant(1e-30f));
     return out;
 }
-
-// The flow at the end of the loads, extrapolated linearly from their start and their middle.
-HWY_INLINE Plate extrapolated(const Plate& begin, const Plate& middle) {
-    const auto end = [](VF a, VF b) LR_LAMBDA { return hn::Max(b + b - a, constant(0.0f)); };
-    return {middle.lag,
-            end(begin.lift, middle.lift),
-            end(begin.vortex, middle.vortex),
-            end(begin.drag, middle.drag),
-            middle.start + middle.start - begin.start,
-            end(begin.shed, middle.shed)};
+// The added mass along the normal that stays in the wake.
+template <class A> HWY_INLINE VF shed_mass(const A& c, const PlateFlow& flow, VF nu, VF inverse_s) {
+    return (constant(1.0f) - flow.attached) * shedding_share(c, nu, inverse_s) * constant(c.separated_shed);
 }
 
 // Loads of a stream: the force is -drag v + circulation x v, per mass unit.
 struct Stream {
-    VF drag;
+    VF drag, shed;
     Vec3 circulation;
 };
 
 // A plate's normal force -N n is drag N v_n/s^2 and circulation N/s^2 (n x v). The drag is never negative: a wake does not push.
-template <bool kDrag, bool kLift, class A>
-HWY_INLINE Stream stream_loads(const A& c, const Held& held, const Plate& plate, VF nu, Vec3 v, Vec3 u) {
+template <class A> HWY_INLINE Stream stream_loads(const A& c, const Held& held, VF nu, Vec3 lag, Vec3 v, Vec3 u) {
     const VF s2 = speed_squared(v), s = hn::Sqrt(s2), inverse_s2 = constant(1.0f) / s2, root = hn::Sqrt(s * nu);
-    const Vec3 n = broadcast(c.normal_axis), followed_stream = followed(c, plate.lag, v);
-    const VF vn = dot(n, v), un = dot(n, followed_stream);
-    const VF ut = hn::Sqrt(hn::Max(speed_squared(followed_stream) - un * un, constant(0.0f)));
-    const VF sheared_off = s2 - vn * vn;
-    const VF normal =
-        inverse_s2 * (un * (plate.lift * ut + plate.vortex * hn::Abs(un)) +
-                      vn * (plate.drag * (constant(0.8f) * (sheared_off * inverse_s2) * s + s) + plate.start));
+    const PlateFlow flow = plate_flow(c, lag, v);
+    const Vec3 n = broadcast(c.normal_axis), behind = lag - v;
+    const VF vn = dot(n, v), sheared_off = s2 - vn * vn;
+    const VF lift = held.lift * flow.attached * flow.inverse_along2;
+    const VF attached = lift * (weighted(c.plate_lift, flow.squares) * hn::Sqrt(flow.along2) +
+                                weighted(c.plate_vortex, flow.squares) * hn::Abs(flow.across));
+    const VF separated = constant(c.plate_drag) * (constant(1.0f) - flow.attached);
+    const VF growing = hn::Sqrt(speed_squared(behind)) * dot(behind, v) * inverse_s2;
+    const VF drag = held.drag * (separated * (constant(0.8f) * (sheared_off * inverse_s2) * s + s) -
+                                 constant(c.start_drag) * growing);
+    const VF normal = inverse_s2 * (flow.across * attached + vn * drag);
+
     Stream out;
-    if constexpr (kDrag) {
-        const Vec3 part = inverse_s2 * times(v, v);
-        const VF separated = s / (constant(8710.0f) * nu + s); // Re/(Re + 8710)
-        const VF form = separated * weighted(c.drag_blunt, part) + weighted(c.drag, part);
-        const VF layer = root * weighted(c.drag_layer, part);
-        out.drag = held.drag * (s * form + (nu * weighted(c.drag_stokes, part) + layer)) +
-                   hn::Max(normal * vn, constant(0.0f));
-    }
-    if constexpr (kLift) {
-        const VF inverse = held.lift * inverse_s2;
-        const auto along = [&](int k, VF vi, VF vj, VF uk) LR_LAMBDA {
-            const VF sum =
-                constant(c.lift[k]) * s + (constant(c.lift_layer[k]) * root + constant(c.lift_stokes[k]) * nu);
-            return held.lift * constant(c.spin_lift[k]) * uk - inverse * (vi * vj) * sum;
-        };
-        out.circulation =
-            Vec3{along(0, v.y, v.z, u.x), along(1, v.z, v.x, u.y), along(2, v.x, v.y, u.z)} + normal * cross(n, v);
-    }
+    out.shed = shed_mass(c, flow, nu, s * inverse_s2);
+    const Vec3 part = inverse_s2 * times(v, v);
+    const VF blunt = s / (constant(8710.0f) * nu + s); // Re/(Re + 8710)
+    const VF form = blunt * weighted(c.drag_blunt, part) + weighted(c.drag, part);
+    const VF layer = root * weighted(c.drag_layer, part);
+    out.drag =
+        held.drag * (s * form + (nu * weighted(c.drag_stokes, part) + layer)) + hn::Max(normal * vn, constant(0.0f));
+    const VF inverse = held.lift * inverse_s2;
+    const auto around = [&](int k, VF vi, VF vj, VF uk) LR_LAMBDA {
+        const VF sum = constant(c.lift[k]) * s + (constant(c.lift_layer[k]) * root + constant(c.lift_stokes[k]) * nu);
+        return held.lift * constant(c.spin_lift[k]) * uk - inverse * (vi * vj) * sum;
+    };
+    out.circulation =
+        Vec3{around(0, v.y, v.z, u.x), around(1, v.z, v.x, u.y), around(2, v.x, v.y, u.z)} + normal * cross(n, v);
     return out;
-}
-template <class A> HWY_INLINE VF drag_rate(const A& c, const Held& held, const Plate& plate, VF nu, Vec3 v) {
-    return stream_loads<true, false>(c, held, plate, nu, v, v).drag;
-}
-template <class A>
-HWY_INLINE Vec3 circulation(const A& c, const Held& held, const Plate& plate, VF nu, Vec3 v, Vec3 u) {
-    return stream_loads<false, true>(c, held, plate, nu, v, u).circulation;
 }
 
 // Couple of the vortices that the wake sheds.
@@ -224,16 +195,16 @@ HWY_INLINE void vary(const StepInput& in, VU noise_seed, Held& held) {
     if (in.body.stations.count == 0) held.lift *= factor(hn::And(x, hn::Set(du, 0xffffu)));
 }
 
-// The sum of all loads as force and torque about the centre of mass, body axes, for Runge-Kutta.
+// The sum of all loads as force and torque about the centre of mass, body axes, for Runge-Kutta. shed: as in Held.
 template <bool kFull, class A>
-static HWY_NOINLINE Twist aerodynamic_loads(const A& c, const Held& held, const Plate& plate, const VF shedding[4],
-                                            Twist t) {
+static HWY_NOINLINE Twist aerodynamic_loads(const A& c, const Held& held, const Body& b, Twist t, VF& shed) {
     const VF nu = constant(c.viscosity) * held.inverse_length;
     const Vec3 v = centre_velocity<kFull>(c, t), u = load_spin<kFull>(c, t);
-    const Stream stream = stream_loads<true, true>(c, held, plate, nu, v, u);
+    const Stream stream = stream_loads(c, held, nu, b.lag, v, u);
+    shed = stream.shed;
     const Vec3 force = cross(stream.circulation, v) - stream.drag * v;
     const VF s = hn::Sqrt(speed_squared(v));
-    const Vec3 torque = shedding_couple(c, held, shedding, nu, v) - times(spin_drag_rate(c, held.drag, nu, s, u), u);
+    const Vec3 torque = shedding_couple(c, held, b.shedding, nu, v) - times(spin_drag_rate(c, held.drag, nu, s, u), u);
     if constexpr (!kFull) return {force, torque};
     const Vec3 f = columns(c.axes, force);
     return {f, columns(c.axes, torque) + cross(broadcast(c.arm), f)};
@@ -251,7 +222,8 @@ HWY_INLINE Vec3 next_gust(Vec3 gust, VF alpha, VF variance, float h, const VF ga
     return e * gust + kick * broadcast(gauss);
 }
 
-// The substep with quasi-steady loads: free motion, drag and weight, spin drag, lift, and back (docs/maintainers/numerics.md, "AERODYNAMIC loads").
+// The motion of a substep with quasi-steady loads: half of the free motion, loads and weight, the other half (docs/maintainers/numerics.md,
+// "AERODYNAMIC loads").
 
 // y' = f - x/tau y over tau, given tau f: exp(-x) = 1/D and (1 - exp(-x))/x = C/D with D = 1 + x C, C = 1 + x/2.
 HWY_INLINE VF relax_second(VF y, VF x, VF tau_f) {
@@ -267,215 +239,97 @@ HWY_INLINE VF eased(VF x) {
 HWY_INLINE VF over_one_and(VF r, VF e) {
     return r / (constant(1.0f) + e);
 }
-// relax_middle(r, x) is r/(1 + eased(x)) with one division.
-HWY_INLINE VF relax_middle(VF r, VF x) {
-    return (r + r) / (constant(1.0f) + hn::Sqrt(constant(2.0f) * x + constant(1.0f)));
-}
-
-// Twist of the body about the load centre, in load axes, for both halves of the loads.
-struct Pull {
-    Twist t;    // gain by weight, buoyancy and external forces in half a substep
-    Vec3 modes; // its velocity along the modes of the mobility
-};
-// Rates in the middle of one half. The other half starts from them to find its own middle: second order, with the same equilibrium.
-struct Rates {
-    VF drag;
-    Vec3 spin;
-};
-
-// Drag opposes the velocity with one factor in all directions, so the modes of the mobility P M^-1 P^T decay independently, each towards its terminal
-// velocity. On the diagonal path they are the axes.
-template <bool kFull, class C>
-HWY_INLINE void drag_along_modes(const StepInput& in, const C& c, const Held& held, const Plate& plate, VF nu,
-                                 const Pull& pull, bool before_lift, Rates& rates, Twist& t) {
-    const auto& a = c.aerodynamics;
-    const auto from_modes = [&](Vec3 y) LR_LAMBDA {
-        if constexpr (!kFull) return y;
-        return rows(a.modes, y);
-    };
-    const VF tau = constant(0.5f * in.h), half = constant(0.5f);
-    const Vec3 rate = tau * broadcast(kFull ? a.rate : c.inverse_mass), y = kFull ? columns(a.modes, t.v) : t.v;
-    const Vec3 r = y + half * pull.modes;
-    Vec3 middle;
-    if (before_lift)
-        middle = each_axis(relax_middle, r, drag_rate(a, held, plate, nu, t.v + half * pull.t.v) * rate);
-    else
-        middle = each_axis(over_one_and, r, half * rates.drag * rate);
-    rates.drag = drag_rate(a, held, plate, nu, from_modes(middle));
-    const Vec3 after = each_axis(relax_second, y, rates.drag * rate, pull.modes);
-    if constexpr (!kFull) {
-        t.v = after;
-        return;
-    }
-    const Vec3 lost = rows(a.modes, after - y - pull.modes);
-    t += pull.t + Twist{lost, rows(a.spin_of_force, lost)};
-}
-// Not inlined: the full path has each half twice, and a substep would exceed the instruction cache.
-template <class C>
-static HWY_NOINLINE void drag_half_full(const StepInput& in, const C& c, const Held& held, const Plate& plate, VF nu,
-                                        const Pull& pull, bool before_lift, Rates& rates, Twist& t) {
-    drag_along_modes<true>(in, c, held, plate, nu, pull, before_lift, rates, t);
-}
-template <bool kFull, bool kBeforeLift, class C>
-HWY_INLINE void drag_half(const StepInput& in, const C& c, const Held& held, const Plate& plate, VF nu,
-                          const Pull& pull, Rates& rates, Twist& t) {
-    if constexpr (kFull)
-        drag_half_full(in, c, held, plate, nu, pull, kBeforeLift, rates, t);
-    else
-        drag_along_modes<false>(in, c, held, plate, nu, pull, kBeforeLift, rates, t);
-}
-
-// N a, N the mobility of the spin.
-template <bool kFull, class C> HWY_INLINE Vec3 spin_mobility(const C& c, Vec3 a) {
-    if constexpr (kFull) return symmetric3(c.aerodynamics.spin_mobility, a);
-    return scaled_by(c.inverse_spin_mass, a);
-}
-// Its diagonal.
-template <bool kFull, class C> HWY_INLINE Vec3 spin_mobility(const C& c) {
-    const auto* const n = c.aerodynamics.spin_mobility;
-    if constexpr (kFull) return {constant(n[0]), constant(n[3]), constant(n[5])};
-    return broadcast(c.inverse_spin_mass);
-}
 
 HWY_INLINE Vec3 bounded(Vec3 v, VF most, VF least) {
     return each_axis([&](VF x) LR_LAMBDA { return hn::Max(hn::Min(x, most), least); }, v);
 }
-
-// Spin along one axis under couple and drag along it; all spin answers by N e, here over e.N e. Axis after axis, in reverse order in the other half,
-// is of second order, contracts in the norm of N^-1, and rests at any step if couple and drag agree along every axis.
-template <int kAxis, class T> HWY_INLINE Vec3 answering(const T* n, VF change, Vec3 u) {
-    if constexpr (kAxis == 0) return {u.x + change, constant(n[0]) * change + u.y, constant(n[1]) * change + u.z};
-    if constexpr (kAxis == 1) return {constant(n[2]) * change + u.x, u.y + change, constant(n[3]) * change + u.z};
-    return {constant(n[4]) * change + u.x, constant(n[5]) * change + u.y, u.z + change};
-}
-template <int kAxis, class T> HWY_INLINE Vec3 relax_axis(const T* n, VF x, VF push, Vec3 u) {
-    const VF y = kAxis == 0 ? u.x : kAxis == 1 ? u.y : u.z;
-    x = hn::Min(x, constant(1e15f));
-    const VF p = x * constant(0.5f) + constant(1.0f);
-    return answering<kAxis>(n, (push - x * y) * (p / (x * p + constant(1.0f))), u);
-}
-
-// A couple's push of the rim in half a substep, over the stream, is bounded: in truth the body would have turned away.
+// A couple's push of the rim in half a motion, over the stream, is bounded: in truth the body would have turned away.
 inline constexpr float most_rim = 8.0f;
 HWY_INLINE Vec3 bounded_push(Vec3 push, VF s) {
     const VF most = constant(most_rim) * s;
     return bounded(push, most, -most);
 }
 
-// couple: on the spin, constant over the substep.
-template <class C>
-static HWY_NOINLINE void spin_drag_half_full(const StepInput& in, const C& c, const Held& held, VF nu, Vec3 couple,
-                                             bool before_lift, Rates& rates, Twist& t) {
-    const auto& a = c.aerodynamics;
-    const auto* const n = a.spin_answer;
-    const VF tau = constant(0.5f * in.h), half = constant(0.5f);
-    const VF s = hn::Sqrt(speed_squared(t.v));
-    const Vec3 own = spin_mobility<true>(c), rate = tau * own, push = bounded_push(times(rate, couple), s);
-    const Vec3 first = half * push;
-    const Vec3 r = answering<2>(n, first.z, answering<1>(n, first.y, answering<0>(n, first.x, t.u)));
-    Vec3 e = half * times(rate, rates.spin);
-    if (before_lift) e = each_axis(eased, times(rate, spin_drag_rate(a, held.drag, nu, s, r)));
-    const auto lost = [&](VF y, VF by) LR_LAMBDA { return -over_one_and(y * by, by); };
-    Vec3 middle = answering<0>(n, lost(r.x, e.x), r);
-    middle = answering<1>(n, lost(middle.y, e.y), middle);
-    middle = answering<2>(n, lost(middle.z, e.z), middle);
-    // A couple moves a load centre that lies off the centre of mass.
-    const Vec3 v = t.v + rows(a.velocity_of_couple, middle - t.u);
-    rates.spin = spin_drag_rate(a, held.drag, nu, hn::Sqrt(speed_squared(v)), middle);
-    const Vec3 x = times(rate, rates.spin);
-    Vec3 u = t.u;
-    if (before_lift) {
-        u = relax_axis<0>(n, x.x, push.x, u);
-        u = relax_axis<1>(n, x.y, push.y, u);
-        u = relax_axis<2>(n, x.z, push.z, u);
-    } else {
-        u = relax_axis<2>(n, x.z, push.z, u);
-        u = relax_axis<1>(n, x.y, push.y, u);
-        u = relax_axis<0>(n, x.x, push.x, u);
-    }
-    t.v += rows(a.velocity_of_couple, u - t.u);
-    t.u = u;
-}
-
-template <bool kFull, bool kBeforeLift, class C>
-HWY_INLINE void spin_drag_half(const StepInput& in, const C& c, const Held& held, VF nu, Vec3 couple, const Pull& pull,
-                               Rates& rates, Twist& t) {
-    if constexpr (kFull) {
-        spin_drag_half_full(in, c, held, nu, couple, kBeforeLift, rates, t);
-    } else {
-        const auto& a = c.aerodynamics;
-        const VF tau = constant(0.5f * in.h), half = constant(0.5f), s = hn::Sqrt(speed_squared(t.v));
-        const Vec3 u = t.u, rate = tau * spin_mobility<false>(c);
-        const Vec3 push = bounded_push(times(rate, couple), s) + pull.t.u;
-        const Vec3 r = u + half * push;
-        Vec3 middle;
-        if constexpr (kBeforeLift)
-            middle = each_axis(relax_middle, r, times(rate, spin_drag_rate(a, held.drag, nu, s, r)));
-        else
-            middle = each_axis(over_one_and, r, times(rate, half * rates.spin));
-        rates.spin = spin_drag_rate(a, held.drag, nu, s, middle);
-        t.u = each_axis(relax_second, u, times(rate, rates.spin), push);
-    }
-}
-
-// The middle of the implicit midpoint for v' = N (2 k) x v: (1 - N [k]x)^-1 v = (v + N (k x v) + (k.a v) k)/(1 + k.a k),
-// a the adjugate of N; a rotation if N is the unit matrix.
-template <bool kFull, class C> HWY_INLINE Vec3 lifted_middle(const C& c, Vec3 k, Vec3 v) {
-    const auto& a = c.aerodynamics;
-    const Vec3 kv = cross(k, v);
-    Vec3 ak, moved;
-    if constexpr (kFull) {
-        ak = symmetric3(a.mobility_adjugate, k);
-        moved = symmetric3(a.mobility, kv);
-    } else {
-        ak = {constant(c.inverse_mass[1]) * constant(c.inverse_mass[2]) * k.x,
-              constant(c.inverse_mass[2]) * constant(c.inverse_mass[0]) * k.y,
-              constant(c.inverse_mass[0]) * constant(c.inverse_mass[1]) * k.z};
-        moved = scaled_by(c.inverse_mass, kv);
-    }
-    const VF inverse = constant(1.0f) / (constant(1.0f) + dot(ak, k));
-    return inverse * (v + moved + dot(ak, v) * k);
-}
-
-// In the middle of a substep: the flow past the plate, and the velocity of the load centre.
-struct Middle {
-    Plate plate;
-    Vec3 v;
+// The loads of one moment: the force is circulation x v - drag v, the torque couple - spin u.
+struct Moment {
+    VF drag, shed, s;
+    Vec3 circulation, spin, couple;
 };
-
-// Lift does no work: the force g x v_middle of the implicit midpoint keeps the energy at any step, whatever the circulation g. That is taken at the
-// middle which the circulation at the start leads to. plate: at the start of the loads.
-template <bool kFull, class C>
-HWY_INLINE Middle lift_step(const StepInput& in, const C& c, const Held& held, const Plate& plate, VF nu, Twist& t) {
-    const auto& a = c.aerodynamics;
-    const VF half = constant(0.5f * in.h);
-    const Vec3 v = t.v, u = t.u;
-    // Beyond this the velocity turns too far in a step to be resolved.
-    const VF most = constant(5e3f), least = constant(-5e3f);
-    const Vec3 start = bounded(half * circulation(a, held, plate, nu, v, u), most, least);
-    const Vec3 v_middle = lifted_middle<kFull>(c, start, v);
-    const Plate middle = plate_at(a, held, nu, plate.lag, v_middle);
-    Vec3 u_middle = u;
-    if constexpr (kFull) u_middle = u + rows(a.spin_response_to_force, cross(start, v_middle));
-    const Vec3 k = bounded(half * circulation(a, held, middle, nu, v_middle, u_middle), most, least);
-    const Vec3 half_impulse = cross(k, lifted_middle<kFull>(c, k, v));
-    const Vec3 impulse = half_impulse + half_impulse;
-    if constexpr (kFull)
-        t += Twist{symmetric3(a.mobility, impulse), rows(a.spin_response_to_force, impulse)};
-    else
-        t.v += scaled_by(c.inverse_mass, impulse);
-    return {middle, v_middle};
+template <class A> HWY_INLINE Moment moment_at(const A& c, const Held& held, VF nu, const Body& b, const Twist& t) {
+    const Stream stream = stream_loads(c, held, nu, b.lag, t.v, t.u);
+    const VF s = hn::Sqrt(speed_squared(t.v));
+    return {stream.drag,
+            stream.shed,
+            s,
+            stream.circulation,
+            spin_drag_rate(c, held.drag, nu, s, t.u),
+            shedding_couple(c, held, b.shedding, nu, t.v)};
 }
 
-// The gain by weight, buoyancy and external forces. A torque acts with the drag (full path: it moves the load centre) or the spin drag (diagonal).
-template <bool kFull, class C>
-HWY_INLINE Pull pull_of(const StepInput& in, const C& c, const Held& held, Quaternion q) {
-    const VF tau = constant(0.5f * in.h);
+// M' v, M' the mass that a force at the load centre moves, along the load axes.
+template <bool kFull, class C> HWY_INLINE Vec3 centre_momentum(const C& c, Vec3 v) {
+    if constexpr (kFull) return symmetric3(c.aerodynamics.centre_mass, v);
+    return scaled_by(c.mass, v);
+}
+
+// An implicit stage of M' v' = k x v - drag v, with k and drag times its length: v = r + M'^-1 (k x v - drag v) moves v from r by S^-1 (k x r - drag r),
+// S = T - [k]x, T = M' + drag, S^-1 = (adj T + k k^T + [T k]x)/(det T + k.T k).
+struct Stage {
+    VF drag, inverse;
+    Vec3 k, tk;
+    VF adjugate[6];
+};
+template <bool kFull, class C> HWY_INLINE Stage stage_of(const C& c, VF drag, Vec3 k) {
+    Stage out;
+    // Beyond this a velocity decays, or turns too far, in a motion to be resolved.
+    const VF most = constant(5e3f);
+    out.drag = hn::Min(drag, constant(1e9f));
+    out.k = bounded(k, most, -most);
+    VF* const adj = out.adjugate;
+    VF det;
+    if constexpr (kFull) {
+        const auto* const m = c.aerodynamics.centre_mass;
+        const VF xx = constant(m[0]) + out.drag, yy = constant(m[3]) + out.drag, zz = constant(m[5]) + out.drag;
+        const VF xy = constant(m[1]), xz = constant(m[2]), yz = constant(m[4]);
+        adj[0] = yy * zz - yz * yz;
+        adj[1] = xz * yz - xy * zz;
+        adj[2] = xy * yz - xz * yy;
+        adj[3] = xx * zz - xz * xz;
+        adj[4] = xy * xz - xx * yz;
+        adj[5] = xx * yy - xy * xy;
+        det = xx * adj[0] + (xy * adj[1] + xz * adj[2]);
+        out.tk = {xx * out.k.x + (xy * out.k.y + xz * out.k.z), xy * out.k.x + (yy * out.k.y + yz * out.k.z),
+                  xz * out.k.x + (yz * out.k.y + zz * out.k.z)};
+    } else {
+        const Vec3 t = broadcast(c.mass) + Vec3{out.drag, out.drag, out.drag};
+        adj[0] = t.y * t.z;
+        adj[1] = t.z * t.x;
+        adj[2] = t.x * t.y;
+        det = t.x * adj[0];
+        out.tk = times(t, out.k);
+    }
+    out.inverse = constant(1.0f) / (dot(out.tk, out.k) + det);
+    return out;
+}
+template <bool kFull> HWY_INLINE Vec3 moved_from(const Stage& p, Vec3 r) {
+    const Vec3 f = cross(p.k, r) - p.drag * r;
+    const VF* const adj = p.adjugate;
+    Vec3 sum;
+    if constexpr (kFull)
+        sum = {adj[0] * f.x + (adj[1] * f.y + adj[2] * f.z), adj[1] * f.x + (adj[3] * f.y + adj[4] * f.z),
+               adj[2] * f.x + (adj[4] * f.y + adj[5] * f.z)};
+    else
+        sum = {adj[0] * f.x, adj[1] * f.y, adj[2] * f.z};
+    return p.inverse * (sum + dot(p.k, f) * p.k + cross(p.tk, f));
+}
+
+// Twist of the body about the load centre, in load axes: its gain by weight, buoyancy and external forces in half a motion.
+template <bool kFull, class C> HWY_INLINE Twist pull_of(float h, const C& c, const Held& held, Quaternion q) {
+    const VF tau = constant(0.5f * h);
     if constexpr (!kFull) {
         Twist f{to_body(q, held.weight), zero3()};
         if (held.external) f += external_force<false>(c, *held.external, q);
-        const Twist t = tau * acceleration<false>(c, f);
-        return {t, t.v};
+        return tau * acceleration<false>(c, f);
     }
     const auto& a = c.aerodynamics;
     const auto answer = [&](const Twist& f) LR_LAMBDA {
@@ -492,49 +346,137 @@ HWY_INLINE Pull pull_of(const StepInput& in, const C& c, const Held& held, Quate
         if (held.external) f += external_force<true>(c, *held.external, q);
         t = answer(f);
     }
-    t = tau * t;
-    return {t, columns(a.modes, t.v)};
+    return tau * t;
 }
 
+// The mobility of the spin about each axis alone.
+template <bool kFull, class C> HWY_INLINE Vec3 spin_mobility(const C& c) {
+    const auto* const n = c.aerodynamics.spin_mobility;
+    if constexpr (kFull) return {constant(n[0]), constant(n[3]), constant(n[5])};
+    return broadcast(c.inverse_spin_mass);
+}
+
+// Spin along one axis under couple and drag along it; all spin answers by N e, here over e.N e, N the mobility. Axis after axis, in reverse order in the
+// other half, is of second order, contracts in the norm of N^-1, and rests at any step if couple and drag agree along every axis.
+template <int kAxis, class T> HWY_INLINE Vec3 answering(const T* n, VF change, Vec3 u) {
+    if constexpr (kAxis == 0) return {u.x + change, constant(n[0]) * change + u.y, constant(n[1]) * change + u.z};
+    if constexpr (kAxis == 1) return {constant(n[2]) * change + u.x, u.y + change, constant(n[3]) * change + u.z};
+    return {constant(n[4]) * change + u.x, constant(n[5]) * change + u.y, u.z + change};
+}
+template <int kAxis, class T> HWY_INLINE Vec3 relax_axis(const T* n, VF x, VF push, Vec3 u) {
+    const VF y = kAxis == 0 ? u.x : kAxis == 1 ? u.y : u.z;
+    x = hn::Min(x, constant(1e15f));
+    const VF p = x * constant(0.5f) + constant(1.0f);
+    return answering<kAxis>(n, (push - x * y) * (p / (x * p + constant(1.0f))), u);
+}
+
+// Spin drag and couple over half a motion, full path. x: rates times time. A couple moves a load centre that lies off the centre of mass.
+template <class C> static HWY_NOINLINE Twist spin_half(const C& c, Vec3 x, Vec3 push, bool before_drag, Twist t) {
+    const auto* const n = c.aerodynamics.spin_answer;
+    Vec3 u = t.u;
+    if (before_drag) {
+        u = relax_axis<0>(n, x.x, push.x, u);
+        u = relax_axis<1>(n, x.y, push.y, u);
+        u = relax_axis<2>(n, x.z, push.z, u);
+    } else {
+        u = relax_axis<2>(n, x.z, push.z, u);
+        u = relax_axis<1>(n, x.y, push.y, u);
+        u = relax_axis<0>(n, x.x, push.x, u);
+    }
+    return {t.v + rows(c.aerodynamics.velocity_of_couple, u - t.u), u};
+}
+
+// The twist in the middle of the loads, by an implicit stage of half their length with the circulation and couple of `m`. drag, spin: times half of h.
 template <bool kFull, class C>
-HWY_INLINE Middle loads_in_middle(const StepInput& in, const C& c, const Held& held, VF nu, Body& b) {
-    const Pull pull = pull_of<kFull>(in, c, held, b.q);
+HWY_INLINE Twist middle_by(float h, const C& c, const Moment& m, VF drag, Vec3 spin, const Twist& pull,
+                           const Twist& t) {
+    const VF tau = constant(0.5f * h);
+    const Stage p = stage_of<kFull>(c, drag, tau * m.circulation);
+    const Vec3 lost = moved_from<kFull>(p, t.v + pull.v);
+    const Vec3 rate = tau * spin_mobility<kFull>(c), push = bounded_push(times(rate, m.couple), m.s);
+    Twist out = t + pull;
+    out.v += lost;
+    if constexpr (!kFull) {
+        out.u = each_axis(over_one_and, out.u + push, spin);
+    } else {
+        const auto& a = c.aerodynamics;
+        const auto* const n = a.spin_answer;
+        out.u += rows(a.spin_of_force, lost);
+        const Vec3 before = out.u;
+        const auto less = [&](VF y, VF by, VF more) LR_LAMBDA { return over_one_and(more - y * by, by); };
+        out.u = answering<0>(n, less(out.u.x, spin.x, push.x), out.u);
+        out.u = answering<1>(n, less(out.u.y, spin.y, push.y), out.u);
+        out.u = answering<2>(n, less(out.u.z, spin.z, push.z), out.u);
+        out.v += rows(a.velocity_of_couple, out.u - before);
+    }
+    return out;
+}
+
+// In the middle of a motion: the velocity of the load centre, and the added mass along the normal that stays in the wake.
+struct Middle {
+    Vec3 v;
+    VF shed;
+};
+
+// Loads and weight at a fixed orientation. The twist in the middle is found twice: with the loads of the start, then with those of the middle so found.
+// Drag, circulation and weight then act together, by an L-stable pair of implicit stages (Alexander 1977) with the loads of the middle.
+template <bool kFull, class C>
+HWY_INLINE Middle loads_in_middle(float h, const C& c, const Held& held, VF nu, Body& b) {
+    const auto& a = c.aerodynamics;
+    const VF tau = constant(0.5f * h);
+    const Twist pull = pull_of<kFull>(h, c, held, b.q);
     // Loads act on the spin relative to the fluid.
     if (held.sheared) b.t.u -= to_body(b.q, held.fluid_spin);
-    const auto& a = c.aerodynamics;
     const Twist before{centre_velocity<kFull>(a, b.t), load_spin<kFull>(a, b.t)};
+    const Vec3 rate = tau * spin_mobility<kFull>(c);
+
+    Moment m = moment_at(a, held, nu, b, before);
+    const Vec3 r = before.v + pull.v, ur = before.u + pull.u + bounded_push(times(rate, m.couple), m.s);
+    const VF r2 = speed_squared(r), mass = dot(r, centre_momentum<kFull>(c, r)) / r2;
+    // The drag of r, as if it grew with the speed.
+    const VF x = constant(h) * m.drag * hn::Sqrt(r2) / (m.s * mass);
+    const Vec3 spin = constant(2.0f) * times(rate, spin_drag_rate(a, held.drag, nu, m.s, ur));
+    Twist middle = middle_by<kFull>(h, c, m, mass * eased(x), each_axis(eased, spin), pull, before);
+    m = moment_at(a, held, nu, b, middle);
+    middle = middle_by<kFull>(h, c, m, tau * m.drag, times(rate, m.spin), pull, before);
+    m = moment_at(a, held, nu, b, middle);
+
+    const Vec3 push = bounded_push(times(rate, m.couple), m.s);
     Twist t = before;
-    Rates rates{hn::Zero(DF()), zero3()};
-    const Plate plate = plate_at(a, held, nu, b.lag, t.v);
-    const Vec3 couple = shedding_couple(a, held, b.shedding, nu, t.v);
-    drag_half<kFull, true>(in, c, held, plate, nu, pull, rates, t);
-    spin_drag_half<kFull, true>(in, c, held, nu, couple, pull, rates, t);
-    const Middle middle = lift_step<kFull>(in, c, held, plate, nu, t);
-    const Vec3 later = shedding_couple(a, held, b.shedding, nu, middle.v);
-    spin_drag_half<kFull, false>(in, c, held, nu, later + later - couple, pull, rates, t);
-    drag_half<kFull, false>(in, c, held, extrapolated(plate, middle.plate), nu, pull, rates, t);
+    if constexpr (kFull) t = spin_half(c, times(rate, m.spin), push, true, t);
+    constexpr float gamma = 0.29289322f, rest = (1.0f - gamma) / gamma; // 1 - 1/sqrt(2)
+    const Stage p = stage_of<kFull>(c, constant(gamma * h) * m.drag, constant(gamma * h) * m.circulation);
+    const Vec3 part = constant(2.0f * gamma) * pull.v;
+    const Vec3 first = part + moved_from<kFull>(p, t.v + part);
+    const Vec3 second = constant(rest) * first + part;
+    const Vec3 gained = second + moved_from<kFull>(p, t.v + second);
+    t.v += gained;
     if constexpr (kFull) {
+        t.u += pull.u + pull.u + rows(a.spin_of_force, gained - (pull.v + pull.v));
+        t = spin_half(c, times(rate, m.spin), push, false, t);
         // Only the change: a round trip through the load axes would round the whole.
         const Vec3 u = columns(a.axes, t.u - before.u);
         b.t += Twist{columns(a.axes, t.v - before.v) - cross(u, broadcast(a.arm)), u};
     } else {
+        const Vec3 sum = push + pull.u;
+        t.u = each_axis(relax_second, before.u, constant(2.0f) * times(rate, m.spin), sum + sum);
         b.t = t;
     }
     if (held.sheared) b.t.u += to_body(b.q, held.fluid_spin);
-    return middle;
+    return {middle.v, m.shed};
 }
 
 // Free motion has the largest error, growing with the square of its step: it takes the two outer places, the loads the middle.
 // Returns the velocity of the load centre in the middle.
-template <bool kFull, class C>
-HWY_INLINE Vec3 aerodynamic_splitting_substep(const StepInput& in, const C& c, Held& held, VF nu, Body& b) {
+template <bool kFull, class C> HWY_INLINE Vec3 splitting_motion(float h, const C& c, Held& held, VF nu, Body& b) {
     const auto& a = c.aerodynamics;
-    held.shed = plate_at(a, held, nu, b.lag, centre_velocity<kFull>(a, b.t)).shed;
-    free_step<kFull, true>(0.5f * in.h, c, held, b);
-    const Middle middle = loads_in_middle<kFull>(in, c, held, nu, b);
+    const Vec3 v = centre_velocity<kFull>(a, b.t);
+    held.shed = shed_mass(a, plate_flow(a, b.lag, v), nu, constant(1.0f) / hn::Sqrt(speed_squared(v)));
+    free_step<kFull, true>(0.5f * h, c, held, b);
+    const Middle middle = loads_in_middle<kFull>(h, c, held, nu, b);
     const VF most = constant(a.most_shed);
-    held.shed = hn::Max(hn::Min(middle.plate.shed + middle.plate.shed - held.shed, most), hn::Zero(DF()));
-    free_step<kFull, true>(0.5f * in.h, c, held, b);
+    held.shed = hn::Max(hn::Min(middle.shed + middle.shed - held.shed, most), hn::Zero(DF()));
+    free_step<kFull, true>(0.5f * h, c, held, b);
     return middle.v;
 }
 } // namespace lr::LR_KERNEL_NAMESPACE

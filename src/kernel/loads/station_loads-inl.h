@@ -222,9 +222,9 @@ template <class C> HWY_INLINE Twist applied(const C& c, const Held& held, Quater
 
 // Of shed vortices, body axes, at most what spins the rim up to a few times the stream within the substep.
 template <class C>
-HWY_INLINE Vec3 body_shedding_couple(const StepInput& in, const C& c, const Held& held, const VF q[4], VF nu, Vec3 v) {
+HWY_INLINE Vec3 body_shedding_couple(float h, const C& c, const Held& held, const VF q[4], VF nu, Vec3 v) {
     const Vec3 couple = columns(c.aerodynamics.axes, shedding_couple(c.aerodynamics, held, q, nu, v));
-    const VF rim = constant(most_rim / in.h) * hn::Sqrt(speed_squared(v));
+    const VF rim = constant(most_rim / h) * hn::Sqrt(speed_squared(v));
     const auto bound = [&](VF x, const auto& inverse) LR_LAMBDA {
         const VF most = rim / constant(inverse);
         return hn::Max(hn::Min(x, most), -most);
@@ -248,9 +248,9 @@ HWY_INLINE Resistance resistance(const StepInput& in, const C& c, const Held& he
 // An L-stable pair of implicit stages (Alexander 1977) with the resistance in the middle, which an implicit midpoint step by half leads to: of second
 // order, with the rest state as a fixed point. Loads and products of momentum cannot add energy: the scheme is A-stable and S positive.
 // Returns the velocity of the load centre in the middle.
-template <class C> HWY_INLINE Vec3 station_substep(const StepInput& in, const C& c, const Held& held, VF nu, Body& b) {
+template <class C>
+HWY_INLINE Vec3 station_motion(const StepInput& in, float h, const C& c, const Held& held, VF nu, Body& b) {
     const auto& a = c.aerodynamics;
-    const float h = in.h;
     constexpr float gamma = 0.29289322f; // 1 - 1/sqrt(2)
     const VF turning = constant(0.25f * h) * held.inverse_length;
     const Twist start = b.t;
@@ -258,7 +258,7 @@ template <class C> HWY_INLINE Vec3 station_substep(const StepInput& in, const C&
                                 LR_LAMBDA { return held.sheared ? to_body(q, held.fluid_spin) : zero3(); };
     Twist push;
     Quaternion q = normalised(turn(b.q, b.q, turning, start.u));
-    Vec3 couple = body_shedding_couple(in, c, held, b.shedding, nu, centre_velocity<true>(a, start));
+    Vec3 couple = body_shedding_couple(h, c, held, b.shedding, nu, centre_velocity<true>(a, start));
     Resistance k = resistance(in, c, held, nu, b, start, fluid_spin(b.q), push);
     Products p = products(c, held.inverse_length, start);
     Factors f = factors(c, constant(0.25f * h), k, p);
@@ -266,7 +266,7 @@ template <class C> HWY_INLINE Vec3 station_substep(const StepInput& in, const C&
     const Twist middle = start + half;
 
     q = normalised(turn(b.q, b.q, turning, start.u + constant(0.5f) * half.u));
-    couple = body_shedding_couple(in, c, held, b.shedding, nu, centre_velocity<true>(a, middle));
+    couple = body_shedding_couple(h, c, held, b.shedding, nu, centre_velocity<true>(a, middle));
     k = resistance(in, c, held, nu, b, middle, fluid_spin(q), push);
     p = products(c, held.inverse_length, middle);
     f = factors(c, constant(gamma * h), k, p);
@@ -306,7 +306,7 @@ static HWY_NOINLINE Twist station_loads(const StepInput& in, const C& c, const H
     Twist out = resisted(k, through);
     const Vec3 p = held.inverse_length * k.lost.v, l = held.inverse_length * k.lost.u;
     out += Twist{cross(t.u, p), cross(t.u, l) + cross(t.v, p)};
-    out.u += body_shedding_couple(in, c, held, b.shedding, nu, centre_velocity<true>(c.aerodynamics, through));
+    out.u += body_shedding_couple(in.h, c, held, b.shedding, nu, centre_velocity<true>(c.aerodynamics, through));
     return out;
 }
 } // namespace lr::LR_KERNEL_NAMESPACE

@@ -186,7 +186,7 @@ HWY_INLINE void blend_aerodynamics(const AerodynamicConstants& a, const Aerodyna
 }
 
 static HWY_NOINLINE void aerodynamic_frame(LaneConstants& c) {
-    set_frame(hn::Zero(DF()), constant(1.0f), eigen<3>, c);
+    set_frame(hn::Zero(DF()), constant(1.0f), c);
 }
 
 // Modes in which mass is 1 and the turbulent damping diagonal: with Z = X (1 + f lambda)^-1/2 mass is 1 already, and Jacobi makes Z^T W Z diagonal.
