@@ -75,9 +75,11 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
         if constexpr (kAerodynamic) vary(in, noise_seed, held);
         const VF beta_unit = constant(c.speed_beta) * held.inverse_length;
 
-        for (uint32_t i = 0; i < in.substeps; ++i) {
+        const uint32_t motions = motions_of<kAerodynamic, kIntegrator>(in);
+        for (uint32_t i = 0, motion = 0; i < in.substeps;) { // one loop: a second inside costs a third
             if (in.wind_changes && !fluid) held.wind = wind_of_substep(in, i);
-            one_substep<kFull, kAerodynamic, kIntegrator, kUsual>(in, c, held, noise_seed, i, beta_unit, b);
+            one_motion<kFull, kAerodynamic, kIntegrator, kUsual>(in, c, held, noise_seed, i, motion, beta_unit, b);
+            if (++motion == motions) motion = 0, ++i;
         }
 
         store_body<kAerodynamic>(a, at, b, b.t.v + to_body(b.q, end_wind), held.inverse_length * b.t.u,

@@ -155,31 +155,34 @@ template <class A> HWY_INLINE Gusts gusts_at(const StepInput& in, const A& a, co
     return {alpha, constant(a.gust_gain) * beta_squared / (alpha + alpha + constant(1e-20f))};
 }
 
-// A body in its own patch of moving air: quasi-steady motion through the patch, then the patch's next velocity; the body's world velocity stays.
+// One motion of a substep. A body is in its own patch of moving air: quasi-steady motion through the patch, and at the end of the substep the patch's
+// next velocity; the body's world velocity stays. The wake advances once in a substep, before its first motion.
 template <bool kFull, Integrator kIntegrator, class C>
-HWY_INLINE void aerodynamic_substep(const StepInput& in, const C& c, Held& held, VU noise_seed, uint32_t substep,
-                                    Body& b) {
+HWY_INLINE void aerodynamic_motion(const StepInput& in, const C& c, Held& held, VU noise_seed, uint32_t substep,
+                                   uint32_t motion, Body& b) {
     const auto& a = c.aerodynamics;
-    b.t.v -= to_body(b.q, b.gust);
-    const Vec3 v = centre_velocity<kFull>(a, b.t);
     const VF nu = constant(a.viscosity) * held.inverse_length;
     VF gauss[6];
     three_gaussians(noise_seed, in.first_substep + substep, in.seed, gauss);
-    advance_wake(in, a, held, nu, hn::Sqrt(gusts_at(in, a, held, nu, b.age, v).variance), gauss, v,
-                 load_spin<kFull>(a, b.t), b);
-    b.x += constant(in.h) * b.gust;
-    Vec3 middle = v;
+    if (HWY_LIKELY(motion == 0)) {
+        b.t.v -= to_body(b.q, b.gust);
+        const Vec3 v = centre_velocity<kFull>(a, b.t);
+        advance_wake(in, a, held, nu, hn::Sqrt(gusts_at(in, a, held, nu, b.age, v).variance), gauss, v,
+                     load_spin<kFull>(a, b.t), b);
+        b.x += constant(in.h) * b.gust;
+    }
+    Vec3 middle;
     if constexpr (kIntegrator == Integrator::splitting) {
         const float h = in.h / static_cast<float>(in.motions);
-        for (uint32_t i = 0; i < in.motions; ++i) {
-            if (kFull && in.body.stations.count != 0)
-                middle = station_motion(in, h, c, held, nu, b);
-            else
-                middle = splitting_motion<kFull>(h, c, held, nu, b);
-        }
+        if (kFull && in.body.stations.count != 0)
+            middle = station_motion(in, h, c, held, nu, b);
+        else
+            middle = splitting_motion<kFull>(h, c, held, nu, b);
+        if (HWY_UNLIKELY(motion + 1 < in.motions)) return;
         b.x += constant(in.h) * held.wind;
         grow_older(b, constant(in.h));
     } else {
+        middle = centre_velocity<kFull>(a, b.t);
         rk4_substep<kFull, true>(in, c, held, hn::Zero(DF()), gauss, b);
     }
     b.t.v += to_body(b.q, b.gust);
@@ -187,11 +190,15 @@ HWY_INLINE void aerodynamic_substep(const StepInput& in, const C& c, Held& held,
     b.gust = without_dust(next_gust(b.gust, gusts.alpha, gusts.variance, in.h, gauss));
 }
 
+// The motions of a substep: one, but for the splitting scheme with AERODYNAMIC loads.
+template <bool kAerodynamic, Integrator kIntegrator> HWY_INLINE uint32_t motions_of(const StepInput& in) {
+    return kAerodynamic && kIntegrator == Integrator::splitting ? in.motions : 1;
+}
 template <bool kFull, bool kAerodynamic, Integrator kIntegrator, bool kUsual = false, class C>
-HWY_INLINE void one_substep(const StepInput& in, const C& c, Held& held, VU noise_seed, uint32_t substep, VF beta_unit,
-                            Body& b) {
+HWY_INLINE void one_motion(const StepInput& in, const C& c, Held& held, VU noise_seed, uint32_t substep,
+                           uint32_t motion, VF beta_unit, Body& b) {
     if constexpr (kAerodynamic) {
-        aerodynamic_substep<kFull, kIntegrator>(in, c, held, noise_seed, substep, b);
+        aerodynamic_motion<kFull, kIntegrator>(in, c, held, noise_seed, substep, motion, b);
         return;
     }
     VF gauss[6];

@@ -447,7 +447,9 @@ HWY_NOINLINE void step_wet_bodies(const StepInput& in, const WetSubstep& s, cons
         const VU noise_seed = load1(a.noise_seed, at);
         if constexpr (kAerodynamic) vary(in, noise_seed, held);
         const VF beta_unit = c.speed_beta * inverse_length;
-        one_substep<kFull, kAerodynamic, Integrator::splitting>(in, c, held, noise_seed, 0, beta_unit, b);
+        const uint32_t motions = motions_of<kAerodynamic, Integrator::splitting>(in);
+        for (uint32_t motion = 0; motion < motions; ++motion)
+            one_motion<kFull, kAerodynamic, Integrator::splitting>(in, c, held, noise_seed, 0, motion, beta_unit, b);
 
         const Vec3 v = b.t.v + to_body(b.q, held.wind + half_change);
         store_body<kAerodynamic>(a, at, b, v, inverse_length * b.t.u, in.h, in.faults);
