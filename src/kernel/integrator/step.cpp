@@ -14,21 +14,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace lr::HWY_NAMESPACE {
 
-// In a wind field, the body's velocity through the fluid obeys the equations of still fluid with the force
-//   (m - rho V) g + rho V a_f - m a_b,   m = (1 + weight)/2 and rho V = (1 - weight)/2 in mass units,
-// a_f the fluid's acceleration, a_b that of the wind along the body's path (docs/reference/wind_and_water.md).
-HWY_INLINE void hold_field(const FluidSample& f, size_t at, float weight, VF length, Vec3 gravity, Held& held,
-                           Vec3& begin_wind, Vec3& end_wind) {
-    held.wind = load3(f.wind, at);
-    const Vec3 half_change = load3(f.half_change, at), mean = load3(f.mean, at), difference = load3(f.difference, at);
-    begin_wind = held.wind - half_change;
-    end_wind = held.wind + half_change;
-    held.weight = constant(weight) * (gravity - mean) + difference;
-    held.gravity = gravity - (mean + difference);
-    held.fluid_spin = length * load3(f.spin, at);
-    held.sheared = true;
-    held.uniform = false;
-}
+EnterWindFunction enter_wind; // sample_wind.cpp
+LeaveWindFunction leave_wind;
 
 constexpr size_t line = 64 / sizeof(float);
 
@@ -44,7 +31,8 @@ template <bool kAerodynamic> HWY_INLINE void prefetch(const BatchArrays& a, size
 template <bool kFull, bool kAerodynamic, Integrator kIntegrator, bool kUsual = false>
 HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t begin, size_t end) {
     const BodyConstants& c = in.body;
-    const FluidSample* const fluid = a.fluid;
+    const WindAlong* const wind = a.wind;
+    BodiesInWind moving;
     const Vec3 gravity = broadcast(in.gravity);
     const Vec3 weight = constant(c.weight) * gravity;
     for (size_t at = begin; at < end; at += hn::Lanes(DF())) {
@@ -62,9 +50,8 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
         held.sheared = false;
         held.uniform = true;
         // In a uniform wind, step the velocity relative to the wind, as if the fluid were still.
-        Vec3 begin_wind = broadcast(in.wind_begin), end_wind = held.wind;
-        if (fluid) hold_field(*fluid, at - begin, c.weight, length, gravity, held, begin_wind, end_wind);
-        b.t.v = load3(a, field_vx, at) - to_body(b.q, begin_wind);
+        b.t.v = load3(a, field_vx, at);
+        if (!wind) b.t.v -= to_body(b.q, broadcast(in.wind_begin));
         b.t.u = length * load3(a, field_wx, at);
         External external;
         if (in.external.any) {
@@ -75,13 +62,37 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
         if constexpr (kAerodynamic) vary(in, noise_seed, held);
         const VF beta_unit = constant(c.speed_beta) * held.inverse_length;
 
+        const size_t first = wind && wind->known ? at - begin : 0;
         for (uint32_t i = 0; i < in.substeps; ++i) {
-            if (in.wind_changes && !fluid) held.wind = wind_of_substep(in, i);
+            if (in.wind_changes) held.wind = wind_of_substep(in, i);
+            if (wind) {
+                // As from memory, so that the division of time into calls changes no bit.
+                if (i != 0) b.t.u = length * without_dust(held.inverse_length * b.t.u);
+                store3(moving.x, 0, b.x);
+                store4(moving.q, 0, b.q);
+                store3(moving.v, 0, b.t.v);
+                enter_wind(in, *wind, i, first, hn::Lanes(DF()), moving);
+                held.wind = load3(moving.wind, 0);
+                held.weight = load3(moving.weight, 0);
+                if constexpr (kFull) held.gravity = load3(moving.gravity, 0);
+                held.uniform = wind->everywhere;
+                held.sheared = !held.uniform;
+                if (held.sheared) held.fluid_spin = length * load3(moving.spin, 0);
+                b.t.v = load3(moving.v, 0);
+            }
             one_substep<kFull, kAerodynamic, kIntegrator, kUsual>(in, c, held, noise_seed, i, beta_unit, b);
+            if (wind) {
+                store4(moving.q, 0, b.q);
+                store3(moving.v, 0, b.t.v);
+                store3(moving.u, 0, b.t.u);
+                leave_wind(in, *wind, first, hn::Lanes(DF()), moving);
+                b.t = {load3(moving.v, 0), load3(moving.u, 0)};
+            }
         }
 
-        store_body<kAerodynamic>(a, at, b, b.t.v + to_body(b.q, end_wind), held.inverse_length * b.t.u,
-                                 in.h * static_cast<float>(in.substeps), in.faults);
+        if (!wind) b.t.v += to_body(b.q, broadcast(in.wind));
+        store_body<kAerodynamic>(a, at, b, b.t.v, held.inverse_length * b.t.u, in.h * static_cast<float>(in.substeps),
+                                 in.faults);
     }
 }
 
@@ -137,8 +148,6 @@ bool ended_range(const lr_batch_rules& rules, const BatchArrays& a, size_t begin
 // Defined in sample_wind.cpp, water_loads.cpp, collider_contact.cpp and gjk_pairs.cpp.
 PredictFunction predict;
 EvaluateFunction evaluate;
-CombineFunction combine;
-SettleFunction settle;
 NearFunction near_surface;
 AheadFunction ahead_of;
 SurfaceFunction evaluate_surface;
@@ -154,8 +163,6 @@ constexpr KernelTarget functions(int32_t simd) {
             &ended_range,
             &predict,
             &evaluate,
-            &combine,
-            &settle,
             {&near_surface, &ahead_of, &evaluate_surface, &step_wet, &settle_wet},
             &contact_functions,
             &body_contact_functions,
