@@ -276,30 +276,44 @@ HWY_INLINE bool grid(const SourceInstant& s, Vec3 x, Flow& out) {
         const VI row = (i & 4 ? high[2] : low[2]) * ny + (i & 2 ? high[1] : low[1]);
         corner[i] = (row * nx + (i & 1 ? high[0] : low[0])) * three;
     }
+    // Whole samples of four floats (the last is not used), transposed: quicker than three gathers.
+    constexpr size_t most_lanes = HWY_MAX_BYTES / sizeof(float);
+    const bool two = s.frame[1] != s.frame[0];
+    alignas(64) float sample[2][8][4 * most_lanes];
+    for (int i = 0; i < 8; ++i) {
+        alignas(64) int32_t from[most_lanes];
+        hn::Store(corner[i], di, from);
+        const hn::CappedTag<float, 4> four;
+        for (size_t lane = 0; lane < hn::Lanes(di); ++lane)
+            for (int f = 0; f < 1 + two; ++f)
+                hn::Store(hn::LoadU(four, s.frame[f] + from[lane]), four, sample[f][i] + 4 * lane);
+    }
     const auto between = [&](VF a, VF b, VF t) LR_LAMBDA { return t * (b - a) + a; };
+    VF value[3][8], change[3][8], unused;
+    for (int i = 0; i < 8; ++i) {
+        hn::LoadInterleaved4(DF(), sample[0][i], value[0][i], value[1][i], value[2][i], unused);
+        if (!two) continue;
+        VF later[3];
+        hn::LoadInterleaved4(DF(), sample[1][i], later[0], later[1], later[2], unused);
+        for (int k = 0; k < 3; ++k) {
+            change[k][i] = later[k] - value[k][i];
+            value[k][i] = constant(s.part) * change[k][i] + value[k][i];
+        }
+    }
     VF wind[3], rate[3];
     for (int k = 0; k < 3; ++k) {
-        VF value[8];
-        rate[k] = zero;
-        for (int i = 0; i < 8; ++i) value[i] = hn::GatherIndex(DF(), s.frame[0] + k, corner[i]);
         const auto across = [&](const VF v[8], VF line[4], VF plane[2]) LR_LAMBDA {
             for (int i = 0; i < 4; ++i) line[i] = between(v[2 * i], v[2 * i + 1], part[0]);
             for (int i = 0; i < 2; ++i) plane[i] = between(line[2 * i], line[2 * i + 1], part[1]);
             return between(plane[0], plane[1], part[2]);
         };
         VF line[4], plane[2];
-        if (s.frame[1] != s.frame[0]) {
-            VF later[8], change[8];
-            for (int i = 0; i < 8; ++i) {
-                later[i] = hn::GatherIndex(DF(), s.frame[1] + k, corner[i]);
-                change[i] = later[i] - value[i];
-                value[i] = between(value[i], later[i], constant(s.part));
-            }
-            rate[k] = across(change, line, plane) * constant(s.part_rate);
-        }
-        wind[k] = across(value, line, plane);
-        const VF dx0 = between(value[1] - value[0], value[3] - value[2], part[1]);
-        const VF dx1 = between(value[5] - value[4], value[7] - value[6], part[1]);
+        rate[k] = zero;
+        if (two) rate[k] = across(change[k], line, plane) * constant(s.part_rate);
+        const VF(&v)[8] = value[k];
+        wind[k] = across(v, line, plane);
+        const VF dx0 = between(v[1] - v[0], v[3] - v[2], part[1]);
+        const VF dx1 = between(v[5] - v[4], v[7] - v[6], part[1]);
         const VF dy = between(line[1] - line[0], line[3] - line[2], part[2]);
         out.gradient.row[k] = {hn::IfThenElseZero(in, slope[0] * between(dx0, dx1, part[2])),
                                hn::IfThenElseZero(in, slope[1] * dy),
