@@ -143,9 +143,9 @@ HWY_INLINE VF exp_negative(VF x) {
 // E(q) = (1 - exp(-q))/q and its derivative. The closed forms cancel for small q.
 HWY_INLINE VF lamb_oseen(VF q, VF& slope) {
     const VF e = exp_negative(q);
-    const VF safe = hn::Max(q, constant(0.25f));
-    const VF far = (constant(1.0f) - e) / safe;
-    const VF far_slope = (e - far) / safe;
+    const VF inverse = constant(1.0f) / hn::Max(q, constant(0.25f));
+    const VF far = (constant(1.0f) - e) * inverse;
+    const VF far_slope = (e - far) * inverse;
     const VF near = polynomial({-1.0f / 720.0f, 1.0f / 120.0f, -1.0f / 24.0f, 1.0f / 6.0f, -0.5f, 1.0f}, q);
     const VF near_slope = polynomial({1.0f / 840.0f, -1.0f / 144.0f, 1.0f / 30.0f, -0.125f, 1.0f / 3.0f, -0.5f}, q);
     const auto small = q < constant(0.25f);
