@@ -50,12 +50,11 @@ constexpr size_t force_component(size_t frame, size_t kind) {
     return 3 * (force_kinds * frame + kind);
 }
 
-struct FluidSample;
+struct WindAlong;
 
 struct BatchArrays {
     float* field[field_count];
     uint32_t* noise_seed;
-    // Null: the uniform wind of the step. Else the fluid at the bodies of a single substep.
-    const FluidSample* fluid;
+    const WindAlong* wind; // null: the uniform wind of the step
 };
 } // namespace lr

@@ -17,7 +17,7 @@ lr_status WindField::make(const SourceDesc& desc, double time, uint64_t seed, Gr
     if (desc.kind == SourceDesc::grid && !grid) {
         grid = allocator_->make<GridSamples>();
         const uint64_t count = sample_count(desc);
-        if (!grid || !grid->values.allocate(*allocator_, count)) {
+        if (!grid || !grid->values.allocate(*allocator_, count + 1)) {
             release(grid);
             return LR_ERROR_OUT_OF_MEMORY;
         }
@@ -25,6 +25,7 @@ lr_status WindField::make(const SourceDesc& desc, double time, uint64_t seed, Gr
             grid->values[i] = desc.samples[i];
             grid->fastest = std::max(grid->fastest, std::abs(desc.samples[i]));
         }
+        grid->values[count] = 0.0f; // the kernel reads samples as four floats
         grid->hash = hash_samples(desc, desc.samples);
     }
     if (grid) ++grid->references;
@@ -70,7 +71,7 @@ void WindField::keep_spares(uint32_t most) {
 GridSamples* WindField::find_samples(const SourceDesc& desc, uint64_t hash) const {
     for (const Slot& slot : slots_)
         if (slot.source && slot.source->grid && slot.source->grid->hash == hash &&
-            slot.source->grid->values.size() == sample_count(desc))
+            slot.source->grid->values.size() == sample_count(desc) + 1)
             return slot.source->grid;
     return nullptr;
 }

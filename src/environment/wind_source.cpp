@@ -16,8 +16,8 @@ namespace {
 // A sum of octaves with energies 1, e, e^2, e^3 of the first: Kolmogorov's spectrum, e = 2^(-2/3). Eddies of half the size live 2^(-2/3) as long.
 constexpr double octave_amplitude = 0.79370052598409973738; // 2^(-1/3)
 constexpr double octave_energy = 0.62996052494743658238;    // 2^(-2/3)
-// The lattice of eddies with components in [-1, 1], from its correlation: rms of a component, mean longitudinal integral length in cells.
-constexpr double eddy_rms = 0.3491933, eddy_length = 0.4976;
+// The lattice of eddies with components in [-1, 1], by numbers: rms of a component, mean longitudinal integral length in cells.
+constexpr double eddy_rms = 0.0725003, eddy_length = 0.3218;
 // The velocity of turbulence hardly ever exceeds this many root mean squares.
 constexpr double turbulence_peak = 4.0;
 // Largest azimuthal speed of a Lamb-Oseen vortex, times 2 pi core / circulation.
@@ -219,7 +219,14 @@ void turbulence_at(const SourceDesc& desc, double time, double age, uint64_t wor
         }
         for (size_t i = 0; i < 3; ++i) {
             double moved = 0.0;
-            for (size_t k = 0; k < 3; ++k) moved += axes[3 * i + k] * way[k] / cell;
+            for (size_t k = 0; k < 3; ++k) {
+                // Perlin's simplex grid: cubes stretched along the diagonal.
+                const double diagonal = axes[k] + axes[3 + k] + axes[6 + k];
+                const double coordinate = (axes[3 * i + k] + diagonal / 3.0) / cell;
+                moved += coordinate * way[k];
+                s.lattice[3 * i + k] = narrow(coordinate);
+                s.basis[3 * k + i] = narrow(axes[3 * i + k] - diagonal / 6.0);
+            }
             // In (0, 1), so that no lattice point is at the world's origin.
             moved += (static_cast<double>(random_bits(s.seed, i) >> 11) + 0.5) / 9007199254740992.0;
             const double whole = std::floor(moved);
@@ -228,7 +235,6 @@ void turbulence_at(const SourceDesc& desc, double time, double age, uint64_t wor
             const auto cells = static_cast<int64_t>(std::fmod(whole, 4294967296.0));
             s.cell[i] = static_cast<int32_t>(static_cast<uint32_t>(cells));
         }
-        for (size_t i = 0; i < 9; ++i) s.lattice[i] = narrow(axes[i]);
         s.turn = narrow(fraction_of(time / (slow_beats * life)));
         s.turn_rate = narrow(1.0 / (slow_beats * life));
         out[o] = s;

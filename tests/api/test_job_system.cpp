@@ -165,7 +165,7 @@ TEST_CASE("wind prepared in slices and rules go through a job system too" * doct
         REQUIRE(lr_world_add_turbulence(c.world.get(), &turbulence, &source) == LR_OK);
         lr_batch_rules r = initialised(lr_batch_rules_init);
         r.volume_count = 1;
-        r.volumes[0] = {LR_VOLUME_SPHERE, LR_KILL_OUTSIDE, {0.0f, 0.0f, 0.0f}, {0.02f, 0.0f, 0.0f}};
+        r.volumes[0] = {LR_VOLUME_SPHERE, LR_KILL_OUTSIDE, {0.0f, 0.0f, 0.0f}, {0.04f, 0.0f, 0.0f}};
         REQUIRE(lr_batch_set_rules(c.world.get(), c.batch, &r) == LR_OK);
         for (int i = 0; i < 6; ++i) steps(c.world, 1, 1.0f / 60.0f, 20); // three slices each
         CHECK(info_of(c.world).body_count < 6000);

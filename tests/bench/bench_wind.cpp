@@ -8,7 +8,7 @@
 
 namespace {
 
-constexpr uint32_t bodies = 16384, substeps = 4;
+constexpr uint32_t bodies = 100000, substeps = 4;
 
 void need(lr_status status) {
     if (status != LR_OK) std::abort();
@@ -126,6 +126,20 @@ void far_sources(benchmark::State& state) {
     for (int i = 0; i < 60; ++i) scene.add(lamb_oseen + i % 3, 1e3f);
     scene.run(state);
 }
+// Gusts, turbulence of two octaves, the ground, and four vortices of people's size.
+void park(benchmark::State& state) {
+    Scene scene;
+    scene.add(gusts, 0.0f);
+    scene.add(ground, 0.0f);
+    if (state.range(0) >= 1) scene.add(turbulence, 0.0f, 2);
+    for (int i = 0; i < 4 && state.range(0) >= 2; ++i) {
+        auto d = initialised(lr_vortex_desc_init);
+        d.position[0] = 2.0f * static_cast<float>(i) - 3.0f;
+        d.outer_radius = d.half_length = 2.0f;
+        need(lr_world_add_vortex(scene.world, &d, nullptr));
+    }
+    scene.run(state);
+}
 void callback(benchmark::State& state) {
     Scene scene;
     const auto shear = [](void*, const lr_wind_query* q) {
@@ -151,5 +165,6 @@ BENCHMARK(source)
     ->Args({grid, 1})
     ->Args({ground, 1});
 BENCHMARK(far_sources);
+BENCHMARK(park)->ArgName("sources")->DenseRange(0, 2); // gusts and ground; and turbulence; and vortices
 BENCHMARK(callback);
 BENCHMARK_MAIN();

@@ -5,96 +5,20 @@
 
 #include "kernel/integrator/step.h"
 
-#include "hwy/cache_control.h"
 #include "hwy/highway.h"
-#include "kernel/integrator/equations_of_motion-inl.h"
-#include "kernel/integrator/substep-inl.h"
+#include "kernel/integrator/step_bodies-inl.h"
 #include "langevin_rigid.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lr::HWY_NAMESPACE {
 
-// In a wind field, the body's velocity through the fluid obeys the equations of still fluid with the force
-//   (m - rho V) g + rho V a_f - m a_b,   m = (1 + weight)/2 and rho V = (1 - weight)/2 in mass units,
-// a_f the fluid's acceleration, a_b that of the wind along the body's path (docs/reference/wind_and_water.md).
-HWY_INLINE void hold_field(const FluidSample& f, size_t at, float weight, VF length, Vec3 gravity, Held& held,
-                           Vec3& begin_wind, Vec3& end_wind) {
-    held.wind = load3(f.wind, at);
-    const Vec3 half_change = load3(f.half_change, at), mean = load3(f.mean, at), difference = load3(f.difference, at);
-    begin_wind = held.wind - half_change;
-    end_wind = held.wind + half_change;
-    held.weight = constant(weight) * (gravity - mean) + difference;
-    held.gravity = gravity - (mean + difference);
-    held.fluid_spin = length * load3(f.spin, at);
-    held.sheared = true;
-    held.uniform = false;
-}
-
-constexpr size_t line = 64 / sizeof(float);
-
-// Prefetches the next bodies: large worlds have too many arrays for the hardware prefetcher. `at` can be past the last body.
-template <bool kAerodynamic> HWY_INLINE void prefetch(const BatchArrays& a, size_t at, size_t count) {
-    constexpr size_t fields = kAerodynamic ? field_count : size_t{field_gust_x};
-    for (size_t i = 0; i < count; i += line) {
-        for (size_t f = 0; f < fields; ++f) hwy::Prefetch(a.field[f] + at + i);
-        hwy::Prefetch(a.noise_seed + at + i);
-    }
-}
-
-template <bool kFull, bool kAerodynamic, Integrator kIntegrator, bool kUsual = false>
-HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t begin, size_t end) {
-    const BodyConstants& c = in.body;
-    const FluidSample* const fluid = a.fluid;
-    const Vec3 gravity = broadcast(in.gravity);
-    const Vec3 weight = constant(c.weight) * gravity;
-    for (size_t at = begin; at < end; at += hn::Lanes(DF())) {
-        const size_t together = HWY_MAX(hn::Lanes(DF()), line);
-        if (at % together == 0) prefetch<kAerodynamic>(a, at + together, together);
-        Body b = load_body<kAerodynamic>(a, at);
-        const VF length = load1(a, field_scale, at) * constant(c.length);
-        Held held;
-        held.inverse_length = constant(1.0f) / length;
-        held.alpha = held.beta = held.shed = hn::Zero(DF());
-        held.wind = broadcast(in.wind);
-        held.gravity = gravity;
-        held.weight = weight;
-        held.fluid_spin = zero3();
-        held.sheared = false;
-        held.uniform = true;
-        // In a uniform wind, step the velocity relative to the wind, as if the fluid were still.
-        Vec3 begin_wind = broadcast(in.wind_begin), end_wind = held.wind;
-        if (fluid) hold_field(*fluid, at - begin, c.weight, length, gravity, held, begin_wind, end_wind);
-        b.t.v = load3(a, field_vx, at) - to_body(b.q, begin_wind);
-        b.t.u = length * load3(a, field_wx, at);
-        External external;
-        if (in.external.any) {
-            external = take_external(in.external, c, load1(a, field_scale, at), at);
-            held.external = &external;
-        }
-        const VU noise_seed = load1(a.noise_seed, at);
-        if constexpr (kAerodynamic) vary(in, noise_seed, held);
-        const VF beta_unit = constant(c.speed_beta) * held.inverse_length;
-
-        const uint32_t motions = motions_of<kAerodynamic, kIntegrator>(in);
-        for (uint32_t i = 0, motion = 0; i < in.substeps;) { // one loop: a second inside costs a third
-            if (in.wind_changes && !fluid) held.wind = wind_of_substep(in, i);
-            one_motion<kFull, kAerodynamic, kIntegrator, kUsual>(in, c, held, noise_seed, i, motion, beta_unit, b);
-            if (++motion == motions) motion = 0, ++i;
-        }
-
-        store_body<kAerodynamic>(a, at, b, b.t.v + to_body(b.q, end_wind), held.inverse_length * b.t.u,
-                                 in.h * static_cast<float>(in.substeps), in.faults);
-    }
-}
-
+// Bodies without loads, or with LANGEVIN loads.
 void step_range(const StepInput& in, const BatchArrays& a, size_t begin, size_t end) {
-    for_variant(in, [&]<bool kFull, bool kAerodynamic>() HWY_ATTR {
-        constexpr Integrator splitting = Integrator::splitting;
-        if constexpr (!kFull && !kAerodynamic)
-            if (in.loads == Loads::langevin && in.clock == Clock::speed)
-                return step_bodies<false, false, splitting, true>(in, a, begin, end);
-        step_bodies<kFull, kAerodynamic, splitting>(in, a, begin, end);
-    });
+    constexpr Integrator splitting = Integrator::splitting;
+    if (!in.body.diagonal) return step_bodies<true, false, splitting>(in, a, begin, end);
+    if (in.loads == Loads::langevin && in.clock == Clock::speed)
+        return step_bodies<false, false, splitting, true>(in, a, begin, end);
+    step_bodies<false, false, splitting>(in, a, begin, end);
 }
 
 HWY_INLINE hn::Mask<DF> inside(const lr_kill_volume& volume, Vec3 x) {
@@ -136,11 +60,10 @@ bool ended_range(const lr_batch_rules& rules, const BatchArrays& a, size_t begin
     return !hn::AllTrue(du, hn::Eq(any, hn::Zero(DU())));
 }
 
-// Defined in sample_wind.cpp, water_loads.cpp, collider_contact.cpp and gjk_pairs.cpp.
+// Defined in step_aerodynamic.cpp, sample_wind.cpp, water_loads.cpp, collider_contact.cpp and gjk_pairs.cpp.
+StepFunction step_aerodynamic;
 PredictFunction predict;
 EvaluateFunction evaluate;
-CombineFunction combine;
-SettleFunction settle;
 NearFunction near_surface;
 AheadFunction ahead_of;
 SurfaceFunction evaluate_surface;
@@ -153,11 +76,10 @@ constexpr KernelTarget functions(int32_t simd) {
     return {simd,
             HWY_TARGET,
             &step_range,
+            &step_aerodynamic,
             &ended_range,
             &predict,
             &evaluate,
-            &combine,
-            &settle,
             {&near_surface, &ahead_of, &evaluate_surface, &step_wet, &settle_wet},
             &contact_functions,
             &body_contact_functions,

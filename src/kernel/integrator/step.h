@@ -59,31 +59,30 @@ inline constexpr uint32_t cause_count = cause_volume + most_kill_volumes;
 using EndedFunction = bool(const lr_batch_rules&, const BatchArrays&, size_t begin, size_t end, uint32_t* cause);
 
 // Positions (and velocities) of bodies in the middle of a substep, world axes.
-using PredictFunction = void(const BatchArrays&, size_t begin, size_t end, float h, FieldBlock& out);
-// Winds at the block's positions.
-using EvaluateFunction = void(const FieldInstant&, size_t count, FieldBlock& block);
-// The fluid at the bodies, as a substep needs it, from these winds.
-using CombineFunction = void(float h, size_t count, const FieldBlock& block, FluidSample& out);
-// After the substep: corrects velocities for the wind along the mean velocity of the substep instead of the first.
-using SettleFunction = void(const BodyConstants&, float h, const FieldBlock& block, const FluidSample& sample,
-                            const BatchArrays&, size_t begin, size_t end, uint32_t* faults);
+using PredictFunction = void(const BatchArrays&, size_t begin, size_t end, float h, FieldBlock* out);
+// Winds at the positions of `count` bodies.
+using EvaluateFunction = void(const FieldInstant&, size_t count, FieldBlock* blocks);
+// Bodies at `first` and after, before and after a substep in a wind field.
+using EnterWindFunction = void(const StepInput&, const WindAlong&, uint32_t substep, size_t first, size_t lanes,
+                               BodiesInWind& bodies);
+using LeaveWindFunction = void(const StepInput&, const WindAlong&, size_t first, size_t lanes, BodiesInWind& bodies);
 
 struct KernelTarget {
     int32_t simd; // LR_SIMD_*
     int64_t hwy;  // Highway's bit for it
     StepFunction* splitting;
+    StepFunction* aerodynamic; // of the splitting scheme too
     EndedFunction* ended;
     PredictFunction* predict;
     EvaluateFunction* evaluate;
-    CombineFunction* combine;
-    SettleFunction* settle;
     SurfaceTarget surface;
     const ContactTarget* contact;
     const BodyContactTarget* body_contact;
     PairSearch* search_pairs;
 
     void step(const StepInput& in, const BatchArrays& a, size_t begin, size_t end) const {
-        (in.integrator == Integrator::rk4 ? &step_rk4 : splitting)(in, a, begin, end);
+        const auto scheme = in.loads == Loads::aerodynamic ? aerodynamic : splitting;
+        (in.integrator == Integrator::rk4 ? &step_rk4 : scheme)(in, a, begin, end);
     }
 };
 

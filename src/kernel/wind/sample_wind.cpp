@@ -1,5 +1,7 @@
-// Wind at blocks of bodies, compiled once for each instruction set. Sources are the outer loop: their constants are broadcast once, and a source out
-// of reach of the block costs one comparison. Formulas: docs/reference/wind_and_water.md.
+// Wind at blocks of bodies, compiled once for each instruction set. Formulas: docs/reference/wind_and_water.md.
+#ifndef LR_NO_PAIRS
+#define LR_NO_PAIRS // sums at one vector of places fill the registers
+#endif
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernel/wind/sample_wind.cpp"
 #include "hwy/foreach_target.h" // IWYU pragma: keep
@@ -12,126 +14,102 @@
 HWY_BEFORE_NAMESPACE();
 namespace lr::HWY_NAMESPACE {
 
-// Divergence-free turbulence from a lattice of random eddies, with its gradient. Lattice point c carries w(d) (omega x d)/2 of a vector potential,
-// d = x - c in cells, w a product of quintic steps; the field is the curl of their sum.
-
 struct Flow {
     Vec3 wind, rate;
     Matrix gradient;
 };
 
-// Mixes three words by pcg3d (Jarzynski and Olano, JCGT 9(3), 2020).
-struct Words {
-    VU x, y, z;
-};
-HWY_INLINE Words mix(Words v, uint32_t seed) {
+// Divergence-free turbulence with its gradient: eddies w(t) a at the points of a body-centred lattice, of which a place feels those at the corners of
+// its tetrahedron (Perlin's simplex noise): u = curl(f(|d|^2) a x d)/2, d from the point in cells.
+
+// Well mixed bits: lowbias32 (Wellons, "hash prospector").
+HWY_INLINE VU mix(VU v) {
     const DU du;
-    const auto step = [&](VU a) LR_LAMBDA { return a * hn::Set(du, 1664525u) + hn::Set(du, 1013904223u + seed); };
-    const auto cross_over = [&]() LR_LAMBDA {
-        v.x += v.y * v.z;
-        v.y += v.z * v.x;
-        v.z += v.x * v.y;
-    };
-    v = {step(v.x), step(v.y), step(v.z)};
-    cross_over();
-    v.x = hn::Xor(v.x, hn::ShiftRight<16>(v.x));
-    v.y = hn::Xor(v.y, hn::ShiftRight<16>(v.y));
-    v.z = hn::Xor(v.z, hn::ShiftRight<16>(v.z));
-    cross_over();
-    return v;
+    v = hn::Xor(v, hn::ShiftRight<16>(v)) * hn::Set(du, 0x7feb352du);
+    v = hn::Xor(v, hn::ShiftRight<15>(v)) * hn::Set(du, 0x846ca68bu);
+    return hn::Xor(v, hn::ShiftRight<16>(v));
+}
+// A number of [2^n, 2^(n + 1)) for bits of 2^n, from the low 23 bits of a word.
+HWY_INLINE VF mantissa(VU word, uint32_t bits) {
+    const DU du;
+    return hn::BitCast(DF(), hn::Or(hn::And(word, hn::Set(du, 0x007fffffu)), hn::Set(du, bits)));
 }
 
-// Two numbers, -1 to 1, from the halves of a word.
-HWY_INLINE void unit_pair(VU word, VF& a, VF& b) {
+// Each eddy keeps its axis and swings by two parabolas, 32 to 95 times as fast as the slowest beat: the field repeats with the period of that beat.
+HWY_INLINE void add_eddy(const SourceInstant& s, VU word, Vec3 d, Flow& sum) {
     const DU du;
     const DI di;
-    const VF unit = constant(2.0f / 65535.0f), one = constant(1.0f);
-    a = hn::ConvertTo(DF(), hn::BitCast(di, hn::And(word, hn::Set(du, 0xffffu)))) * unit - one;
-    b = hn::ConvertTo(DF(), hn::BitCast(di, hn::ShiftRight<16>(word))) * unit - one;
-}
-
-// The quintic step and its derivatives, at the lower and the upper lattice point.
-struct Step {
-    VF w[2], first[2], second[2], d[2];
-};
-HWY_INLINE Step quintic(VF f) {
-    const VF one = constant(1.0f), g = one - f, fg = f * g;
-    const VF cube = f * (f * f);
-    const VF up = cube * (f * (constant(6.0f) * f - constant(15.0f)) + constant(10.0f));
-    const VF slope = constant(30.0f) * (fg * fg);
-    const VF bend = constant(60.0f) * (fg * (g - f));
-    return {{one - up, up}, {-slope, slope}, {-bend, bend}, {f, -g}};
-}
-
-// Each eddy oscillates with 32 to 95 times the slowest beat: the field repeats with the period of that beat.
-HWY_INLINE void eddy(Words h, const SourceInstant& s, Vec3& omega, Vec3& omega_rate) {
-    const DU du;
-    const DI di;
-    Vec3 a, b;
-    unit_pair(h.x, a.x, b.x);
-    unit_pair(h.y, a.y, b.y);
-    unit_pair(h.z, a.z, b.z);
-    const VU bits = hn::Xor(h.x, hn::Xor(hn::ShiftRight<8>(h.y), hn::ShiftRight<16>(h.z)));
-    const VU beat = hn::And(bits, hn::Set(du, 63u)) + hn::Set(du, 32u);
+    const VF one = constant(1.0f), two = constant(2.0f), three = constant(3.0f), zero = hn::Zero(DF());
+    const VU h = mix(word), g = h * hn::Set(du, 0x9e3779b1u);
+    const Vec3 a{mantissa(hn::ShiftRight<9>(h), 0x40000000u) - three, mantissa(h, 0x40000000u) - three,
+                 mantissa(hn::ShiftRight<9>(g), 0x40000000u) - three};
+    const VU beat = hn::And(hn::ShiftRight<12>(g), hn::Set(du, 63u)) + hn::Set(du, 32u);
     const VF beats = hn::ConvertTo(DF(), hn::BitCast(di, beat));
-    const VF turns = beats * constant(s.turn);
-    VF sine, cosine;
-    sin_cos_turn(turns - hn::ConvertTo(DF(), hn::ConvertTo(di, turns)), sine, cosine);
-    omega = cosine * a + sine * b;
-    omega_rate = beats * constant(6.2831853f * s.turn_rate) * (cosine * b - sine * a);
+    const VF turns = beats * constant(s.turn) + mantissa(g, 0x3f800000u);
+    const VF t = two * (turns - hn::Floor(turns)) - one, down = one - hn::Abs(t);
+    const VF swing = t * down, swing_rate = beats * constant(2.0f * s.turn_rate) * (down + down - one);
+
+    // With z = 2 |d|^2 and f = (1 - z)^3 (1 + 3 z): u = p a + q (d.a) d.
+    const VF z = two * dot(d, d), left = hn::Max(one - z, zero), left2 = left * left;
+    const VF p = left2 * ((two - constant(15.0f) * z) * z + one), z24 = constant(24.0f) * z, q = z24 * left2;
+    const VF along = dot(d, a);
+    const Vec3 u = p * a + (q * along) * d;
+    sum.wind += swing * u;
+    sum.rate += swing_rate * u;
+    // The gradients of p and q are 4 dp/dz d and 4 dq/dz d.
+    const VF slope = swing * left;
+    const VF by_p = slope * (z24 + z24) * (constant(5.0f) * z - three);
+    const VF by_q = slope * constant(96.0f) * (one - three * z) * along;
+    const VF turning = swing * q, stretch = turning * along;
+    Matrix m = outer(by_p * a + by_q * d, d) + outer(d, turning * a);
+    m.row[0].x += stretch, m.row[1].y += stretch, m.row[2].z += stretch;
+    sum.gradient = sum.gradient + m;
 }
 
 HWY_INLINE void turbulence(const SourceInstant& s, Vec3 x, Flow& out) {
     const DI di;
     const DU du;
-    const VF inverse_cell = constant(s.inverse_spacing[0]);
-    const Vec3 along_lattice = rows(s.lattice, x);
+    const Vec3 along_lattice = rows(s.lattice, x), none = zero3();
     const VF at[3] = {along_lattice.x, along_lattice.y, along_lattice.z};
-    VU index[3];
-    Step step[3];
+    constexpr uint32_t prime[3] = {0x9e3779b1u, 0x85ebca77u, 0xc2b2ae3du};
+    VU low[3], high[3];
+    VF part[3];
     for (int i = 0; i < 3; ++i) {
         // Beyond 2^23 cells single precision has no fraction left; the clamp keeps the index in range.
-        VF p = at[i] * inverse_cell - constant(s.offset[i]);
+        VF p = at[i] - constant(s.offset[i]);
         p = hn::Min(hn::Max(p, constant(-8388608.0f)), constant(8388608.0f));
         const VF floor = hn::Floor(p);
-        index[i] = hn::BitCast(du, hn::ConvertTo(di, floor) - hn::Set(di, s.cell[i]));
-        step[i] = quintic(p - floor);
+        part[i] = p - floor;
+        const VU index = hn::BitCast(du, hn::ConvertTo(di, floor) - hn::Set(di, s.cell[i]));
+        const auto word = [&](VU v) LR_LAMBDA { return hn::Xor(v, hn::ShiftRight<15>(v)); };
+        low[i] = word(index * hn::Set(du, prime[i]));
+        high[i] = word((index + hn::Set(du, 1u)) * hn::Set(du, prime[i]));
     }
-    const VF half = constant(0.5f), strength = constant(s.strength);
-    Vec3 wind = zero3(), rate = wind;
-    Matrix gradient{{wind, wind, wind}};
-    for (int corner = 0; corner < 8; ++corner) {
-        const int i = corner & 1, j = corner >> 1 & 1, k = corner >> 2;
-        const VU one = hn::Set(du, 1u);
-        const Words h =
-            mix({i ? index[0] + one : index[0], j ? index[1] + one : index[1], k ? index[2] + one : index[2]}, s.seed);
-        Vec3 omega, omega_rate;
-        eddy(h, s, omega, omega_rate);
-
-        const Step &a = step[0], &b = step[1], &c = step[2];
-        const VF bc = b.w[j] * c.w[k], ac = a.w[i] * c.w[k], ab = a.w[i] * b.w[j];
-        const Vec3 d{a.d[i], b.d[j], c.d[k]};
-        const VF w = a.w[i] * bc;
-        const Vec3 g{a.first[i] * bc, b.first[j] * ac, c.first[k] * ab};
-        const VF hessian[6] = {a.second[i] * bc, a.first[i] * b.first[j] * c.w[k], a.first[i] * c.first[k] * b.w[j],
-                               b.second[j] * ac, b.first[j] * c.first[k] * a.w[i], c.second[k] * ab};
-        // curl (w omega x d)/2 = omega (w + g.d/2) - d (g.omega)/2
-        const VF along = half * dot(g, d) + w;
-        const VF q = half * dot(g, omega);
-        wind += along * omega - q * d;
-        rate += along * omega_rate - half * dot(g, omega_rate) * d;
-        const Vec3 p = constant(1.5f) * g + half * symmetric3(hessian, d);
-        const Vec3 r = half * symmetric3(hessian, omega);
-        Matrix sum = outer(omega, p) - outer(d, r);
-        sum.row[0].x -= q, sum.row[1].y -= q, sum.row[2].z -= q;
-        gradient = gradient + sum;
-    }
-    out.wind = columns(s.lattice, strength * wind);
-    out.rate = columns(s.lattice, strength * rate);
-    const auto turned = [&](const Matrix& m) LR_LAMBDA {
-        return Matrix{{columns(s.lattice, m.row[0]), columns(s.lattice, m.row[1]), columns(s.lattice, m.row[2])}};
-    };
-    out.gradient = transposed(turned(transposed(strength * inverse_cell * turned(gradient))));
+    // The tetrahedron's corners lie from the lower to the upper point, along the axes in order of their parts.
+    const auto xy = part[0] >= part[1], yz = part[1] >= part[2], xz = part[0] >= part[2];
+    const auto first_x = hn::And(xy, xz), first_y = hn::And(hn::Not(xy), yz);
+    const auto last_z = hn::And(xz, yz), last_y = hn::And(xy, hn::Not(yz));
+    const auto choose = [](auto mask, VU yes, VU no)
+                            LR_LAMBDA { return hn::IfThenElse(hn::RebindMask(DU(), mask), yes, no); };
+    const VU difference[3] = {high[0] - low[0], high[1] - low[1], high[2] - low[2]};
+    const VU first = choose(first_x, difference[0], choose(first_y, difference[1], difference[2]));
+    const VU last = choose(last_z, difference[2], choose(last_y, difference[1], difference[0]));
+    const VU lower = low[0] + (low[1] + (low[2] + hn::Set(du, s.seed))),
+             upper = high[0] + (high[1] + (high[2] + hn::Set(du, s.seed)));
+    const float* const b = s.basis;
+    const Vec3 side[3] = {{constant(b[0]), constant(b[3]), constant(b[6])},
+                          {constant(b[1]), constant(b[4]), constant(b[7])},
+                          {constant(b[2]), constant(b[5]), constant(b[8])}};
+    const Vec3 d = rows(b, {part[0], part[1], part[2]}), across = d - (side[0] + (side[1] + side[2]));
+    out = {none, none, {{none, none, none}}};
+    add_eddy(s, lower, d, out);
+    add_eddy(s, lower + first, d - select(first_x, side[0], select(first_y, side[1], side[2])), out);
+    add_eddy(s, upper - last, across + select(last_z, side[2], select(last_y, side[1], side[0])), out);
+    add_eddy(s, upper, across, out);
+    const VF strength = constant(s.strength);
+    out.wind = strength * out.wind;
+    out.rate = strength * out.rate;
+    out.gradient = strength * constant(s.inverse_spacing[0]) * out.gradient;
 }
 
 HWY_INLINE VF clamp_unit(VF t) {
@@ -165,9 +143,9 @@ HWY_INLINE VF exp_negative(VF x) {
 // E(q) = (1 - exp(-q))/q and its derivative. The closed forms cancel for small q.
 HWY_INLINE VF lamb_oseen(VF q, VF& slope) {
     const VF e = exp_negative(q);
-    const VF safe = hn::Max(q, constant(0.25f));
-    const VF far = (constant(1.0f) - e) / safe;
-    const VF far_slope = (e - far) / safe;
+    const VF inverse = constant(1.0f) / hn::Max(q, constant(0.25f));
+    const VF far = (constant(1.0f) - e) * inverse;
+    const VF far_slope = (e - far) * inverse;
     const VF near = polynomial({-1.0f / 720.0f, 1.0f / 120.0f, -1.0f / 24.0f, 1.0f / 6.0f, -0.5f, 1.0f}, q);
     const VF near_slope = polynomial({1.0f / 840.0f, -1.0f / 144.0f, 1.0f / 30.0f, -0.125f, 1.0f / 3.0f, -0.5f}, q);
     const auto small = q < constant(0.25f);
@@ -298,30 +276,44 @@ HWY_INLINE bool grid(const SourceInstant& s, Vec3 x, Flow& out) {
         const VI row = (i & 4 ? high[2] : low[2]) * ny + (i & 2 ? high[1] : low[1]);
         corner[i] = (row * nx + (i & 1 ? high[0] : low[0])) * three;
     }
+    // Whole samples of four floats (the last is not used), transposed: quicker than three gathers.
+    constexpr size_t most_lanes = HWY_MAX_BYTES / sizeof(float);
+    const bool two = s.frame[1] != s.frame[0];
+    alignas(64) float sample[2][8][4 * most_lanes];
+    for (int i = 0; i < 8; ++i) {
+        alignas(64) int32_t from[most_lanes];
+        hn::Store(corner[i], di, from);
+        const hn::CappedTag<float, 4> four;
+        for (size_t lane = 0; lane < hn::Lanes(di); ++lane)
+            for (int f = 0; f < 1 + two; ++f)
+                hn::Store(hn::LoadU(four, s.frame[f] + from[lane]), four, sample[f][i] + 4 * lane);
+    }
     const auto between = [&](VF a, VF b, VF t) LR_LAMBDA { return t * (b - a) + a; };
+    VF value[3][8], change[3][8], unused;
+    for (int i = 0; i < 8; ++i) {
+        hn::LoadInterleaved4(DF(), sample[0][i], value[0][i], value[1][i], value[2][i], unused);
+        if (!two) continue;
+        VF later[3];
+        hn::LoadInterleaved4(DF(), sample[1][i], later[0], later[1], later[2], unused);
+        for (int k = 0; k < 3; ++k) {
+            change[k][i] = later[k] - value[k][i];
+            value[k][i] = constant(s.part) * change[k][i] + value[k][i];
+        }
+    }
     VF wind[3], rate[3];
     for (int k = 0; k < 3; ++k) {
-        VF value[8];
-        rate[k] = zero;
-        for (int i = 0; i < 8; ++i) value[i] = hn::GatherIndex(DF(), s.frame[0] + k, corner[i]);
         const auto across = [&](const VF v[8], VF line[4], VF plane[2]) LR_LAMBDA {
             for (int i = 0; i < 4; ++i) line[i] = between(v[2 * i], v[2 * i + 1], part[0]);
             for (int i = 0; i < 2; ++i) plane[i] = between(line[2 * i], line[2 * i + 1], part[1]);
             return between(plane[0], plane[1], part[2]);
         };
         VF line[4], plane[2];
-        if (s.frame[1] != s.frame[0]) {
-            VF later[8], change[8];
-            for (int i = 0; i < 8; ++i) {
-                later[i] = hn::GatherIndex(DF(), s.frame[1] + k, corner[i]);
-                change[i] = later[i] - value[i];
-                value[i] = between(value[i], later[i], constant(s.part));
-            }
-            rate[k] = across(change, line, plane) * constant(s.part_rate);
-        }
-        wind[k] = across(value, line, plane);
-        const VF dx0 = between(value[1] - value[0], value[3] - value[2], part[1]);
-        const VF dx1 = between(value[5] - value[4], value[7] - value[6], part[1]);
+        rate[k] = zero;
+        if (two) rate[k] = across(change[k], line, plane) * constant(s.part_rate);
+        const VF(&v)[8] = value[k];
+        wind[k] = across(v, line, plane);
+        const VF dx0 = between(v[1] - v[0], v[3] - v[2], part[1]);
+        const VF dx1 = between(v[5] - v[4], v[7] - v[6], part[1]);
         const VF dy = between(line[1] - line[0], line[3] - line[2], part[2]);
         out.gradient.row[k] = {hn::IfThenElseZero(in, slope[0] * between(dx0, dx1, part[2])),
                                hn::IfThenElseZero(in, slope[1] * dy),
@@ -345,50 +337,6 @@ HWY_INLINE VF ground_factor(const SourceInstant& s, Vec3 x, Vec3& slopes) {
     return (zero - log_unit(hn::Max(below, constant(1e-30f)))) * scale_log;
 }
 
-void predict(const BatchArrays& a, size_t begin, size_t end, float h, FieldBlock& out) {
-    for (size_t at = begin; at < end; at += hn::Lanes(DF())) {
-        const Vec3 v = within(to_world(load4(a, at), load3(a, field_vx, at)), 1e7f);
-        store3(out.velocity, at - begin, v);
-        store3(out.position, at - begin, within(load3(a, field_x, at) + constant(0.5f * h) * v, 1e12f));
-    }
-}
-
-float distance_squared(const float point[3], const float low[3], const float high[3]) {
-    float sum = 0.0f;
-    for (int i = 0; i < 3; ++i) {
-        const float below = low[i] - point[i], above = point[i] - high[i];
-        const float gap = below > above ? below : above;
-        if (gap > 0.0f) sum += gap * gap;
-    }
-    return sum;
-}
-
-HWY_INLINE void begin_block(const FieldInstant& instant, size_t count, FieldBlock& b) {
-    const Vec3 none = zero3();
-    for (size_t at = 0; at < count; at += hn::Lanes(DF())) {
-        store3(b.wind, at, broadcast(instant.wind));
-        store3(b.change, at, broadcast(instant.change));
-        store3(b.rate, at, none);
-        store_matrix(b.gradient, at, {{none, none, none}});
-        store1(b.reference, at, constant(instant.reference));
-    }
-}
-
-HWY_INLINE void add_ground(const SourceInstant& s, size_t count, FieldBlock& b) {
-    const Vec3 none = zero3();
-    for (size_t at = 0; at < count; at += hn::Lanes(DF())) {
-        Vec3 slopes;
-        const VF factor = ground_factor(s, load3(b.position, at), slopes);
-        const Matrix lifted = outer(load3(b.wind, at), slopes);
-        // Plus zero: removes negative zeros, or a source that adds nothing could change a sign.
-        store_matrix(b.gradient, at, factor * load_matrix(b.gradient, at) + lifted + Matrix{{none, none, none}});
-        store3(b.wind, at, factor * load3(b.wind, at) + none);
-        store3(b.change, at, factor * load3(b.change, at) + none);
-        // The pattern moves as a whole: du/dt at a point is - motion . grad u.
-        store3(b.rate, at, factor * load3(b.rate, at) - lifted * broadcast(s.motion) + none);
-    }
-}
-
 HWY_INLINE bool flow_of(const SourceInstant& s, Vec3 x, Flow& flow) {
     switch (s.kind) {
     case SourceKind::rankine:
@@ -408,98 +356,147 @@ HWY_INLINE bool flow_of(const SourceInstant& s, Vec3 x, Flow& flow) {
     return false;
 }
 
-HWY_INLINE void add_source(const SourceInstant& s, size_t count, FieldBlock& b) {
-    const Vec3 motion = broadcast(s.motion);
-    for (size_t at = 0; at < count; at += hn::Lanes(DF())) {
-        Flow flow;
-        flow.rate = zero3();
-        if (!flow_of(s, load3(b.position, at), flow)) continue;
-        store_matrix(b.gradient, at, load_matrix(b.gradient, at) + flow.gradient);
-        store3(b.wind, at, load3(b.wind, at) + flow.wind);
-        store3(b.rate, at, load3(b.rate, at) + (flow.rate - flow.gradient * motion));
-    }
+// The sums at one vector of places.
+struct Sum {
+    Vec3 wind, change, rate;
+    Matrix gradient;
+};
+
+// The ground multiplies the uniform wind, before anything is added to it.
+HWY_INLINE void put_ground(const SourceInstant& s, Vec3 x, Sum& sum) {
+    const Vec3 none = zero3();
+    Vec3 slopes;
+    const VF factor = ground_factor(s, x, slopes);
+    const Matrix lifted = outer(sum.wind, slopes);
+    // Plus zero: removes negative zeros, or a source that adds nothing could change a sign.
+    sum.gradient = factor * sum.gradient + lifted + Matrix{{none, none, none}};
+    sum.wind = factor * sum.wind + none;
+    sum.change = factor * sum.change + none;
+    // The pattern moves as a whole: du/dt at a point is - motion . grad u.
+    sum.rate = factor * sum.rate - lifted * broadcast(s.motion) + none;
 }
 
-void evaluate(const FieldInstant& instant, size_t count, FieldBlock& b) {
-    begin_block(instant, count, b);
-    float low[3], high[3];
-    for (int i = 0; i < 3; ++i) {
-        VF least = load1(b.position[i], 0), most = least;
-        for (size_t at = 0; at < count; at += hn::Lanes(DF())) {
-            const VF x = load1(b.position[i], at);
-            least = hn::Min(least, x);
-            most = hn::Max(most, x);
+HWY_INLINE bool out_of_reach(const SourceInstant& s, Vec3 x) {
+    const Vec3 d = x - broadcast(s.center);
+    return s.reach > 0.0f && hn::AllTrue(DF(), dot(d, d) > constant(s.reach * s.reach));
+}
+
+void evaluate(const FieldInstant& instant, size_t count, FieldBlock* blocks) {
+    const SourceInstant* const end = instant.sources + instant.source_count;
+    for (size_t i = 0; i < count; i += hn::Lanes(DF())) {
+        FieldBlock& b = blocks[i / lane_block];
+        const size_t at = i % lane_block;
+        const Vec3 x = load3(b.position, at), none = zero3();
+        Sum sum{broadcast(instant.wind), broadcast(instant.change), none, {{none, none, none}}};
+        for (const SourceInstant* s = instant.sources; s != end; ++s)
+            if (s->kind == SourceKind::ground) put_ground(*s, x, sum);
+        for (const SourceInstant* s = instant.sources; s != end; ++s) {
+            Flow flow;
+            flow.rate = none;
+            if (s->kind == SourceKind::ground || out_of_reach(*s, x) || !flow_of(*s, x, flow)) continue;
+            sum.gradient = sum.gradient + flow.gradient;
+            sum.wind += flow.wind;
+            sum.rate += flow.rate - flow.gradient * broadcast(s->motion);
         }
-        low[i] = least_lane(least);
-        high[i] = greatest_lane(most);
-    }
-    // The ground multiplies the uniform wind, before anything is added to it.
-    for (uint32_t i = 0; i < instant.source_count; ++i)
-        if (instant.sources[i].kind == SourceKind::ground) add_ground(instant.sources[i], count, b);
-    for (uint32_t i = 0; i < instant.source_count; ++i) {
-        const SourceInstant& s = instant.sources[i];
-        if (s.kind == SourceKind::ground) continue;
-        if (s.reach > 0.0f && distance_squared(s.center, low, high) > s.reach * s.reach) continue;
-        add_source(s, count, b);
+        store3(b.wind, at, sum.wind);
+        store3(b.change, at, sum.change);
+        store3(b.rate, at, sum.rate);
+        store_matrix(b.gradient, at, sum.gradient);
+        store1(b.reference, at, constant(instant.reference));
     }
 }
 
-// The change of the wind along a path at velocity v over the substep: h (du/dt + v . grad u), limited to the speed of the field. If a substep crosses
-// more than a gradient's length the product means nothing, and a body in a vortex core would gain without bound. Short substeps: second order.
-HWY_INLINE Vec3 limited_change(const FieldBlock& b, size_t at, VF h, Vec3 v) {
-    const Vec3 change = h * (load3(b.rate, at) + load_matrix(b.gradient, at) * v);
-    // 1e-12 m/s and less would square to a denormal; the floor keeps the quotient finite.
-    const VF reference = hn::Max(load1(b.reference, at), constant(1e-12f));
-    const Vec3 ratio = constant(1.0f) / reference * change;
-    const VF most = greatest(ratio);
-    // change / sqrt(1 + |change|^2/reference^2), with squares that cannot overflow.
-    const VF small = constant(1.0f) / hn::Max(most, constant(1.0f));
-    const Vec3 held = small * ratio;
-    const VF norm = hn::Sqrt(small * small + dot(held, held));
-    return constant(1.0f) / norm * reference * held;
+// The place in the middle of a substep, and the velocity. v: body axes.
+HWY_INLINE void store_place(Vec3 x, Quaternion q, Vec3 v, float h, size_t lane, FieldBlock& b) {
+    const Vec3 velocity = within(to_world(q, v), 1e7f);
+    store3(b.velocity, lane, velocity);
+    store3(b.position, lane, within(x + constant(0.5f * h) * velocity, 1e12f));
 }
 
-void combine(float h, size_t count, const FieldBlock& b, FluidSample& out) {
+void predict(const BatchArrays& a, size_t begin, size_t end, float h, FieldBlock* out) {
+    for (size_t at = begin; at < end; at += hn::Lanes(DF()))
+        store_place(load3(a, field_x, at), load4(a, at), load3(a, field_vx, at), h, (at - begin) % lane_block,
+                    out[(at - begin) / lane_block]);
+}
+
+// The change of the wind along a path at velocity v over the substep, h (du/dt + v . grad u).
+HWY_INLINE Vec3 change_along(const FieldBlock& b, size_t lane, float h, Vec3 v) {
+    return constant(h) * (load3(b.rate, lane) + load_matrix(b.gradient, lane) * v);
+}
+// Holds changes below the speed of the field. If a substep crosses more than a gradient's length they mean nothing, and a body in a vortex core would
+// gain without bound. squares: of the changes over that speed. Short substeps: second order.
+HWY_INLINE VF held_back(VF squares) {
+    return constant(1.0f) / hn::Sqrt(squares + constant(1.0f));
+}
+
+// In a wind field, the body's velocity through the fluid obeys the equations of still fluid with the force
+//   (m - rho V) g + rho V a_f - m a_b,   m = (1 + weight)/2 and rho V = (1 - weight)/2 in mass units,
+// a_f the fluid's acceleration, a_b that of the wind along the body's path (docs/reference/wind_and_water.md).
+void enter_wind(const StepInput& in, const WindAlong& along, uint32_t substep, size_t first, size_t lanes,
+                BodiesInWind& s) {
+    const FieldInstant& instant = along.instant[substep];
     // Steps below a nanosecond move nothing; their inverse must stay finite.
-    const VF half = constant(0.5f), hv = constant(h), rate = constant(1.0f / (h > 1e-9f ? h : 1e-9f));
-    for (size_t at = 0; at < count; at += hn::Lanes(DF())) {
-        const Vec3 wind = load3(b.wind, at), uniform = load3(b.change, at);
-        const Vec3 met = uniform + limited_change(b, at, hv, load3(b.velocity, at));
-        const Vec3 own = uniform + limited_change(b, at, hv, wind);
-        const VF half_rate = half * rate;
-        store3(out.wind, at, wind);
-        store3(out.half_change, at, half * met);
-        store3(out.mean, at, half_rate * (own + met));
-        store3(out.difference, at, half_rate * (own - met));
-        const Vec3 row[3] = {load3(b.gradient, at), load3(b.gradient + 3, at), load3(b.gradient + 6, at)};
-        store3(out.spin, at, half * Vec3{row[2].y - row[1].z, row[0].z - row[2].x, row[1].x - row[0].y});
+    const VF half = constant(0.5f), half_rate = constant(0.5f / HWY_MAX(in.h, 1e-9f)),
+             weight = constant(in.body.weight);
+    const Vec3 gravity = broadcast(in.gravity), uniform = broadcast(instant.change);
+    FieldBlock& b = along.blocks[first / lane_block];
+    if (!along.everywhere && !along.known) {
+        for (size_t i = 0; i < lanes; i += hn::Lanes(DF()))
+            store_place(load3(s.x, i), load4(s.q, i), load3(s.v, i), in.h, i, b);
+        evaluate(instant, lanes, &b);
+    }
+    for (size_t i = 0, at = first % lane_block; i < lanes; i += hn::Lanes(DF()), at += hn::Lanes(DF())) {
+        Vec3 wind = broadcast(instant.wind), met = uniform, own = uniform;
+        if (!along.everywhere) {
+            wind = load3(b.wind, at);
+            // In weaker winds than a micrometre a second the floor keeps squares of the quotient finite.
+            const VF inverse = constant(1.0f) / hn::Max(load1(b.reference, at), constant(1e-6f));
+            met = change_along(b, at, in.h, load3(b.velocity, at));
+            own = change_along(b, at, in.h, wind);
+            const Vec3 met_ratio = inverse * met, own_ratio = inverse * own;
+            const VF own_squared = dot(own_ratio, own_ratio);
+            const VF held = held_back(dot(met_ratio, met_ratio) + own_squared);
+            met = load3(b.change, at) + held * met;
+            own = load3(b.change, at) + held * own;
+            const Matrix m = load_matrix(b.gradient, at);
+            const Vec3 curl{m.row[2].y - m.row[1].z, m.row[0].z - m.row[2].x, m.row[1].x - m.row[0].y};
+            store3(s.spin, i, half * curl);
+            store1(s.inverse_reference, i, inverse);
+            store1(s.own_squared, i, own_squared);
+        }
+        const Vec3 mean = half_rate * (own + met), difference = half_rate * (own - met), half_change = half * met;
+        store3(s.wind, i, wind);
+        store3(s.half_change, i, half_change);
+        store3(s.weight, i, weight * (gravity - mean) + difference);
+        store3(s.gravity, i, gravity - (mean + difference));
+        store3(s.v, i, load3(s.v, i) - to_body(load4(s.q, i), wind - half_change));
     }
 }
 
 // The substep used the wind's change along the path at its first velocity. The mean velocity adds d to the wind at the end, and -m d to the momentum.
-void settle(const BodyConstants& c, float h, const FieldBlock& b, const FluidSample& sample, const BatchArrays& a,
-            size_t begin, size_t end, uint32_t* faults) {
-    const VF half = constant(0.5f), hv = constant(h), mass = constant(0.5f * (1.0f + c.weight));
-    for (size_t at = begin; at < end; at += hn::Lanes(DF())) {
-        const size_t i = at - begin;
-        const Quaternion q = load4(a, at);
-        const Vec3 v = load3(a, field_vx, at), w = load3(a, field_wx, at);
-        const Vec3 last = within(to_world(q, v), 1e7f);
-        const Vec3 mean = half * (load3(b.velocity, i) + last);
-        const Vec3 met = load3(b.change, i) + limited_change(b, i, hv, mean);
-        const Vec3 taken = load3(sample.half_change, i);
-        const Vec3 more = to_body(q, met - (taken + taken));
-        const Vec3 lost = mass * more;
-        Vec3 settled, turns = w;
-        if (c.diagonal) {
-            settled = v + (more - scaled_by(c.inverse_mass, lost));
-        } else {
-            const Twist t = symmetric6(c.full_inverse, {lost, zero3()});
-            const VF length = load1(a, field_scale, at) * constant(c.length);
-            settled = v + (more - t.v);
-            turns = w - constant(1.0f) / length * t.u;
+void leave_wind(const StepInput& in, const WindAlong& along, size_t first, size_t lanes, BodiesInWind& s) {
+    const BodyConstants& c = in.body;
+    const FieldBlock& b = along.blocks[first / lane_block];
+    for (size_t i = 0, at = first % lane_block; i < lanes; i += hn::Lanes(DF()), at += hn::Lanes(DF())) {
+        const Quaternion q = load4(s.q, i);
+        const Vec3 half_change = load3(s.half_change, i);
+        Vec3 v = load3(s.v, i) + to_body(q, load3(s.wind, i) + half_change), u = load3(s.u, i);
+        if (!along.everywhere) {
+            const Vec3 mean = constant(0.5f) * (load3(b.velocity, at) + within(to_world(q, v), 1e7f));
+            const Vec3 change = change_along(b, at, in.h, mean), ratio = load1(s.inverse_reference, i) * change;
+            const VF held = held_back(dot(ratio, ratio) + load1(s.own_squared, i));
+            const Vec3 more = to_body(q, load3(b.change, at) + held * change - (half_change + half_change));
+            const Vec3 lost = constant(0.5f * (1.0f + c.weight)) * more;
+            if (c.diagonal) {
+                v += more - scaled_by(c.inverse_mass, lost);
+            } else {
+                const Twist t = symmetric6(c.full_inverse, {lost, zero3()});
+                v += more - t.v;
+                u -= t.u;
+            }
         }
-        store_velocities(a, at, settled, turns, faults);
+        store3(s.v, i, without_dust(v));
+        store3(s.u, i, u);
     }
 }
 } // namespace lr::HWY_NAMESPACE

@@ -8,28 +8,19 @@
 
 namespace lr {
 
-// Bodies per block: both structs take 40 KB, nearly a first-level cache, on a worker's stack.
+// Bodies that are examined together: for the caller's own field, water and contact.
 inline constexpr size_t field_block = 256;
 static_assert(field_block % lane_block == 0);
 
-// Sums over sources at the positions of a block.
+// Sums over sources at the positions of lane_block bodies. Many bodies have an array of these.
 struct FieldBlock {
-    alignas(64) float position[3][field_block]; // m, world
-    float velocity[3][field_block];             // m/s, of the bodies
-    float wind[3][field_block];                 // m/s
-    float change[3][field_block];               // m/s, of the uniform part over the substep
-    float rate[3][field_block];                 // m/s^2, partial derivative in time, without the uniform part
-    float gradient[9][field_block];             // 1/s, d wind_i / d x_j at 3 i + j
-    float reference[field_block];               // m/s, the speed of the field: the limit of a change over a substep
-};
-
-// The fluid at the bodies of a block, as a substep needs it.
-struct FluidSample {
-    alignas(64) float wind[3][field_block]; // m/s, in the middle of the substep
-    float half_change[3][field_block];      // m/s, of the wind along the body's path over half the substep
-    float mean[3][field_block];             // m/s^2, of the fluid's acceleration and the one along the body's path
-    float difference[3][field_block];       // m/s^2, half of theirs
-    float spin[3][field_block];             // rad/s, half the vorticity
+    alignas(64) float position[3][lane_block]; // m, world
+    float velocity[3][lane_block];             // m/s, of the bodies
+    float wind[3][lane_block];                 // m/s
+    float change[3][lane_block];               // m/s, of the uniform part over the substep
+    float rate[3][lane_block];                 // m/s^2, partial derivative in time, without the uniform part
+    float gradient[9][lane_block];             // 1/s, d wind_i / d x_j at 3 i + j
+    float reference[lane_block];               // m/s, the speed of the field: the limit of a change over a substep
 };
 
 enum class SourceKind : int32_t { ground, rankine, lamb_oseen, point_blower, line_blower, turbulence, grid };
@@ -55,8 +46,9 @@ struct SourceInstant {
     float inverse_log;       // ground: 1/ln(1 + reference height / roughness)
     float inverse_spacing[3]; // grid; turbulence: 1/cell in the first
     float offset[3];          // turbulence: of the lattice, in cells, 0 to 1
-    float lattice[9];         // turbulence: its axes, row by row
-    int32_t cell[3];          // turbulence: whole cells of it
+    float lattice[9],
+        basis[9];    // turbulence: lattice coordinates of places in m, row by row; world axes of them, in cells
+    int32_t cell[3]; // turbulence: whole cells of it
     uint32_t seed;
     float turn, turn_rate; // turbulence: phase of the slowest beat in turns, 0 to 1; 1/s
     int32_t count[3];      // grid: samples
@@ -71,5 +63,29 @@ struct FieldInstant {
     float reference; // m/s
     uint32_t source_count;
     const SourceInstant* sources;
+};
+
+// The wind over the substeps of a call of the kernel.
+struct WindAlong {
+    const FieldInstant* instant; // of each substep
+    FieldBlock* blocks;          // the winds of the one substep if `known`, else room for those of a vector
+    bool everywhere;             // the same at all places
+    bool known;
+};
+
+// A vector of bodies in a wind field, as the kernel enters and leaves it in each substep.
+struct BodiesInWind {
+    alignas(64) float x[3][lane_block]; // m, world
+    float q[4][lane_block];
+    float v[3][lane_block],
+        u[3][lane_block]; // m/s, body axes, u of the spin times the length; between, v is through the fluid
+    // The fluid, in the middle of the substep.
+    float wind[3][lane_block];        // m/s
+    float half_change[3][lane_block]; // m/s, of the wind along the body's path over half the substep
+    float weight[3][lane_block];      // of Held
+    float gravity[3][lane_block];     // of Held
+    float spin[3][lane_block];        // rad/s, half the vorticity
+    float inverse_reference[lane_block],
+        own_squared[lane_block]; // s/m; the fluid's own change over that speed, squared
 };
 } // namespace lr

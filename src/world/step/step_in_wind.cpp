@@ -8,9 +8,16 @@ namespace {
 
 constexpr float fastest_answer = 1000.0f, steepest_answer = 1e6f; // m/s; m/s^2 and 1/s
 
+using Vectors = float (FieldBlock::*)[3][lane_block];
+
+void copy_row(const FieldBlock* blocks, Vectors rows, size_t axis, uint32_t count, float* out) {
+    for (uint32_t i = 0; i < count; ++i) out[i] = (blocks[i / lane_block].*rows)[axis][i % lane_block];
+}
+
 // Calls the caller's own field and adds its valid results to the block.
-void ask(WindField& field, double time, lr_batch batch, uint32_t count, FieldBlock& block) {
-    alignas(64) float answer[15][field_block]; // velocity, rate, gradient
+void ask(WindField& field, double time, lr_batch batch, uint32_t count, FieldBlock* blocks) {
+    alignas(64) float position[3][field_block], answer[15][field_block]; // velocity, rate, gradient
+    for (size_t k = 0; k < 3; ++k) copy_row(blocks, &FieldBlock::position, k, count, position[k]);
     for (float(&row)[field_block] : answer) std::fill(row, row + count, 0.0f);
     lr_wind_query query{};
     query.struct_size = sizeof query;
@@ -18,13 +25,15 @@ void ask(WindField& field, double time, lr_batch batch, uint32_t count, FieldBlo
     query.batch = batch;
     query.time = time;
     for (size_t k = 0; k < 3; ++k) {
-        query.position[k] = block.position[k];
+        query.position[k] = position[k];
         query.velocity[k] = answer[k];
         query.rate[k] = answer[3 + k];
     }
     for (size_t k = 0; k < 9; ++k) query.gradient[k] = answer[6 + k];
     field.ask_callback(query);
     for (uint32_t i = 0; i < count; ++i) {
+        FieldBlock& block = blocks[i / lane_block];
+        const size_t lane = i % lane_block;
         bool flow = true;
         for (size_t k = 0; k < 15; ++k)
             flow = flow && std::abs(answer[k][i]) <= (k < 3 ? fastest_answer : steepest_answer); // false for NaN
@@ -34,12 +43,12 @@ void ask(WindField& field, double time, lr_batch batch, uint32_t count, FieldBlo
         }
         float largest = 0.0f;
         for (size_t k = 0; k < 3; ++k) {
-            block.wind[k][i] += answer[k][i];
-            block.rate[k][i] += answer[3 + k][i];
+            block.wind[k][lane] += answer[k][i];
+            block.rate[k][lane] += answer[3 + k][i];
             largest = std::max(largest, std::abs(answer[k][i]));
         }
-        for (size_t k = 0; k < 9; ++k) block.gradient[k][i] += answer[6 + k][i];
-        block.reference[i] += largest;
+        for (size_t k = 0; k < 9; ++k) block.gradient[k][lane] += answer[6 + k][i];
+        block.reference[lane] += largest;
     }
 }
 } // namespace
@@ -47,60 +56,71 @@ void ask(WindField& field, double time, lr_batch batch, uint32_t count, FieldBlo
 void step_in_field(const FieldSlice& slice, const StepInput& in, const ContactRun* contact, const BatchArrays& arrays,
                    lr_batch batch, uint32_t live, uint32_t begin, uint32_t end) {
     const auto h = static_cast<float>(slice.time.h);
-    FieldBlock block;
-    FluidSample sample;
-    StepInput substep = in;
-    substep.substeps = 1;
+    const KernelTarget& target = *slice.target;
+    FieldBlock blocks[field_block / lane_block];
+    const bool surface = slice.surface && in.water, asks = slice.field->callback();
+    WindAlong along{&slice.field->instant(0), blocks, along.instant->source_count == 0 && !asks, asks || surface};
     BatchArrays bodies = arrays;
-    bodies.fluid = &sample;
-    for (uint32_t i = 0; i < slice.count; ++i) {
-        substep.first_substep = in.first_substep + slice.first + i;
-        substep.external.clear = slice.first + i + 1 == slice.time.substeps;
-        const double time = slice.time.begin + (slice.first + i + 0.5) * slice.time.h;
-        for (uint32_t at = begin; at < end; at += static_cast<uint32_t>(field_block)) {
-            const uint32_t last = std::min(at + static_cast<uint32_t>(field_block), end);
-            slice.target->predict(arrays, at, last, h, block);
-            slice.target->evaluate(slice.field->instant(i), last - at, block);
-            if (slice.field->callback() && at < live) ask(*slice.field, time, batch, std::min(last, live) - at, block);
-            slice.target->combine(h, last - at, block, sample);
-            const auto move = [&] {
-                slice.target->step(substep, bodies, at, last);
-                slice.target->settle(in.body, h, block, sample, arrays, at, last, in.faults);
-            };
-            const auto step = [&] {
-                if (!slice.surface || !in.water) return move();
-                NearBodies near(*slice.surface, in, arrays, live, at, last, slice.time.h, false);
-                move();
-                if (!near.any()) return;
-                near.set_wind(sample.wind);
-                near.run(in, batch, slice.first + i, 1);
-                near.put_back(arrays);
-            };
-            if (!contact) {
-                step();
-                continue;
-            }
-            ContactPass pass(*contact, in, arrays, live, at, last, slice.first + i);
-            step();
-            pass.resolve();
+    bodies.wind = &along;
+    StepInput part = in;
+    const auto take = [&](uint32_t first, uint32_t count) {
+        part.first_substep = in.first_substep + slice.first + first;
+        part.substeps = count;
+        part.external.clear = slice.first + first + count == slice.time.substeps;
+        along.instant = &slice.field->instant(first);
+    };
+    if (!contact && !along.known) {
+        take(0, slice.count);
+        target.step(part, bodies, begin, end);
+        return;
+    }
+    const auto step_block = [&](uint32_t at, uint32_t last, uint32_t i) {
+        take(i, 1);
+        if (along.known) {
+            target.predict(arrays, at, last, h, blocks);
+            target.evaluate(*along.instant, last - at, blocks);
+            const double time = slice.time.begin + (slice.first + i + 0.5) * slice.time.h;
+            if (asks && at < live) ask(*slice.field, time, batch, std::min(last, live) - at, blocks);
         }
+        const auto step = [&] {
+            if (!surface) return target.step(part, bodies, at, last);
+            NearBodies near(*slice.surface, in, arrays, live, at, last, slice.time.h, false);
+            target.step(part, bodies, at, last);
+            if (!near.any()) return;
+            alignas(64) float wind[3][field_block];
+            for (size_t k = 0; k < 3; ++k) copy_row(blocks, &FieldBlock::wind, k, last - at, wind[k]);
+            near.set_wind(wind);
+            near.run(in, batch, slice.first + i, 1);
+            near.put_back(arrays);
+        };
+        if (!contact) return step();
+        ContactPass pass(*contact, in, arrays, live, at, last, slice.first + i);
+        step();
+        pass.resolve();
+    };
+    // All substeps of a block, while it is in the cache.
+    for (uint32_t at = begin, last; at < end; at = last) {
+        last = std::min(at + static_cast<uint32_t>(field_block), end);
+        for (uint32_t i = 0; i < slice.count; ++i) step_block(at, last, i);
     }
 }
 
 void sample_field(const KernelTarget& target, WindField& field, double time, lr_batch batch, const float* positions,
                   uint32_t count, float* velocities) {
-    FieldBlock block;
+    FieldBlock blocks[field_block / lane_block];
     constexpr auto most = static_cast<uint32_t>(field_block);
     for (uint32_t from = 0; from < count; from += std::min(most, count - from)) {
         const uint32_t here = std::min(most, count - from);
         const uint32_t padded = whole_blocks(here);
         for (size_t k = 0; k < 3; ++k)
             for (size_t i = 0; i < padded; ++i)
-                block.position[k][i] = positions[3 * (from + std::min<size_t>(i, here - 1)) + k];
-        target.evaluate(field.instant(0), padded, block);
-        if (field.callback()) ask(field, time, batch, here, block);
+                blocks[i / lane_block].position[k][i % lane_block] =
+                    positions[3 * (from + std::min<size_t>(i, here - 1)) + k];
+        target.evaluate(field.instant(0), padded, blocks);
+        if (field.callback()) ask(field, time, batch, here, blocks);
         for (size_t k = 0; k < 3; ++k)
-            for (size_t i = 0; i < here; ++i) velocities[3 * (from + i) + k] = block.wind[k][i];
+            for (size_t i = 0; i < here; ++i)
+                velocities[3 * (from + i) + k] = blocks[i / lane_block].wind[k][i % lane_block];
     }
 }
 } // namespace lr

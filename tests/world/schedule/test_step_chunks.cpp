@@ -33,7 +33,7 @@ void check(const std::vector<uint32_t>& counts, uint32_t substeps, uint32_t help
         blocks += batch->padded_count() / lane_block;
     }
     KernelTarget recorder = *world->target;
-    recorder.splitting = &record;
+    recorder.splitting = recorder.aerodynamic = &record;
     const KernelTarget* const real = std::exchange(world->target, &recorder);
     world->narrow = narrow ? &recorder : nullptr;
     StepChunks chunks(*world, items.data(), static_cast<uint32_t>(items.size()), blocks, substeps, helpers);
