@@ -11,6 +11,8 @@
 #include "kernel/integrator/step.h"
 #include "kernel/wind/sample_wind.h"
 
+#include <cstring>
+
 HWY_BEFORE_NAMESPACE();
 namespace lr::HWY_NAMESPACE {
 
@@ -283,10 +285,9 @@ HWY_INLINE bool grid(const SourceInstant& s, Vec3 x, Flow& out) {
     for (int i = 0; i < 8; ++i) {
         alignas(64) int32_t from[most_lanes];
         hn::Store(corner[i], di, from);
-        const hn::CappedTag<float, 4> four;
         for (size_t lane = 0; lane < hn::Lanes(di); ++lane)
             for (int f = 0; f < 1 + two; ++f)
-                hn::Store(hn::LoadU(four, s.frame[f] + from[lane]), four, sample[f][i] + 4 * lane);
+                std::memcpy(sample[f][i] + 4 * lane, s.frame[f] + from[lane], 4 * sizeof(float));
     }
     const auto between = [&](VF a, VF b, VF t) LR_LAMBDA { return t * (b - a) + a; };
     VF value[3][8], change[3][8], unused;

@@ -59,7 +59,8 @@ void step_in_field(const FieldSlice& slice, const StepInput& in, const ContactRu
     const KernelTarget& target = *slice.target;
     FieldBlock blocks[field_block / lane_block];
     const bool surface = slice.surface && in.water, asks = slice.field->callback();
-    WindAlong along{&slice.field->instant(0), blocks, along.instant->source_count == 0 && !asks, asks || surface};
+    const FieldInstant& instant = slice.field->instant(0);
+    WindAlong along{&instant, blocks, instant.source_count == 0 && !asks, asks || surface};
     BatchArrays bodies = arrays;
     bodies.wind = &along;
     StepInput part = in;
