@@ -684,10 +684,10 @@ typedef void (*lr_water_fn)(void* user, const lr_water_query* query);
  * LR_OK, LR_ERROR_NULL_ARGUMENT (world). */
 LR_API lr_status lr_world_set_water_callback(lr_world* world, lr_water_fn callback, void* user);
 
-/* Advances all bodies by dt, in `substeps` equal parts. At 60 Hz use 2 substeps for leaves and paper of a few
- * centimetres, 4 for petals and confetti (docs/maintainers/numerics.md). Rules end bodies and emitters spawn them at
- * the end of the step. Allocates only in the case that lr_allocator describes. Saves, sets and restores the calling
- * thread's floating-point mode. dt: s, > 0. substeps: 1 to LR_MAX_SUBSTEPS.
+/* Advances all bodies by dt, in `substeps` equal parts. At 60 Hz use 1 substep for flat leaves and paper of a
+ * few centimetres, 2 for bent leaves, 4 for petals and confetti (docs/maintainers/numerics.md). Rules end bodies and
+ * emitters spawn them at the end of the step. Allocates only in the case that lr_allocator describes. Saves, sets and
+ * restores the calling thread's floating-point mode. dt: s, > 0. substeps: 1 to LR_MAX_SUBSTEPS.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_TIMESTEP_*, LR_ERROR_SUBSTEPS, LR_ERROR_OUT_OF_MEMORY: the step was taken, so
  * do not repeat it, but bodies may have passed through each other. The next step asks for the memory again. */
 LR_API lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps);

@@ -2190,10 +2190,10 @@ PROTOTYPES = {
         ('world', 'dt', 'substeps'),
         """lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps)
 
-        Advances all bodies by dt, in `substeps` equal parts. At 60 Hz use 2 substeps for leaves and paper of a few
-        centimetres, 4 for petals and confetti (docs/maintainers/numerics.md). Rules end bodies and emitters spawn them at
-        the end of the step. Allocates only in the case that lr_allocator describes. Saves, sets and restores the calling
-        thread's floating-point mode.
+        Advances all bodies by dt, in `substeps` equal parts. At 60 Hz use 1 substep for flat leaves and paper of a
+        few centimetres, 2 for bent leaves, 4 for petals and confetti (docs/maintainers/numerics.md). Rules end bodies and
+        emitters spawn them at the end of the step. Allocates only in the case that lr_allocator describes. Saves, sets and
+        restores the calling thread's floating-point mode.
 
         world: the world
         dt: s, > 0.

@@ -328,11 +328,11 @@ namespace LangevinRigid
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_world_set_water_callback(IntPtr world, IntPtr callback, IntPtr user);
 
-        /// <summary>Advances all bodies by dt, in <paramref name="substeps"/> equal parts. At 60 Hz use 2 substeps for
-        /// leaves and paper of a few centimetres, 4 for petals and confetti (docs/maintainers/numerics.md). Rules end
-        /// bodies and emitters spawn them at the end of the step. Allocates only in the case that
-        /// <see cref="Allocator"/> describes. Saves, sets and restores the calling thread's floating-point
-        /// mode.</summary>
+        /// <summary>Advances all bodies by dt, in <paramref name="substeps"/> equal parts. At 60 Hz use 1 substep for
+        /// flat leaves and paper of a few centimetres, 2 for bent leaves, 4 for petals and confetti
+        /// (docs/maintainers/numerics.md). Rules end bodies and emitters spawn them at the end of the step. Allocates
+        /// only in the case that <see cref="Allocator"/> describes. Saves, sets and restores the calling thread's
+        /// floating-point mode.</summary>
         /// <param name="world">the world</param>
         /// <param name="dt">s, &gt; 0.</param>
         /// <param name="substeps">1 to <see cref="Limits.MaxSubsteps"/>.</param>
