@@ -25,7 +25,7 @@ lr_status WindField::make(const SourceDesc& desc, double time, uint64_t seed, Gr
             grid->values[i] = desc.samples[i];
             grid->fastest = std::max(grid->fastest, std::abs(desc.samples[i]));
         }
-        grid->values[count] = 0.0f; // the kernel reads samples as four floats
+        grid->values[static_cast<size_t>(count)] = 0.0f; // the kernel reads samples as four floats
         grid->hash = hash_samples(desc, desc.samples);
     }
     if (grid) ++grid->references;
