@@ -141,7 +141,7 @@ double langevin_beta_squared(double epsilon, double c0, const Gains& gains) {
 }
 
 uint32_t motions_in_substep(const BodyConstants& body, float gravity, float h) {
-    constexpr double longest = 0.31, most = 4.0; // docs/maintainers/numerics.md, "Errors by step"
+    constexpr double longest = 0.31, most = 4.0; // docs/maintainers/numerics.md, "Steps of the motion"
     if (!(body.wake_length > 0.0f) || body.aerodynamics.plate_drag <= 0.0f) return 1;
     const double pull = std::abs(static_cast<double>(body.weight)) * static_cast<double>(gravity);
     const double steps = static_cast<double>(h) / longest * std::sqrt(pull / static_cast<double>(body.wake_length));

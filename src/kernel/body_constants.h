@@ -35,7 +35,7 @@ template <class T> struct AerodynamicConstantsOf {
     // Full path. Q: from body axes to load axes. P = Q (1, -[r]x): velocity of the load centre.
     T axes[9], arm[3];       // Q; r: from the centre of mass to the load centre, over d
     T centre_mass[6];        // (P M^-1 P^T)^-1, upper triangle
-    T spin_of_force[9];      // spin per change of velocity by that impulse
+    T spin_of_force[9];      // spin per change of velocity by an impulse at the load centre
     T spin_mobility[6];      // Q (M^-1)_22 Q^T
     T spin_answer[6];        // its columns over their diagonal entry, without it: x's y, z; y's x, z; z's x, y
     T fall[18];              // response to gravity along body axes in a uniform wind: P over Q (M^-1)_u, 6x3

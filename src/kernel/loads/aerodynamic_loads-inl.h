@@ -250,6 +250,9 @@ HWY_INLINE Vec3 bounded_push(Vec3 push, VF s) {
     return bounded(push, most, -most);
 }
 
+// Of the L-stable pair of implicit stages (Alexander 1977): 1 - 1/sqrt(2), and the first stage's weight in the second.
+inline constexpr float stage_gamma = 0.29289322f, stage_rest = (1.0f - stage_gamma) / stage_gamma;
+
 // The loads of one moment: the force is circulation x v - drag v, the torque couple - spin u.
 struct Moment {
     VF drag, shed, s;
@@ -444,11 +447,10 @@ HWY_INLINE Middle loads_in_middle(float h, const C& c, const Held& held, VF nu, 
     const Vec3 push = bounded_push(times(rate, m.couple), m.s);
     Twist t = before;
     if constexpr (kFull) t = spin_half(c, times(rate, m.spin), push, true, t);
-    constexpr float gamma = 0.29289322f, rest = (1.0f - gamma) / gamma; // 1 - 1/sqrt(2)
-    const Stage p = stage_of<kFull>(c, constant(gamma * h) * m.drag, constant(gamma * h) * m.circulation);
-    const Vec3 part = constant(2.0f * gamma) * pull.v;
+    const Stage p = stage_of<kFull>(c, constant(stage_gamma * h) * m.drag, constant(stage_gamma * h) * m.circulation);
+    const Vec3 part = constant(2.0f * stage_gamma) * pull.v;
     const Vec3 first = part + moved_from<kFull>(p, t.v + part);
-    const Vec3 second = constant(rest) * first + part;
+    const Vec3 second = constant(stage_rest) * first + part;
     const Vec3 gained = second + moved_from<kFull>(p, t.v + second);
     t.v += gained;
     if constexpr (kFull) {

@@ -251,7 +251,6 @@ HWY_INLINE Resistance resistance(const StepInput& in, const C& c, const Held& he
 template <class C>
 HWY_INLINE Vec3 station_motion(const StepInput& in, float h, const C& c, const Held& held, VF nu, Body& b) {
     const auto& a = c.aerodynamics;
-    constexpr float gamma = 0.29289322f; // 1 - 1/sqrt(2)
     const VF turning = constant(0.25f * h) * held.inverse_length;
     const Twist start = b.t;
     const auto fluid_spin = [&](Quaternion q)
@@ -269,14 +268,13 @@ HWY_INLINE Vec3 station_motion(const StepInput& in, float h, const C& c, const H
     couple = body_shedding_couple(h, c, held, b.shedding, nu, centre_velocity<true>(a, middle));
     k = resistance(in, c, held, nu, b, middle, fluid_spin(q), push);
     p = products(c, held.inverse_length, middle);
-    f = factors(c, constant(gamma * h), k, p);
+    f = factors(c, constant(stage_gamma * h), k, p);
     const Twist force = applied(c, held, q, couple) + push;
     const Twist r = constant(h) * (force + resisted(k, start) - p * half);
     const Twist first = solve(f, r);
-    // h (W - S) first = (M first - r)/gamma
-    constexpr float rest = (1.0f - gamma) / gamma;
-    const Twist second = solve(f, r - constant(rest) * (r - momentum<true>(c, first)));
-    b.t = start + (constant(1.0f - gamma) * first + constant(gamma) * second);
+    // h (W - S) first = (M first - r)/stage_gamma
+    const Twist second = solve(f, r - constant(stage_rest) * (r - momentum<true>(c, first)));
+    b.t = start + (constant(1.0f - stage_gamma) * first + constant(stage_gamma) * second);
 
     // The change of the products is not skew: no step may gain more energy than its forces give. kept: the share k of the new twist z at which
     // k^2 z.Mz = start.M start + h f.(start + k z).
