@@ -281,7 +281,8 @@ LR_API void lr_asset_release(lr_asset* asset);
 /* Bits that describe an asset. */
 typedef uint32_t lr_asset_flags;
 enum {
-    LR_ASSET_DIAGONAL = 1, /* diagonal in body axes, buoyancy at the centre of mass: the fast path applies */
+    LR_ASSET_DIAGONAL = 1,  /* diagonal in body axes, buoyancy at the centre of mass: the fastest path for all loads */
+    LR_ASSET_SYMMETRIC = 2, /* its own mirror image across its widest face: the fastest path for AERODYNAMIC loads */
 };
 
 /* Properties of an asset. Matrices are row-major and symmetric. */

@@ -131,7 +131,8 @@ template <class S, class Fill> lr_status report(const char* function, const lr_a
 lr_asset_info info_of(const lr_asset& asset) {
     const AssetData& d = asset.data;
     lr_asset_info out{};
-    out.flags = asset.diagonal ? LR_ASSET_DIAGONAL : 0;
+    if (asset.diagonal) out.flags |= LR_ASSET_DIAGONAL;
+    if (is_symmetric(asset.data, asset.data.aerodynamics)) out.flags |= LR_ASSET_SYMMETRIC;
     // Truncate at a whole UTF-8 character.
     size_t length = std::min(d.name.size(), sizeof out.name - 1);
     if (length < d.name.size())

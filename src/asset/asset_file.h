@@ -27,8 +27,19 @@ uint64_t content_hash(const AssetData& data);
 // The largest entry off the diagonals of inertia and added mass, relative to those it couples, or offset of buoyancy or of the loads over d.
 double largest_coupling(const AssetData& asset);
 
+// The load axis across the widest face, the last of equal ones.
+size_t widest_axis(const AerodynamicData& loads);
+// The part of a twist's matrix that changes when the body is mirrored across that axis.
+std::array<double, 36> mirror_odd(const std::array<double, 36>& matrix, const AerodynamicData& loads);
+// The largest entry of that part of the mass matrix, relative to those it couples, or offset of buoyancy or of the loads along the axis, over d.
+double mirror_coupling(const AssetData& asset, const AerodynamicData& loads);
+
 // A mesh that is symmetric by design is not so to the last bit: couplings up to a millionth count as zero. Stations couple all motions.
+inline constexpr double no_coupling = 1e-6;
 inline bool is_diagonal(const AssetData& asset) {
-    return asset.stations.empty() && largest_coupling(asset) <= 1e-6;
+    return asset.stations.empty() && largest_coupling(asset) <= no_coupling;
+}
+inline bool is_symmetric(const AssetData& asset, const AerodynamicData& loads) {
+    return asset.stations.empty() && mirror_coupling(asset, loads) <= no_coupling;
 }
 } // namespace lr

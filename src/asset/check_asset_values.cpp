@@ -412,4 +412,51 @@ double largest_coupling(const AssetData& a) {
         }
     return largest;
 }
+
+size_t widest_axis(const AerodynamicData& loads) {
+    size_t widest = 2;
+    for (size_t i : {size_t{1}, size_t{0}})
+        if (loads.broadside[i] > loads.broadside[widest]) widest = i;
+    return widest;
+}
+
+std::array<double, 36> mirror_odd(const std::array<double, 36>& matrix, const AerodynamicData& loads) {
+    const double* const n = loads.axes.data() + 3 * widest_axis(loads);
+    // Half of M less S M S; S reflects velocities, 1 - 2 n n^T, and spins with the other sign.
+    double s[36] = {};
+    for (size_t i = 0; i < 3; ++i)
+        for (size_t j = 0; j < 3; ++j) {
+            s[i * 6 + j] = (i == j ? 1.0 : 0.0) - 2.0 * n[i] * n[j];
+            s[(i + 3) * 6 + j + 3] = -s[i * 6 + j];
+        }
+    std::array<double, 36> half{}, odd{};
+    for (size_t i = 0; i < 36; ++i)
+        for (size_t k = 0; k < 6; ++k) half[i] += s[i / 6 * 6 + k] * matrix[k * 6 + i % 6];
+    for (size_t i = 0; i < 36; ++i) {
+        double mirrored = 0.0;
+        for (size_t k = 0; k < 6; ++k) mirrored += half[i / 6 * 6 + k] * s[k * 6 + i % 6];
+        odd[i] = 0.5 * (matrix[i] - mirrored);
+    }
+    return odd;
+}
+
+double mirror_coupling(const AssetData& a, const AerodynamicData& loads) {
+    std::array<double, 36> mass;
+    for (size_t i = 0; i < 36; ++i) {
+        const size_t row = i / 6, column = i % 6;
+        mass[i] = a.fluid_density * a.added_mass[i];
+        if (row == column && row < 3) mass[i] += a.mass;
+        if (row >= 3 && column >= 3) mass[i] += a.inertia[(row - 3) * 3 + column - 3];
+    }
+    const std::array<double, 36> odd = mirror_odd(mass, loads);
+    double largest = 0.0, buoyancy = 0.0, center = 0.0;
+    for (size_t i = 0; i < 36; ++i)
+        largest = std::max(largest, std::abs(odd[i]) / std::sqrt(mass[i / 6 * 7] * mass[i % 6 * 7]));
+    for (size_t k = 0; k < 3; ++k) {
+        const double n = loads.axes[3 * widest_axis(loads) + k];
+        buoyancy += n * a.center_of_buoyancy[k];
+        center += n * loads.center[k];
+    }
+    return std::max({largest, std::abs(buoyancy) / a.length_d, std::abs(center) / a.length_d});
+}
 } // namespace lr

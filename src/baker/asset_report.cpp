@@ -74,6 +74,7 @@ Json make_json(const AssetData& a) {
     j["added_mass"] = times_fluid(a.added_mass);
     j["added_mass_error"] = times_fluid(a.added_mass_error);
     j["diagonal"] = is_diagonal(a);
+    j["symmetric"] = is_symmetric(a, a.aerodynamics);
     j["center_of_buoyancy"] = a.center_of_buoyancy;
     j["fluid"] = {{"density", a.fluid_density}, {"viscosity", a.fluid_viscosity}};
     j["lengths"] = {{"d", a.length_d}, {"b", a.length_b}, {"l", a.length_l}};
@@ -160,6 +161,11 @@ std::string summary(const AssetData& a) {
     line(text, "  added mass      %.5g %.5g %.5g kg", added(0), added(1), added(2));
     line(text, "  added inertia   %.5g %.5g %.5g kg m^2", added(3), added(4), added(5));
     line(text, "  coupling        at most %.2g of the entries it couples", largest_coupling(a));
+    line(text, "  symmetry        %s",
+         is_diagonal(a)                    ? "in three planes: the fastest path"
+         : is_symmetric(a, a.aerodynamics) ? "across its widest face: the fastest path for AERODYNAMIC loads"
+         : a.stations.empty()              ? "none: the general path"
+                                           : "not used: it has stations");
     line(text, "  buoyancy        at %.4g %.4g %.4g m from the centre of mass", a.center_of_buoyancy[0],
          a.center_of_buoyancy[1], a.center_of_buoyancy[2]);
     if (a.turbulence.stationary < a.turbulence.chi.size())

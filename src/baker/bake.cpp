@@ -334,7 +334,7 @@ private:
     // A body with three mirror planes has a diagonal matrix, for which the runtime has a fast path, but its triangles rarely have
     // these planes. The error of a Galerkin energy is itself an energy: off the diagonal it is at most the geometric mean of the
     // errors of the two diagonal entries. Couplings below that, and too weak to be visible, are noise. All or none are removed,
-    // which keeps the matrix positive.
+    // which keeps the matrix positive; or those that a flat body's own mirror plane excludes, by the mean with its mirror image.
     void drop_noise() {
         constexpr double visible = 2e-3;
         auto& m = out_.added_mass;
@@ -342,19 +342,24 @@ private:
         const auto size = [&](std::size_t n) {
             return m[n * 7] + (n < 3 ? out_.volume : out_.inertia[(n - 3) * 4] / out_.density);
         };
-        const auto is_noise = [&](std::size_t i, std::size_t j) {
-            const double value = std::abs(m[i * 6 + j]);
-            return value <= std::sqrt(error[i * 7] * error[j * 7]) && value <= visible * std::sqrt(size(i) * size(j));
+        const auto is_noise = [&](const std::array<double, 36>& part) {
+            for (std::size_t i = 0; i < 36; ++i) {
+                const std::size_t row = i / 6, column = i % 6;
+                const double value = std::abs(part[i]);
+                if (value > std::sqrt(error[row * 7] * error[column * 7]) ||
+                    value > visible * std::sqrt(size(row) * size(column)))
+                    return false;
+            }
+            return true;
         };
-        for (std::size_t i = 0; i < 6; ++i)
-            for (std::size_t j = 0; j < i; ++j)
-                if (!is_noise(i, j)) return;
-        for (std::size_t i = 0; i < 6; ++i)
-            for (std::size_t j = 0; j < 6; ++j)
-                if (i != j) {
-                    error[i * 6 + j] = std::max(error[i * 6 + j], std::abs(m[i * 6 + j]));
-                    m[i * 6 + j] = 0.0;
-                }
+        std::array<double, 36> part = m;
+        for (std::size_t i = 0; i < 6; ++i) part[i * 7] = 0.0;
+        if (!is_noise(part)) part = mirror_odd(m, out_.aerodynamics);
+        if (!is_noise(part)) return;
+        for (std::size_t i = 0; i < 36; ++i) {
+            error[i] = std::max(error[i], std::abs(part[i]));
+            m[i] -= part[i];
+        }
     }
 
     bool make_turbulence() {

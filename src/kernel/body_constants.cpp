@@ -1,5 +1,6 @@
 #include "kernel/body_constants.h"
 
+#include "asset/asset_file.h"
 #include "base/matrix6.h"
 #include "kernel/derived_constants-inl.h"
 #include "kernel/water/water_loads.h"
@@ -155,26 +156,36 @@ void set_speed_turbulence(const TurbulenceSample& s, const Gains& gains, BodyCon
 }
 
 namespace {
+// In cyclic order, so that the widest face is across the last axis.
+AerodynamicData widest_last(const AerodynamicData& from) {
+    AerodynamicData to = from;
+    const size_t first = widest_axis(from) + 1;
+    using Member = std::array<double, 3> AerodynamicData::*;
+    for (const Member m : {&AerodynamicData::drag, &AerodynamicData::drag_blunt, &AerodynamicData::drag_layer,
+                           &AerodynamicData::drag_stokes, &AerodynamicData::lift, &AerodynamicData::spin_lift,
+                           &AerodynamicData::broadside, &AerodynamicData::spin_drag, &AerodynamicData::spin_drag_stream,
+                           &AerodynamicData::spin_drag_stokes, &AerodynamicData::plate_lift,
+                           &AerodynamicData::plate_vortex, &AerodynamicData::plate_stall})
+        for (size_t i = 0; i < 3; ++i) (to.*m)[i] = (from.*m)[(first + i) % 3];
+    for (size_t i = 0; i < 9; ++i) to.axes[i] = from.axes[(first + i / 3) % 3 * 3 + i % 3];
+    return to;
+}
+
 // drag, lift: rho over the mass unit, with the gains.
 void set_plate(const AssetData& a, const AerodynamicData& loads, double drag, double lift, double rho,
                BodyConstantsOf<double>& c) {
     AerodynamicConstantsOf<double>& out = c.aerodynamics;
     const double d = a.length_d;
-    const auto widest = std::max_element(loads.broadside.begin(), loads.broadside.end());
-    const auto n = static_cast<size_t>(widest - loads.broadside.begin());
-    for (size_t row = 0; row < 2; ++row) out.plate_axes[row * 3 + (n + 1 + row) % 3] = 1.0;
-    out.normal_axis[n] = 1.0;
-    for (size_t i = 0; i < 3; ++i) out.normal[i] = loads.axes[n * 3 + i];
+    for (size_t i = 0; i < 3; ++i) out.normal[i] = loads.axes[6 + i];
     derived::cross3(out.arm, out.normal, out.normal_arm);
     double added = 0.0; // along the normal
     for (size_t i = 0; i < 3; ++i)
         for (size_t j = 0; j < 3; ++j) added += out.normal[i] * a.added_mass[i * 6 + j] * out.normal[j];
     added *= rho / c.unit_mass;
-    for (size_t i = 0; i < 3; ++i) {
-        const bool along = i != n;
-        out.plate_lift[i] = along ? 0.5 * lift * d * loads.plate_lift[i] : 0.0;
-        out.plate_vortex[i] = along ? 0.5 * lift * d * loads.plate_vortex[i] : 0.0;
-        out.plate_stall[i] = along ? 1.0 / std::max(loads.plate_stall[i], 1e-3) : 0.0;
+    for (size_t i = 0; i < 2; ++i) {
+        out.plate_lift[i] = 0.5 * lift * d * loads.plate_lift[i];
+        out.plate_vortex[i] = 0.5 * lift * d * loads.plate_vortex[i];
+        out.plate_stall[i] = 1.0 / std::max(loads.plate_stall[i], 1e-3);
     }
     out.most_shed = added;
     out.separated_shed = added * loads.plate_separated_shedding;
@@ -191,8 +202,9 @@ void set_plate(const AssetData& a, const AerodynamicData& loads, double drag, do
 }
 } // namespace
 
-bool make_aerodynamics(const AssetData& a, const AerodynamicData& loads, const Gains& gains, bool diagonal, double rho,
+bool make_aerodynamics(const AssetData& a, const AerodynamicData& data, const Gains& gains, bool diagonal, double rho,
                        double viscosity, BodyConstants& body) {
+    const AerodynamicData loads = widest_last(data);
     const double d = a.length_d;
     for (double v : loads.center)
         if (!(std::abs(v) <= 2.0 * d)) return false; // the limit of check_asset
@@ -229,7 +241,7 @@ bool make_aerodynamics(const AssetData& a, const AerodynamicData& loads, const G
     out.fluid[1] = lift;
     out.fluid[2] = spin_drag;
     out.fluid[3] = per_unit;
-    make_stations(a, loads, body.stations);
+    make_stations(a, data, body.stations);
     body.wake_length = static_cast<float>(loads.wake_length);
     out.rate_of_gusts = d / loads.length;
     const double intensity = loads.intensity * gains.turbulence * gains.noise;
@@ -240,8 +252,6 @@ bool make_aerodynamics(const AssetData& a, const AerodynamicData& loads, const G
     Matrix6 inverse;
     if (!invert_spd(kernel_mass(a, diagonal, rho), inverse)) return false;
     upper_triangle(inverse, 0, 6, c.full_inverse);
-    const double inverse_spin_mass[3] = {inverse[21], inverse[28], inverse[35]};
-    derived::set_munk_of_normal(inverse_spin_mass, out);
     derived::set_frame(0.0, 1.0, c);
     // M^-1 P^T for each direction of P: the response to a force or couple.
     for (size_t i = 0; i < 6; ++i) {
@@ -254,6 +264,88 @@ bool make_aerodynamics(const AssetData& a, const AerodynamicData& loads, const G
     }
     narrow(out, body.aerodynamics);
     return true;
+}
+
+namespace {
+// Rotation matrix, rows first, to quaternion (Shepperd 1978).
+void quaternion_of(const double* m, float (&out)[4]) {
+    const double trace = m[0] + m[4] + m[8];
+    size_t largest = 3;
+    for (size_t i = 0; i < 3; ++i)
+        if (m[4 * i] > (largest == 3 ? trace : m[4 * largest])) largest = i;
+    double q[4];
+    if (largest == 3) {
+        q[0] = m[7] - m[5], q[1] = m[2] - m[6], q[2] = m[3] - m[1], q[3] = 1.0 + trace;
+    } else {
+        const size_t i = largest, j = (i + 1) % 3, k = (i + 2) % 3;
+        q[i] = 1.0 + m[4 * i] - m[4 * j] - m[4 * k];
+        q[j] = m[3 * i + j] + m[3 * j + i];
+        q[k] = m[3 * i + k] + m[3 * k + i];
+        q[3] = m[3 * k + j] - m[3 * j + k];
+    }
+    const double norm = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+    for (size_t i = 0; i < 4; ++i) out[i] = static_cast<float>(q[i] / norm);
+}
+constexpr bool apart[6] = {false, false, true, true, true, false}; // v_z, u_x, u_y
+} // namespace
+
+void make_sheet(const AssetData& asset, const AerodynamicData& loads, bool diagonal, double rho,
+                const BodyConstants& body, SheetConstants& out) {
+    out.present = false;
+    if (body.stations.count != 0 || mirror_coupling(asset, loads) > no_coupling) return;
+    const AerodynamicConstants& a = body.aerodynamics;
+    double q[9], arm[3], to[36] = {}, pushed[18], falls[18];
+    std::copy(a.axes, a.axes + 9, q);
+    // Twists of the load centre along the load axes.
+    for (size_t i = 0; i < 3; ++i) {
+        arm[i] = 0.0;
+        const double r[3] = {a.arm[0], a.arm[1], a.arm[2]};
+        for (size_t k = 0; k < 3; ++k) {
+            arm[i] += q[3 * i + k] * r[k];
+            to[i * 6 + k] = to[(i + 3) * 6 + k + 3] = q[3 * i + k];
+        }
+        derived::cross3(r, q + 3 * i, to + i * 6 + 3);
+        for (size_t part = 0; part < 18; part += 9)
+            for (size_t j = 0; j < 3; ++j) {
+                double &push = pushed[part + 3 * i + j] = 0.0, &fall = falls[part + 3 * i + j] = 0.0;
+                for (size_t k = 0; k < 3; ++k) {
+                    push += static_cast<double>(a.push[part + 3 * i + k]) * q[3 * j + k];
+                    fall += static_cast<double>(a.fall[part + 3 * i + k]) * q[3 * j + k];
+                }
+            }
+    }
+    Matrix6 centre, mobility{}, mass;
+    if (!invert_spd(kernel_mass(asset, diagonal, rho), centre)) return;
+    for (size_t i = 0; i < 6; ++i)
+        for (size_t j = 0; j < 6; ++j)
+            for (size_t k = 0; k < 36; ++k) mobility[i * 6 + j] += to[i * 6 + k / 6] * centre[k] * to[j * 6 + k % 6];
+    for (size_t i = 0; i < 36; ++i)
+        if (apart[i / 6] != apart[i % 6]) mobility[i] = 0.0;
+    if (!invert_spd(mobility, mass)) return;
+
+    BodyConstantsOf<double> c{};
+    upper_triangle(mass, 0, 6, c.full_mass);
+    upper_triangle(mobility, 0, 6, c.full_inverse);
+    derived::set_slip(1.0, c);
+    SheetConstants made;
+    narrow(c, made);
+    made.length = body.length;
+    made.unit_mass = body.unit_mass;
+    made.weight = body.weight;
+    made.aerodynamics = a;
+    for (size_t i = 0; i < 18; ++i) {
+        made.aerodynamics.push[i] = static_cast<float>(pushed[i]);
+        made.aerodynamics.fall[i] = static_cast<float>(falls[i]);
+    }
+    for (size_t i = 0; i < 3; ++i) {
+        made.aerodynamics.arm[i] = static_cast<float>(arm[i]);
+        made.aerodynamics.normal[i] = i == 2 ? 1.0f : 0.0f;
+        made.aerodynamics.normal_arm[i] = 0.0f;
+    }
+    const double back[9] = {q[0], q[3], q[6], q[1], q[4], q[7], q[2], q[5], q[8]};
+    quaternion_of(back, made.turn);
+    made.present = true;
+    out = made;
 }
 
 void set_gust_turbulence(const TurbulenceSample& s, const Gains& gains, BodyConstants& out) {
@@ -291,7 +383,7 @@ void equivalent_ellipsoid(const AssetData& a, WaterBody& out) {
 
 bool make_water_body(const AssetData& a, const AerodynamicData& loads, const Gains& gains,
                      const TurbulenceSample& stationary, bool diagonal, double air_density, double water_density,
-                     double water_viscosity, const BodyConstants& air, WaterBody& out) {
+                     double water_viscosity, Loads model, const BodyConstants& air, WaterBody& out) {
     out = WaterBody{};
     if (!make_body_constants(a, diagonal, water_density, out.water) ||
         !make_aerodynamics(a, loads, gains, diagonal, water_density, water_viscosity, out.water))
@@ -309,7 +401,8 @@ bool make_water_body(const AssetData& a, const AerodynamicData& loads, const Gai
 
     const double ratio = (a.mass + water_density * a.volume) / (a.mass + air_density * a.volume);
     const Matrix6 dry = kernel_mass(a, diagonal, air_density), wet = kernel_mass(a, diagonal, water_density);
-    if (air.diagonal) {
+    out.diagonal = air.diagonal && model != Loads::aerodynamic;
+    if (out.diagonal) {
         for (size_t i = 0; i < 6; ++i) out.lambda[i] = static_cast<float>(ratio * wet[i * 7] / dry[i * 7] - 1.0);
         return true;
     }

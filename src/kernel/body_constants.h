@@ -14,32 +14,33 @@ enum class Loads : int32_t { none, langevin, aerodynamic };
 enum class Clock : int32_t { speed, age };
 enum class Integrator : int32_t { splitting, rk4 };
 
-// Quasi-steady loads (AerodynamicData) in kernel units. Load axes of the diagonal path are body axes. T: float, or a vector for bodies in two fluids.
+// Quasi-steady loads (AerodynamicData) in kernel units, along the load axes, of which the last is the normal of a plate: the asset's axes in cyclic
+// order. T: float, or a vector for bodies in two fluids.
 template <class T> struct AerodynamicConstantsOf {
     T viscosity; // nu, m^2/s
     T drag[3], drag_blunt[3], drag_layer[3], drag_stokes[3];
     T lift[3], lift_layer[3], lift_stokes[3], spin_lift[3], broadside[3];
     T spin_drag[3], spin_drag_stream[3], spin_drag_stokes[3];
     T spin_weight[3]; // spin_drag over its largest
-    // A plate. Along the load axes: plate_axes the two after the normal, normal_axis the normal; in the body frame: normal.
-    T plate_axes[6], normal_axis[3], normal[3], normal_arm[3]; // normal_arm: arm x normal
-    T munk_of_normal[3];                                       // diagonal path: as munk, of a mass along the normal
-    T plate_lift[3], plate_vortex[3], plate_drag, start_drag;
-    T plate_stall[3];                                                    // the inverse
+    // A plate.
+    T normal[3], normal_arm[3]; // body axes; arm x normal
+    T plate_lift[2], plate_vortex[2], plate_drag, start_drag;
+    T plate_stall[2];                                                    // the inverse
     T separated_shed, most_shed;                                         // of the added mass along the normal
     T wake_rate, wake_share;                                             // over d: 1/(wake_lag wake_length)
     T shedding_rate, shedding_growth, shedding_reynolds, shedding_noise; // rate: 2 pi strouhal/wake_length
     T shedding_moment, shedding_rate_moment;
     // Of stations: the fluid's density over the mass unit, with the gains of drag, lift and spin drag, and alone.
     T fluid[4];
-    // Full path. Q: from body axes to load axes. P = Q (1, -[r]x): velocity of the load centre.
+    // Q: from body axes to load axes. P = Q (1, -[r]x): velocity of the load centre.
     T axes[9], arm[3];       // Q; r: from the centre of mass to the load centre, over d
     T centre_mass[6];        // (P M^-1 P^T)^-1, upper triangle
     T spin_of_force[9];      // spin per change of velocity by an impulse at the load centre
     T spin_mobility[6];      // Q (M^-1)_22 Q^T
     T spin_answer[6];        // its columns over their diagonal entry, without it: x's y, z; y's x, z; z's x, y
-    T fall[18];              // response to gravity along body axes in a uniform wind: P over Q (M^-1)_u, 6x3
     T velocity_of_couple[9]; // velocity of the load centre per change of spin by a couple
+    // Responses of the load centre's velocity and of the spin, 6x3: to a force at the centre of mass along body axes, and to gravity in a uniform wind.
+    T push[18], fall[18];
     // Gusts with the SPEED clock: correlation rate per speed, variance per square of the speed.
     T rate_of_gusts, variance_of_gusts;
     T wake_reynolds;
@@ -85,6 +86,14 @@ struct BodyConstants : BodyConstantsOf<float> {
     StationSet stations;
 };
 
+// A body that is its own mirror image in the plane of its load centre across the last load axis, as flat sheets and all diagonal bodies are: along the load
+// axes, with the load centre as origin, v_x, v_y, u_z and v_z, u_x, u_y do not mix in its mass matrix. The constants are those of this frame, but
+// `axes` is as before, and `arm` along the load axes.
+struct SheetConstants : BodyConstantsOf<float> {
+    bool present = false;
+    float turn[4]; // the frame's orientation in the body's
+};
+
 // Index of entry (i, j) of a symmetric 6x6 matrix in its upper triangle.
 inline constexpr size_t upper6[6][6] = {{0, 1, 2, 3, 4, 5},     {1, 6, 7, 8, 9, 10},    {2, 7, 11, 12, 13, 14},
                                         {3, 8, 12, 15, 16, 17}, {4, 9, 13, 16, 18, 19}, {5, 10, 14, 17, 19, 20}};
@@ -123,6 +132,9 @@ bool make_aerodynamics(const AssetData& asset, const AerodynamicData& loads, con
                        double fluid_density, double viscosity, BodyConstants& out);
 // Sets gusts from a k-epsilon sample instead: Pope's alpha, and the stationary variance beta^2/(2 alpha).
 void set_gust_turbulence(const TurbulenceSample& stationary, const Gains& gains, BodyConstants& out);
+// From all constants of a body, made with the same arguments.
+void make_sheet(const AssetData& asset, const AerodynamicData& loads, bool diagonal, double fluid_density,
+                const BodyConstants& body, SheetConstants& out);
 
 // Pope's coefficients (paper Eq. 9) with the gains folded in.
 double langevin_alpha(double chi, double c0, const Gains& gains);

@@ -58,12 +58,6 @@ template <class N> HWY_INLINE void set_turning(BodyConstantsOf<N>& c) {
     }
 }
 
-// Diagonal path: the Munk moment of a mass along the plate's normal.
-template <class N> HWY_INLINE void set_munk_of_normal(const N* inverse_spin_mass, AerodynamicConstantsOf<N>& a) {
-    for (size_t i = 0; i < 3; ++i)
-        a.munk_of_normal[i] = (a.normal[(i + 1) % 3] - a.normal[(i + 2) % 3]) * inverse_spin_mass[i];
-}
-
 // Full path, from the mass matrix.
 template <class N> HWY_INLINE void set_slip(N one, BodyConstantsOf<N>& c) {
     const N* const m = c.full_mass;
@@ -105,6 +99,10 @@ template <class N> HWY_INLINE void set_frame(N zero, N one, BodyConstantsOf<N>& 
             mobility[k] = dot3(to[i], response[j]) + dot3(to[i] + 3, response[j] + 3);
             a.spin_mobility[k] = dot3(a.axes + 3 * i, spin_response[j] + 3);
         }
+    for (size_t i = 0; i < 9; ++i) {
+        a.push[i] = response[i / 3][i % 3];
+        a.push[i + 9] = spin_response[i / 3][i % 3];
+    }
     invert_symmetric3(a.spin_mobility, one, inverse_spin);
     invert_symmetric3(mobility, one, a.centre_mass);
     N turned[3][3]; // rows: spin for an impulse; columns: velocity for a couple

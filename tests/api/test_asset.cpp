@@ -233,7 +233,7 @@ TEST_CASE("info of an ellipsoid asset") {
     for (size_t i = 0; i < 6; ++i)
         for (size_t j = 0; j < 6; ++j)
             if (i != j) CHECK(info.added_mass[i * 6 + j] == 0.0);
-    CHECK(info.flags == LR_ASSET_DIAGONAL);
+    CHECK(info.flags == (LR_ASSET_DIAGONAL | LR_ASSET_SYMMETRIC));
     CHECK(info.length_d == doctest::Approx(0.08));
     CHECK(info.length_b == doctest::Approx(0.02));
     CHECK(info.u0 == doctest::Approx(std::sqrt(0.2 * 9.80665 * 0.02)));

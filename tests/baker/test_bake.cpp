@@ -207,6 +207,24 @@ TEST_CASE("bake: triangles without the mirror planes of their body do not cost t
             }
 }
 
+TEST_CASE("bake: a flat body of any outline, however it lies, takes the path of sheets") {
+    const test::Scratch scratch;
+    test::Mesh mesh = test::box({0.03, 0.02, 0.0003}, {12, 7, 1});
+    // Sheared in its plane, and turned.
+    Eigen::Matrix3d shear = Eigen::Matrix3d::Identity();
+    shear(0, 1) = 0.5;
+    test::apply(mesh, Eigen::AngleAxisd(0.7, Eigen::Vector3d(0.6, 0.0, 0.8)).toRotationMatrix() * shear);
+    const AssetData flat = must_bake(mesh_options(scratch.write("flat.obj", test::obj_text(mesh))));
+    CHECK(!is_diagonal(flat));
+    CHECK(is_symmetric(flat, flat.aerodynamics));
+    CHECK(mirror_coupling(flat, flat.aerodynamics) < 1e-9);
+    // Not if it is bent: the mirror plane across the fold is another one.
+    test::Mesh bent = test::leaf(16, 4, 0.02, 0.3);
+    test::apply(bent, 0.03 * Eigen::Matrix3d::Identity());
+    const AssetData curled = must_bake(mesh_options(scratch.write("bent.obj", test::obj_text(bent))));
+    CHECK(mirror_coupling(curled, curled.aerodynamics) > 1e-3);
+}
+
 TEST_CASE("bake: a body of its fluid's density, and one lighter than it") {
     for (const double density : {998.0, 997.999999, 20.0, 0.001}) {
         CAPTURE(density);

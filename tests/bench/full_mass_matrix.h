@@ -1,4 +1,4 @@
-// Puts a diagonal body on the path of full mass matrices: its loads act slightly off its centre.
+// Puts a diagonal body on the path of full mass matrices: its loads act slightly off its mirror planes.
 #pragma once
 
 #include <langevin_rigid_research.h>
@@ -7,6 +7,6 @@ inline bool take_full_path(lr_world* world, lr_batch batch) {
     lr_aerodynamics a;
     if (lr_aerodynamics_init(&a, sizeof a) != LR_OK || lr_batch_get_aerodynamics(world, batch, &a) != LR_OK)
         return false;
-    a.center[0] = 1e-12;
+    for (double& x : a.center) x = 1e-6;
     return lr_batch_set_aerodynamics(world, batch, &a) == LR_OK;
 }

@@ -28,11 +28,17 @@ public:
 
     // file: an asset; null: the ellipsoid of the other benchmarks.
     bool make(const char* file, uint32_t capacity, uint32_t workers) {
+        lr_asset* asset = nullptr;
         if (file) {
-            if (lr_asset_load_file(file, &asset_) != LR_OK) return false;
+            if (lr_asset_load_file(file, &asset) != LR_OK) return false;
         } else {
-            asset_ = leaf_asset();
+            asset = leaf_asset();
         }
+        return make(asset, capacity, workers);
+    }
+    // Keeps the asset.
+    bool make(lr_asset* asset, uint32_t capacity, uint32_t workers) {
+        asset_ = asset;
         lr_world_desc wd;
         lr_world_desc_init(&wd, sizeof wd);
         wd.worker_count = workers;
@@ -61,7 +67,7 @@ public:
     }
     // Hills of 0.6 m below y = 0, a plane below them, and on them spheres, capsules, boxes, hulls and meshes of about a metre; every
     // tenth turns if colliders move.
-    bool add_ground(bool turning = true) {
+    bool add_ground(bool turning = true, uint32_t solids = 98) {
         std::vector<float> heights(samples * samples);
         for (uint32_t k = 0; k < samples; ++k)
             for (uint32_t i = 0; i < samples; ++i)
@@ -82,7 +88,7 @@ public:
         const uint32_t corners[] = {0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4};
         constexpr int32_t kinds[] = {LR_COLLIDER_SPHERE, LR_COLLIDER_CAPSULE, LR_COLLIDER_BOX, LR_COLLIDER_HULL,
                                      LR_COLLIDER_MESH};
-        for (uint32_t n = 0; n < 98; ++n) {
+        for (uint32_t n = 0; n < solids; ++n) {
             lr_collider_desc d = collider(kinds[n % 5], side * (value(n, 1) - 0.5f), 0.2f, side * (value(n, 2) - 0.5f));
             for (size_t k = 0; k < 4; ++k) d.orientation[k] = value(n, 3 + static_cast<uint32_t>(k)) - 0.5f;
             for (float& size : d.size) size = 0.2f + 0.4f * value(n, 7);
@@ -110,6 +116,8 @@ public:
         lr_collider_move(world_, &m, 1);
     }
 
+    lr_world* world() const { return world_; }
+    lr_batch batch() const { return batch_; }
     void step() { lr_world_step(world_, step_seconds, substeps); }
     uint64_t hash() const {
         uint64_t h = 0;

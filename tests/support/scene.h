@@ -3,6 +3,7 @@
 
 #include "support/handles.h"
 
+#include <algorithm>
 #include <doctest/doctest.h>
 
 #include <array>
@@ -129,7 +130,13 @@ inline World weightless(uint64_t seed = 0) {
     return make(d);
 }
 
-// full: puts a diagonal body on the path of full mass matrices, by loads slightly off its centre.
+inline lr_asset_info info_of(const Asset& asset) {
+    lr_asset_info info = initialised(lr_asset_info_init);
+    REQUIRE(lr_asset_get_info(asset.get(), &info) == LR_OK);
+    return info;
+}
+
+// full: puts a diagonal body on the path of full mass matrices, by loads slightly off the mirror plane along its widest face.
 inline lr_batch add_batch(const World& w, lr_batch_desc d, const Asset& asset, uint32_t capacity, bool full = false) {
     d.asset = asset.get();
     d.capacity = capacity;
@@ -138,7 +145,8 @@ inline lr_batch add_batch(const World& w, lr_batch_desc d, const Asset& asset, u
     if (full) {
         lr_aerodynamics a = initialised(lr_aerodynamics_init);
         REQUIRE(lr_batch_get_aerodynamics(w.get(), batch, &a) == LR_OK);
-        a.center[0] = 1e-12;
+        const auto* const widest = std::max_element(a.broadside, a.broadside + 3);
+        a.center[*widest > 0.0 ? widest - a.broadside : 2] = 1e-5 * info_of(asset).length_d;
         REQUIRE(lr_batch_set_aerodynamics(w.get(), batch, &a) == LR_OK);
     }
     return batch;
@@ -160,11 +168,6 @@ inline uint64_t hash_of(const World& w) {
     uint64_t hash = 0;
     REQUIRE(lr_world_hash(w.get(), &hash) == LR_OK);
     return hash;
-}
-inline lr_asset_info info_of(const Asset& asset) {
-    lr_asset_info info = initialised(lr_asset_info_init);
-    REQUIRE(lr_asset_get_info(asset.get(), &info) == LR_OK);
-    return info;
 }
 inline lr_world_info info_of(const World& w) {
     lr_world_info info = initialised(lr_world_info_init);

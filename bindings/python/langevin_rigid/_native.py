@@ -50,6 +50,7 @@ LR_SIMD_NEON = 4
 LR_SIMD_WASM = 5
 LR_SIMD_PLAIN = 6
 LR_ASSET_DIAGONAL = 1
+LR_ASSET_SYMMETRIC = 2
 LR_CHECK_THREADS = 1
 LR_MAX_WIND_SOURCES = 64
 LR_VORTEX_LAMB_OSEEN = 0
@@ -3353,7 +3354,7 @@ PROTOTYPES = {
         Replaces the asset's coefficients of AERODYNAMIC loads for a batch from the next step on. The struct is copied; null
         restores the asset's. With intensity 0, lr_load_gains.turbulence 1 and
         lr_batch_desc.variation 0 a fall is the same for any seed. Axes other
-        than the body's, or a center other than 0, put an LR_ASSET_DIAGONAL body on the slower path of all other bodies.
+        than the body's, or a center other than 0, put an LR_ASSET_DIAGONAL body on the slower path of contact.
 
         world: the world
         batch: handle of a batch of the world

@@ -112,7 +112,8 @@ that the processor supports."""
 
 class AssetFlags(IntFlag):
     """Bits that describe an asset."""
-    DIAGONAL = 1  # diagonal in body axes, buoyancy at the centre of mass: the fast path applies
+    DIAGONAL = 1  # diagonal in body axes, buoyancy at the centre of mass: the fastest path for all loads
+    SYMMETRIC = 2  # its own mirror image across its widest face: the fastest path for AERODYNAMIC loads
 
 
 class CheckFlags(IntFlag):

@@ -213,6 +213,11 @@ template <bool kTransposed, class T> HWY_INLINE Twist general6(const T* m, const
     return times_matrix6([&](int i, int j) LR_LAMBDA { return m[kTransposed ? 6 * j + i : 6 * i + j]; }, t);
 }
 
+HWY_INLINE Quaternion product(Quaternion a, Quaternion b) {
+    return {a.w * b.x + a.x * b.w + (a.y * b.z - a.z * b.y), a.w * b.y + a.y * b.w + (a.z * b.x - a.x * b.z),
+            a.w * b.z + a.z * b.w + (a.x * b.y - a.y * b.x), a.w * b.w - a.x * b.x - (a.y * b.y + a.z * b.z)};
+}
+
 struct Body {
     Vec3 x;
     Quaternion q;
@@ -284,10 +289,9 @@ template <bool kFull, class C> HWY_INLINE Twist momentum(const C& c, Twist t) {
 // equations keep the energy for any momentum in their products with velocity and spin.
 template <bool kFull, bool kShed, class C>
 HWY_INLINE Twist moving_momentum(const C& c, VF shed, const Twist& momentum, const Twist& t) {
+    static_assert(kFull || !kShed);
     if constexpr (!kShed) return momentum;
-    const Vec3 n = broadcast(c.aerodynamics.normal);
-    if constexpr (!kFull) return {momentum.v - shed * dot(n, t.v) * n, momentum.u};
-    const Vec3 arm = broadcast(c.aerodynamics.normal_arm);
+    const Vec3 n = broadcast(c.aerodynamics.normal), arm = broadcast(c.aerodynamics.normal_arm);
     const VF lost = shed * (dot(n, t.v) + dot(arm, t.u));
     return {momentum.v - lost * n, momentum.u - lost * arm};
 }

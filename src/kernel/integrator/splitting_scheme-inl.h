@@ -87,7 +87,7 @@ template <bool kFull, class C> HWY_INLINE Twist middle_increment(const C& c, Twi
 // for du remain.
 template <bool kFull, class C>
 static HWY_NOINLINE Twist newton_step(const C& c, VF shed, Twist start_momentum, Twist z, VF g) {
-    const Twist mu = momentum<kFull>(c, z), moving = moving_momentum<kFull, true>(c, shed, mu, z);
+    const Twist mu = momentum<kFull>(c, z), moving = moving_momentum<kFull, kFull>(c, shed, mu, z);
     const Vec3 a = g * z.u, b = g * z.v, p = g * moving.v, l = g * moving.u;
     const Vec3 rv = start_momentum.v - mu.v + cross(p, z.u);
     const Vec3 ru = start_momentum.u - mu.u + (cross(l, z.u) + cross(p, z.v));
@@ -95,22 +95,22 @@ static HWY_NOINLINE Twist newton_step(const C& c, VF shed, Twist start_momentum,
     const VF inverse = constant(1.0f) / (constant(1.0f) + dot(a, a));
     const auto n = [&](Vec3 x) LR_LAMBDA { return inverse * (x + dot(a, x) * a - cross(a, x)); };
     // The contribution of momentum y to the three equations.
-    const auto coupled = [&](Vec3 y) LR_LAMBDA {
+    const auto contribution = [&](Vec3 y) LR_LAMBDA {
         const Vec3 sum = cross(b, y) - cross(p, mobility<kFull>(c, y));
         if constexpr (!kFull) return sum;
         const Vec3 cy = rows(c.slip, y);
         return sum + (cy + cross(a, cy));
     };
-    // A column of the matrix for du: S e + a x S e - l x e + p x C^T e + coupled(N (p x e)).
+    // A column of the matrix for du: S e + a x S e - l x e + p x C^T e + contribution(N (p x e)).
     const auto column = [&](Vec3 se, Vec3 le, Vec3 pe, const auto* ct) LR_LAMBDA {
-        const Vec3 sum = se + cross(a, se) - le + coupled(n(pe));
+        const Vec3 sum = se + cross(a, se) - le + contribution(n(pe));
         if constexpr (kFull) return sum + cross(p, broadcast(ct));
         return sum;
     };
     const Columns s = reduced_rotation<kFull>(c), lx = cross_columns(l), px = cross_columns(p);
     const Columns m{column(s.x, lx.x, px.x, c.slip), column(s.y, lx.y, px.y, c.slip + 3),
                     column(s.z, lx.z, px.z, c.slip + 6)};
-    const Vec3 du = solve(m, ru - coupled(n(rv)));
+    const Vec3 du = solve(m, ru - contribution(n(rv)));
     const Vec3 y = n(rv + cross(p, du));
     Vec3 dv = mobility<kFull>(c, y);
     if constexpr (kFull) dv -= columns(c.slip, du);
@@ -143,7 +143,7 @@ template <bool kFull, class C> HWY_INLINE Solved solve_middle(const C& c, VF she
     const Twist second_mu = momentum<kFull>(c, second);
     const auto sound = dot(second.v, second_mu.v) + dot(second.u, second_mu.u) <= energy * constant(1.5f);
     const Twist mu =
-        moving_momentum<kFull, true>(c, shed, select(sound, second_mu, start), select(sound, second, from));
+        moving_momentum<kFull, kFull>(c, shed, select(sound, second_mu, start), select(sound, second, from));
     return {middle_increment<kFull>(c, from, mu, g), g};
 }
 
@@ -197,29 +197,19 @@ HWY_INLINE hn::Mask<DF> unsolved(VF factor, VF moved, VF turned) {
     return hn::Not(solved);
 }
 
-template <bool kShed, class C> HWY_INLINE Motion free_motion(const C& c, VF shed, Twist start, VF g) {
+template <class C> HWY_INLINE Motion free_motion(const C& c, VF shed, Twist start, VF g) {
     const VF one = constant(1.0f);
     const Vec3 v = start.v, u = start.u, momentum = scaled_by(c.mass, v);
-    const Vec3 a = g * u, b = g * v;
-    const Vec3 p = g * moving_momentum<false, kShed>(c, shed, {momentum, u}, start).v;
-    Vec3 munk = broadcast(c.munk);
-    if constexpr (kShed) munk -= shed * broadcast(c.aerodynamics.munk_of_normal);
+    const Vec3 a = g * u, b = g * v, p = g * momentum, munk = broadcast(c.munk);
     const auto products = [](Vec3 w) LR_LAMBDA { return Vec3{w.y * w.z, w.z * w.x, w.x * w.y}; };
     // u' by the gyroscopic and the Munk moment.
     const auto turning = [&](Vec3 spin, Vec3 speed) LR_LAMBDA {
         return scaled_by(c.gyroscopic, products(spin)) + times(munk, products(speed));
     };
     // Rows of 1 - g (derivative of u').
-    Vec3 alpha, beta;
-    if constexpr (kShed) {
-        const Vec3 i = broadcast(c.inverse_mass);
-        alpha = {i.y * munk.x * b.z, i.z * munk.y * b.x, i.x * munk.z * b.y};
-        beta = {i.z * munk.x * b.y, i.x * munk.y * b.z, i.y * munk.z * b.x};
-    } else {
-        const auto* const turn = c.munk_turn;
-        alpha = {constant(turn[0]) * b.z, constant(turn[1]) * b.x, constant(turn[2]) * b.y};
-        beta = {constant(turn[3]) * b.y, constant(turn[4]) * b.z, constant(turn[5]) * b.x};
-    }
+    const auto* const turn = c.munk_turn;
+    const Vec3 alpha{constant(turn[0]) * b.z, constant(turn[1]) * b.x, constant(turn[2]) * b.y};
+    const Vec3 beta{constant(turn[3]) * b.y, constant(turn[4]) * b.z, constant(turn[5]) * b.x};
     const Vec3 rv = first_turn(a, cross(p, u));
     const Vec3 r{alpha.x * rv.y + beta.x * rv.z, alpha.y * rv.z + beta.y * rv.x, alpha.z * rv.x + beta.z * rv.y};
     const auto diagonal = [&](VF al, VF pa, VF be, VF pb) LR_LAMBDA { return be * pb + (one - al * pa); };
@@ -235,16 +225,7 @@ template <bool kShed, class C> HWY_INLINE Motion free_motion(const C& c, VF shed
 
     const Vec3 am = g * um;
     const VF turned = dot(am, am);
-    Vec3 dp = turned_by(am, turned, momentum);
-    if constexpr (kShed) {
-        // P = (1 + [a]x)^-1 (P0 + f a x n), f = shed v.n in the middle.
-        const Vec3 axis = broadcast(c.aerodynamics.normal);
-        const VF an = dot(am, axis), inverse = one / (one + turned);
-        const Vec3 wake = inverse * (cross(am, axis) + turned * axis - an * am);
-        const VF lighter = shed * dot(broadcast(c.inverse_mass), times(axis, axis));
-        const VF f = lighter * dot(axis, momentum + dp) / (one - lighter * dot(axis, wake));
-        dp += f * wake;
-    }
+    const Vec3 dp = turned_by(am, turned, momentum);
     const Vec3 dv = scaled_by(c.inverse_mass, dp), vm = v + dv;
     const Vec3 du = (g + g) * turning(um, vm), u1 = u + du;
     // Kinetic energies at the end less those at the start: 4 P.dv and (l0 + l1).du.
@@ -256,39 +237,99 @@ template <bool kShed, class C> HWY_INLINE Motion free_motion(const C& c, VF shed
     return out;
 }
 
-// The same for any mass matrix: v = M11^-1 P - C^T u and L = C P + S u with C = M12^T M11^-1 and S = M22 - C M12.
-template <bool kShed, class C> HWY_INLINE Motion free_motion_full(const C& c, VF shed, Twist start, VF g) {
-    const Vec3 v = start.v, u = start.u;
-    const auto* const s = c.reduced_rotation;
-    const Vec3 momentum = symmetric6(c.full_mass, start).v, spin_momentum = symmetric3(s, u);
-    const Vec3 angular = rows(c.slip, momentum) + spin_momentum;
-    const Twist moving = moving_momentum<true, kShed>(c, shed, {momentum, angular}, start);
-    const Vec3 a = g * u, b = g * v, p = g * moving.v, l = g * moving.u;
-    // Columns of H = (1 + [a]x) C + [b]x - [p]x M11^-1, and of 1 - g (derivative): (1 + [a]x) S - [l]x + [p]x C^T + H [p]x.
+// The same for any mass matrix: v = M11^-1 P - C^T u and L = C P + S u with C = M12^T M11^-1 and S = M22 - C M12. A sheet's have 12 numbers, in its frame.
+
+// Products with matrices that keep motion in a sheet's plane, v_x, v_y and u_z, apart from that across it: symmetric ones from v or from u to the same,
+// those from one to the other, and their transposes.
+template <bool kSheet, class T> HWY_INLINE Vec3 block(const T* m, Vec3 a) {
+    if constexpr (!kSheet) return symmetric3(m, a);
+    return {constant(m[0]) * a.x + constant(m[1]) * a.y, constant(m[1]) * a.x + constant(m[3]) * a.y,
+            constant(m[5]) * a.z};
+}
+template <bool kSheet, class T> HWY_INLINE Vec3 coupled(const T* m, Vec3 a) {
+    if constexpr (!kSheet) return rows(m, a);
+    return {constant(m[2]) * a.z, constant(m[5]) * a.z, constant(m[6]) * a.x + constant(m[7]) * a.y};
+}
+template <bool kSheet, class T> HWY_INLINE Vec3 coupled_back(const T* m, Vec3 a) {
+    if constexpr (!kSheet) return columns(m, a);
+    return {constant(m[6]) * a.z, constant(m[7]) * a.z, constant(m[2]) * a.x + constant(m[5]) * a.y};
+}
+template <bool kSheet, class C> HWY_INLINE Vec3 linear_momentum(const C& c, const Twist& t) {
+    const auto* const m = c.full_mass;
+    if constexpr (!kSheet) return symmetric6(m, t).v;
+    return {constant(m[0]) * t.v.x + (constant(m[1]) * t.v.y + constant(m[5]) * t.u.z),
+            constant(m[1]) * t.v.x + (constant(m[6]) * t.v.y + constant(m[10]) * t.u.z),
+            constant(m[11]) * t.v.z + (constant(m[12]) * t.u.x + constant(m[13]) * t.u.y)};
+}
+
+// Columns of (1 + [a]x) C - [p]x M11^-1.
+template <bool kSheet, class C> HWY_INLINE Columns slip_columns(const C& c, Vec3 a, Vec3 p) {
+    const auto* const k = c.slip;
+    const auto* const n = c.inverse_translation;
+    if constexpr (kSheet) {
+        const VF cx = constant(k[2]), cy = constant(k[5]), ex = constant(k[6]), ey = constant(k[7]);
+        const VF xx = constant(n[0]), xy = constant(n[1]), yy = constant(n[3]), zz = constant(n[5]);
+        return {{ex * a.y + xy * p.z, -(ex * a.x + xx * p.z), ex - (xy * p.x - xx * p.y)},
+                {ey * a.y + yy * p.z, -(ey * a.x + xy * p.z), ey - (yy * p.x - xy * p.y)},
+                {cx - cy * a.z - zz * p.y, cy + cx * a.z + zz * p.x, cy * a.x - cx * a.y}};
+    }
     const auto column = [&](const auto& c0, const auto& c1, const auto& c2, const auto& m0, const auto& m1,
                             const auto& m2) LR_LAMBDA {
         const Vec3 slip{constant(c0), constant(c1), constant(c2)}, rate{constant(m0), constant(m1), constant(m2)};
         return slip + cross(a, slip) - cross(p, rate);
     };
+    return {column(k[0], k[3], k[6], n[0], n[1], n[2]), column(k[1], k[4], k[7], n[1], n[3], n[4]),
+            column(k[2], k[5], k[8], n[2], n[4], n[5])};
+}
+// Columns of (1 + [a]x) S + [p]x C^T.
+template <bool kSheet, class C> HWY_INLINE Columns turning_columns(const C& c, Vec3 a, Vec3 p) {
     const auto* const k = c.slip;
-    const auto* const n = c.inverse_translation;
-    Columns h{column(k[0], k[3], k[6], n[0], n[1], n[2]), column(k[1], k[4], k[7], n[1], n[3], n[4]),
-              column(k[2], k[5], k[8], n[2], n[4], n[5])};
-    h.x.y = h.x.y + b.z, h.x.z = h.x.z - b.y;
-    h.y.x = h.y.x - b.z, h.y.z = h.y.z + b.x;
-    h.z.x = h.z.x + b.y, h.z.y = h.z.y - b.x;
-    Vec3 axis, arm, moved_along;
-    if constexpr (kShed) {
-        axis = broadcast(c.aerodynamics.normal), arm = broadcast(c.aerodynamics.normal_arm);
-        moved_along = symmetric3(n, axis);
-        const Vec3 lost = shed * cross(b, axis);
-        h.x -= moved_along.x * lost, h.y -= moved_along.y * lost, h.z -= moved_along.z * lost;
+    const auto* const s = c.reduced_rotation;
+    if constexpr (kSheet) {
+        const VF cx = constant(k[2]), cy = constant(k[5]), ex = constant(k[6]), ey = constant(k[7]);
+        const VF xx = constant(s[0]), xy = constant(s[1]), yy = constant(s[3]), zz = constant(s[5]);
+        return {{xx - xy * a.z + cx * p.y, xy + xx * a.z - cx * p.x, xy * a.x - xx * a.y},
+                {xy - yy * a.z + cy * p.y, yy + xy * a.z - cy * p.x, yy * a.x - xy * a.y},
+                {zz * a.y - ey * p.z, ex * p.z - zz * a.x, zz + (ey * p.x - ex * p.y)}};
     }
-    const auto turning = [&](const auto& s0, const auto& s1, const auto& s2, const auto* ct) LR_LAMBDA {
+    const auto column = [&](const auto& s0, const auto& s1, const auto& s2, const auto* ct) LR_LAMBDA {
         const Vec3 e{constant(s0), constant(s1), constant(s2)};
         return e + cross(a, e) + cross(p, broadcast(ct));
     };
-    Columns m{turning(s[0], s[1], s[2], k), turning(s[1], s[3], s[4], k + 3), turning(s[2], s[4], s[5], k + 6)};
+    return {column(s[0], s[1], s[2], k), column(s[1], s[3], s[4], k + 3), column(s[2], s[4], s[5], k + 6)};
+}
+
+// kShed: with AERODYNAMIC loads.
+template <bool kShed, bool kSheet, class C> HWY_INLINE Motion free_motion_full(const C& c, VF shed, Twist start, VF g) {
+    const Vec3 v = start.v, u = start.u;
+    const auto* const s = c.reduced_rotation;
+    const auto* const n = c.inverse_translation;
+    const Vec3 momentum = linear_momentum<kSheet>(c, start), spin_momentum = block<kSheet>(s, u);
+    const Vec3 angular = coupled<kSheet>(c.slip, momentum) + spin_momentum;
+    Twist moving{momentum, angular};
+    if constexpr (kSheet)
+        moving.v.z = moving.v.z - shed * v.z;
+    else
+        moving = moving_momentum<true, kShed>(c, shed, moving, start);
+    const Vec3 a = g * u, b = g * v, p = g * moving.v, l = g * moving.u;
+    // Columns of H = (1 + [a]x) C + [b]x - [p]x M11^-1, and of 1 - g (derivative): (1 + [a]x) S - [l]x + [p]x C^T + H [p]x.
+    Columns h = slip_columns<kSheet>(c, a, p);
+    h.x.y = h.x.y + b.z, h.x.z = h.x.z - b.y;
+    h.y.x = h.y.x - b.z, h.y.z = h.y.z + b.x;
+    Vec3 axis, arm, moved_along;
+    if constexpr (kSheet) {
+        const VF kept = constant(1.0f) - shed * constant(n[5]);
+        h.z.x = h.z.x + kept * b.y, h.z.y = h.z.y - kept * b.x;
+    } else {
+        h.z.x = h.z.x + b.y, h.z.y = h.z.y - b.x;
+        if constexpr (kShed) {
+            axis = broadcast(c.aerodynamics.normal), arm = broadcast(c.aerodynamics.normal_arm);
+            moved_along = symmetric3(n, axis);
+            const Vec3 lost = shed * cross(b, axis);
+            h.x -= moved_along.x * lost, h.y -= moved_along.y * lost, h.z -= moved_along.z * lost;
+        }
+    }
+    Columns m = turning_columns<kSheet>(c, a, p);
     m.x += p.z * h.y - p.y * h.z;
     m.y += p.x * h.z - p.z * h.x;
     m.z += p.y * h.x - p.x * h.y;
@@ -305,26 +346,38 @@ template <bool kShed, class C> HWY_INLINE Motion free_motion_full(const C& c, VF
     Vec3 dp = turned_by(am, turned, momentum);
     VF f;
     if constexpr (kShed) {
+        // P = (1 + [a]x)^-1 (P0 + f a x n), f the shed momentum in the middle.
         const VF one = constant(1.0f), inverse = one / (one + turned);
-        const Vec3 wake = inverse * (cross(am, axis) + turned * axis - dot(am, axis) * am);
-        const VF carried = dot(arm, um) - dot(axis, columns(k, um));
-        f = shed * (dot(moved_along, momentum + dp) + carried) / (one - shed * dot(moved_along, wake));
-        dp += f * wake;
+        if constexpr (kSheet) {
+            const VF lighter = shed * constant(n[5]);
+            const Vec3 wake = inverse * Vec3{am.y - am.z * am.x, -(am.x + am.z * am.y), turned - am.z * am.z};
+            const VF carried = constant(c.slip[2]) * um.x + constant(c.slip[5]) * um.y;
+            f = (lighter * (momentum.z + dp.z) - shed * carried) / (one - lighter * wake.z);
+            dp += f * wake;
+        } else {
+            const Vec3 wake = inverse * (cross(am, axis) + turned * axis - dot(am, axis) * am);
+            const VF carried = dot(arm, um) - dot(axis, columns(c.slip, um));
+            f = shed * (dot(moved_along, momentum + dp) + carried) / (one - shed * dot(moved_along, wake));
+            dp += f * wake;
+        }
     }
     const Vec3 pm = momentum + dp;
-    const Vec3 moved_by = symmetric3(n, dp), dragged_along = rows(c.slip, dp);
-    const Vec3 lm = angular + (dragged_along + symmetric3(s, dum));
-    const Vec3 vm = v + (moved_by - columns(c.slip, dum));
+    const Vec3 moved_by = block<kSheet>(n, dp), dragged_along = coupled<kSheet>(c.slip, dp);
+    const Vec3 lm = angular + (dragged_along + block<kSheet>(s, dum));
+    const Vec3 vm = v + (moved_by - coupled_back<kSheet>(c.slip, dum));
     Vec3 dl = cross(lm, um) + cross(pm, vm);
-    if constexpr (kShed) dl -= f * (cross(arm, um) + cross(axis, vm));
+    if constexpr (kSheet)
+        dl -= f * Vec3{-vm.y, vm.x, hn::Zero(DF())};
+    else if constexpr (kShed)
+        dl -= f * (cross(arm, um) + cross(axis, vm));
     dl = (g + g) * dl;
     const Vec3 spun = dl - (dragged_along + dragged_along); // S du
     // S^-1 is the lower block of M^-1, the last six of its upper triangle.
-    const Vec3 du = symmetric3(c.full_inverse + 15, spun), u1 = u + du;
+    const Vec3 du = block<kSheet>(c.full_inverse + 15, spun), u1 = u + du;
     const VF gained = constant(4.0f) * dot(pm, moved_by) + dot(u + u1, spun);
     const VF factor = spin_factor(gained, dot(spin_momentum + spun, u1));
     const Vec3 scaled = factor * u1;
-    Motion out{{vm, um}, {v + (moved_by + moved_by) - columns(c.slip, scaled - u), scaled}, g};
+    Motion out{{vm, um}, {v + (moved_by + moved_by) - coupled_back<kSheet>(c.slip, scaled - u), scaled}, g};
     if (const auto left = unsolved(factor, dot(p, b), turned); !hn::AllFalse(DF(), left))
         resolve_motion<true>(c, shed, start, g, left, out);
     return out;
@@ -500,20 +553,28 @@ HWY_INLINE void load_half_full(const StepInput& in, const C& c, const Held& held
     if (sheared) b.t.u += fluid_spin();
 }
 
-// A step of free motion. kStretched: corrects the turning, and moves along the mean of the end velocities: the chord is too short by (w h)^2/8.
+// The velocity of a sheet's load centre by a spin about its centre of mass, in its plane.
+template <class C> HWY_INLINE Vec3 arm_velocity(const C& c, Vec3 u) {
+    const VF x = constant(c.aerodynamics.arm[0]), y = constant(c.aerodynamics.arm[1]);
+    return {-(u.z * y), u.z * x, u.x * y - u.y * x};
+}
+
+// A step of free motion. kStretched: with AERODYNAMIC loads. It corrects the turning, and moves along the mean of the end velocities: the chord is too
+// short by (w h)^2/8.
 template <bool kFull, bool kStretched = false, class C>
 HWY_INLINE void free_step(float h, const C& c, const Held& held, Body& b) {
     VF g = constant(0.5f * h) * held.inverse_length;
     if constexpr (kStretched) g = stretched(b.t.u, g);
     Motion m;
-    if constexpr (kFull)
-        m = free_motion_full<kStretched>(c, held.shed, b.t, g);
+    if constexpr (kFull || kStretched)
+        m = free_motion_full<kStretched, !kFull>(c, held.shed, b.t, g);
     else
-        m = free_motion<kStretched>(c, held.shed, b.t, g);
+        m = free_motion(c, held.shed, b.t, g);
     // Orientation by Cayley's map of h w, on the group; half of it is the middle orientation.
     const Quaternion q1 = normalised(turn(b.q, b.q, constant(1.0f), m.g * m.middle.u));
     if constexpr (kStretched) {
-        b.x += constant(0.5f * h) * (to_world(b.q, b.t.v) + to_world(q1, m.end.v));
+        const auto velocity = [&](const Twist& t) LR_LAMBDA { return kFull ? t.v : t.v - arm_velocity(c, t.u); };
+        b.x += constant(0.5f * h) * (to_world(b.q, velocity(b.t)) + to_world(q1, velocity(m.end)));
     } else {
         const Quaternion middle{b.q.x + q1.x, b.q.y + q1.y, b.q.z + q1.z, b.q.w + q1.w};
         b.x += constant(h) * to_world_scaled(middle, m.middle.v);

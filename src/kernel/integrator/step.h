@@ -40,6 +40,7 @@ struct StepInput {
     Integrator integrator;
     float variation = 0.0f; // lr_batch_desc.variation
     BodyConstants body;
+    SheetConstants sheet; // AERODYNAMIC loads: the same body, if it is one
     TableConstants table;
     ExternalInput external;
     const WaterBody* water;     // null without water

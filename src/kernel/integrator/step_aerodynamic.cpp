@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace lr::HWY_NAMESPACE {
 
 void step_aerodynamic(const StepInput& in, const BatchArrays& a, size_t begin, size_t end) {
-    if (in.body.diagonal)
+    if (in.sheet.present)
         step_bodies<false, true, Integrator::splitting>(in, a, begin, end);
     else
         step_bodies<true, true, Integrator::splitting>(in, a, begin, end);

@@ -30,13 +30,32 @@ template <bool kAerodynamic> HWY_INLINE void prefetch(const BatchArrays& a, size
     }
 }
 
+// To a sheet's frame and its load centre, and back.
+template <class C> HWY_INLINE void enter_frame(const C& c, Quaternion frame, Body& b) {
+    b.q = product(b.q, frame);
+    b.t.u = rows(c.aerodynamics.axes, b.t.u);
+    b.t.v = rows(c.aerodynamics.axes, b.t.v) + arm_velocity(c, b.t.u);
+}
+template <class C> HWY_INLINE void leave_frame(const C& c, Quaternion frame, Body& b) {
+    b.q = product(b.q, {-frame.x, -frame.y, -frame.z, frame.w});
+    b.t = {columns(c.aerodynamics.axes, b.t.v - arm_velocity(c, b.t.u)), columns(c.aerodynamics.axes, b.t.u)};
+}
+
+// AERODYNAMIC loads without kFull: a sheet, which moves in its own frame.
 template <bool kFull, bool kAerodynamic, Integrator kIntegrator, bool kUsual = false>
 HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t begin, size_t end) {
-    const BodyConstants& c = in.body;
+    constexpr bool kSheet = kAerodynamic && !kFull;
+    const BodyConstantsOf<float>* constants = &in.body;
+    if constexpr (kSheet) constants = &in.sheet;
+    const BodyConstantsOf<float>& c = *constants;
     const WindAlong* const wind = a.wind;
     BodiesInWind moving;
     const Vec3 gravity = broadcast(in.gravity);
     const Vec3 weight = constant(c.weight) * gravity;
+    Quaternion frame;
+    if constexpr (kSheet)
+        frame = {constant(in.sheet.turn[0]), constant(in.sheet.turn[1]), constant(in.sheet.turn[2]),
+                 constant(in.sheet.turn[3])};
     for (size_t at = begin; at < end; at += hn::Lanes(DF())) {
         const size_t together = HWY_MAX(hn::Lanes(DF()), line);
         if (at % together == 0) prefetch<kAerodynamic>(a, at + together, together);
@@ -52,9 +71,8 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
         held.sheared = false;
         held.uniform = true;
         // In a uniform wind, step the velocity relative to the wind, as if the fluid were still.
-        b.t.v = load3(a, field_vx, at);
+        b.t = {load3(a, field_vx, at), length * load3(a, field_wx, at)};
         if (!wind) b.t.v -= to_body(b.q, broadcast(in.wind_begin));
-        b.t.u = length * load3(a, field_wx, at);
         External external;
         if (in.external.any) {
             external = take_external(in.external, c, load1(a, field_scale, at), at);
@@ -77,14 +95,17 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
                 enter_wind(in, *wind, i, first, hn::Lanes(DF()), moving);
                 held.wind = load3(moving.wind, 0);
                 held.weight = load3(moving.weight, 0);
-                if constexpr (kFull) held.gravity = load3(moving.gravity, 0);
+                if constexpr (kFull || kSheet) held.gravity = load3(moving.gravity, 0);
                 held.uniform = wind->everywhere;
                 held.sheared = !held.uniform;
                 if (held.sheared) held.fluid_spin = length * load3(moving.spin, 0);
                 b.t.v = load3(moving.v, 0);
             }
+            if constexpr (kSheet) enter_frame(c, frame, b);
             for (uint32_t motion = 0; motion < motions; ++motion)
                 one_motion<kFull, kAerodynamic, kIntegrator, kUsual>(in, c, held, noise_seed, i, motion, beta_unit, b);
+            if constexpr (kSheet)
+                leave_frame(c, frame, b); // in each substep: the division of time into calls changes no bit
             if (wind) {
                 store4(moving.q, 0, b.q);
                 store3(moving.v, 0, b.t.v);

@@ -57,17 +57,21 @@ HWY_INLINE void rk4_substep(const StepInput& in, const C& c, Held& held, VF beta
         const VF spin_beta = beta * constant(c.noise_spin);
         held.noise = dragged<kFull>(c, {beta * broadcast(gauss), spin_beta * broadcast(gauss + 3)});
     }
+    static_assert(kFull || !kAerodynamic);
     const auto rate = [&](Quaternion q, Twist t) LR_LAMBDA {
-        if constexpr (!kAerodynamic) return twist_rate<kFull, false>(in, c, held, q, t);
-        const Vec3 fluid_spin = held.sheared ? to_body(q, held.fluid_spin) : zero3();
-        Twist loads;
-        if (kFull && in.body.stations.count != 0) {
-            const VF nu = constant(c.aerodynamics.viscosity) * held.inverse_length;
-            loads = station_loads(in, c, held, nu, b, fluid_spin, t);
+        if constexpr (!kAerodynamic) {
+            return twist_rate<kFull, false>(in, c, held, q, t);
         } else {
-            loads = aerodynamic_loads<kFull>(c.aerodynamics, held, b, {t.v, t.u - fluid_spin}, held.shed);
+            const Vec3 fluid_spin = held.sheared ? to_body(q, held.fluid_spin) : zero3();
+            Twist loads;
+            if (in.body.stations.count != 0) {
+                const VF nu = constant(c.aerodynamics.viscosity) * held.inverse_length;
+                loads = station_loads(in, c, held, nu, b, fluid_spin, t);
+            } else {
+                loads = aerodynamic_loads(c.aerodynamics, held, b, {t.v, t.u - fluid_spin}, held.shed);
+            }
+            return twist_rate<true, true>(in, c, held, q, t) + acceleration<true>(c, loads);
         }
-        return twist_rate<kFull, true>(in, c, held, q, t) + acceleration<kFull>(c, loads);
     };
     const auto spin = [&](Twist t) LR_LAMBDA { return held.inverse_length * t.u; };
 
@@ -212,13 +216,12 @@ HWY_INLINE void one_motion(const StepInput& in, const C& c, Held& held, VU noise
         rk4_substep<kFull, false>(in, c, held, beta_unit, gauss, b);
 }
 
-// Calls f<kFull, kAerodynamic>() for the batch. Bodies without loads use the LANGEVIN variant.
+// Calls f<kFull, kAerodynamic>() for the batch, in the body's frame. Bodies without loads use the LANGEVIN variant.
 template <class F> HWY_INLINE void for_variant(const StepInput& in, const F& f) {
-    const bool aerodynamic = in.loads == Loads::aerodynamic;
-    if (in.body.diagonal)
-        aerodynamic ? f.template operator()<false, true>() : f.template operator()<false, false>();
+    if (in.loads == Loads::aerodynamic)
+        f.template operator()<true, true>();
     else
-        aerodynamic ? f.template operator()<true, true>() : f.template operator()<true, false>();
+        in.body.diagonal ? f.template operator()<false, false>() : f.template operator()<true, false>();
 }
 } // namespace lr::LR_KERNEL_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -32,23 +32,26 @@ template <class A> HWY_INLINE VF shedding_share(const A& c, VF nu, VF inverse_s)
 
 // The flow past a plate: the stream that its attached part follows, which is partly that of the wake, and the share that is attached.
 struct PlateFlow {
-    Vec3 squares; // of that stream, along the load axes
-    VF across, along2, inverse_along2, attached;
+    VF across, x2, y2, along2, inverse_along2, attached; // x2, y2, along2: squares along the plate
 };
+template <class T> HWY_INLINE VF along_plate(const T* k, const PlateFlow& flow) {
+    return constant(k[0]) * flow.x2 + constant(k[1]) * flow.y2;
+}
 template <class A> HWY_INLINE PlateFlow plate_flow(const A& c, Vec3 lag, Vec3 v) {
     const VF one = constant(1.0f);
     // A stream exactly along the normal is as one along both other axes by turns.
     const VF least = constant(1e-20f);
     const Vec3 u = v + constant(c.wake_share) * (lag - v);
     PlateFlow out;
-    out.squares = times(u, u) + Vec3{least, least, least};
-    out.across = dot(broadcast(c.normal_axis), u);
-    const VF a2 = out.across * out.across;
-    out.along2 = dot(broadcast(c.plate_axes) + broadcast(c.plate_axes + 3), out.squares);
+    out.across = u.z;
+    out.x2 = u.x * u.x + least;
+    out.y2 = u.y * u.y + least;
+    const VF a2 = u.z * u.z;
+    out.along2 = out.x2 + out.y2;
     out.inverse_along2 = one / out.along2;
     const VF s2 = out.along2 + a2;
     // (sin a)^2 over that of the stall angle, to the fourth power against (cos a)^2: half of each at the stall angle.
-    const VF stall = hn::Max(weighted(c.plate_stall, out.squares) * out.inverse_along2, one);
+    const VF stall = hn::Max(along_plate(c.plate_stall, out) * out.inverse_along2, one);
     VF x = a2 * stall / s2;
     x *= x;
     const VF kept = out.along2 * stall;
@@ -70,16 +73,16 @@ struct Stream {
 template <class A> HWY_INLINE Stream stream_loads(const A& c, const Held& held, VF nu, Vec3 lag, Vec3 v, Vec3 u) {
     const VF s2 = speed_squared(v), s = hn::Sqrt(s2), inverse_s2 = constant(1.0f) / s2, root = hn::Sqrt(s * nu);
     const PlateFlow flow = plate_flow(c, lag, v);
-    const Vec3 n = broadcast(c.normal_axis), behind = lag - v;
-    const VF vn = dot(n, v), sheared_off = s2 - vn * vn;
+    const Vec3 behind = lag - v;
+    const VF sheared_off = v.x * v.x + v.y * v.y;
     const VF lift = held.lift * flow.attached * flow.inverse_along2;
-    const VF attached = lift * (weighted(c.plate_lift, flow.squares) * hn::Sqrt(flow.along2) +
-                                weighted(c.plate_vortex, flow.squares) * hn::Abs(flow.across));
+    const VF attached = lift * (along_plate(c.plate_lift, flow) * hn::Sqrt(flow.along2) +
+                                along_plate(c.plate_vortex, flow) * hn::Abs(flow.across));
     const VF separated = constant(c.plate_drag) * (constant(1.0f) - flow.attached);
     const VF growing = hn::Sqrt(speed_squared(behind)) * dot(behind, v) * inverse_s2;
     const VF drag = held.drag * (separated * (constant(0.8f) * (sheared_off * inverse_s2) * s + s) -
                                  constant(c.start_drag) * growing);
-    const VF normal = inverse_s2 * (flow.across * attached + vn * drag);
+    const VF normal = inverse_s2 * (flow.across * attached + v.z * drag);
 
     Stream out;
     out.shed = shed_mass(c, flow, nu, s * inverse_s2);
@@ -88,27 +91,25 @@ template <class A> HWY_INLINE Stream stream_loads(const A& c, const Held& held, 
     const VF form = blunt * weighted(c.drag_blunt, part) + weighted(c.drag, part);
     const VF layer = root * weighted(c.drag_layer, part);
     out.drag =
-        held.drag * (s * form + (nu * weighted(c.drag_stokes, part) + layer)) + hn::Max(normal * vn, constant(0.0f));
+        held.drag * (s * form + (nu * weighted(c.drag_stokes, part) + layer)) + hn::Max(normal * v.z, constant(0.0f));
     const VF inverse = held.lift * inverse_s2;
     const auto around = [&](int k, VF vi, VF vj, VF uk) LR_LAMBDA {
         const VF sum = constant(c.lift[k]) * s + (constant(c.lift_layer[k]) * root + constant(c.lift_stokes[k]) * nu);
         return held.lift * constant(c.spin_lift[k]) * uk - inverse * (vi * vj) * sum;
     };
-    out.circulation =
-        Vec3{around(0, v.y, v.z, u.x), around(1, v.z, v.x, u.y), around(2, v.x, v.y, u.z)} + normal * cross(n, v);
+    out.circulation = {around(0, v.y, v.z, u.x) - normal * v.y, around(1, v.z, v.x, u.y) + normal * v.x,
+                       around(2, v.x, v.y, u.z)};
     return out;
 }
 
 // Couple of the vortices that the wake sheds.
 template <class A> HWY_INLINE Vec3 shedding_couple(const A& c, const Held& held, const VF q[4], VF nu, Vec3 v) {
-    const Vec3 n = broadcast(c.normal_axis);
-    const VF vn = dot(n, v), inverse_s = constant(1.0f) / hn::Sqrt(speed_squared(v));
-    const VF size = held.lift * (vn * vn) * shedding_share(c, nu, inverse_s);
+    const VF inverse_s = constant(1.0f) / hn::Sqrt(speed_squared(v));
+    const VF size = held.lift * (v.z * v.z) * shedding_share(c, nu, inverse_s);
     const auto moment = [&](int i) LR_LAMBDA {
         return size * (constant(c.shedding_moment) * q[i] + constant(c.shedding_rate_moment) * q[i + 2]);
     };
-    // n x (a, b) = (-b, a) along the two axes after n.
-    return moment(0) * broadcast(c.plate_axes + 3) - moment(1) * broadcast(c.plate_axes);
+    return {-moment(1), moment(0), hn::Zero(DF())}; // normal x force
 }
 
 // The wake follows the stream for a substep: its memory by relaxation, its oscillator as Stuart and Landau's, a rotation of (q, r) and a change of
@@ -117,18 +118,16 @@ template <class A>
 HWY_INLINE void advance_wake(const StepInput& in, const A& c, const Held& held, VF nu, VF fluctuation, const VF gauss[],
                              Vec3 v, Vec3 u, Body& b) {
     const VF one = constant(1.0f), half = constant(0.5f), zero = hn::Zero(DF());
-    const Vec3 n = broadcast(c.normal_axis);
     const VF s = hn::Sqrt(speed_squared(v)), inverse_s = one / s;
     const VF travel = constant(in.h) * held.inverse_length * s;
 
     // The body spins about its normal below its wake.
-    const VF t = constant(0.5f * in.h) * held.inverse_length * dot(n, u), over = one / (t * t + one);
+    const VF t = constant(0.5f * in.h) * held.inverse_length * u.z, over = one / (t * t + one);
     const VF cosine = (one - t * t) * over, sine = (t + t) * over;
     // A wake outlives the body's motion by its own time, not for ever.
     const VF moved = constant(in.h) * held.inverse_length * hn::Sqrt(hn::Max(speed_squared(b.lag), s * s));
     const VF x = moved * constant(c.wake_rate), keep = one / (x * (half * x + one) + one);
-    const VF along = dot(n, b.lag);
-    const Vec3 turned = cosine * b.lag + (along - cosine * along) * n - sine * cross(n, b.lag);
+    const Vec3 turned{cosine * b.lag.x + sine * b.lag.y, cosine * b.lag.y - sine * b.lag.x, b.lag.z};
     b.lag = v + keep * (turned - v);
 
     const VF angle = travel * constant(c.shedding_rate), tan_half = half * angle, square = tan_half * tan_half;
@@ -146,8 +145,7 @@ HWY_INLINE void advance_wake(const StepInput& in, const A& c, const Held& held, 
         size2 = q[i] * q[i] + (q[i + 2] * q[i + 2] + size2);
     }
     // size' = growth angle (limit - size) size, by its exact solution; size: half the square of (q, r).
-    const VF across = hn::Abs(dot(n, v));
-    const VF limit = hn::Max((across - constant(c.shedding_reynolds) * nu) * inverse_s, constant(-3.0f));
+    const VF limit = hn::Max((hn::Abs(v.z) - constant(c.shedding_reynolds) * nu) * inverse_s, constant(-3.0f));
     const VF rate = constant(c.shedding_growth) * angle, y = rate * limit, yy = hn::Abs(y);
     const VF rise = half * yy + one, exponential = hn::Min(yy * rise + one, constant(1e15f));
     const auto grows = y >= zero;
@@ -196,16 +194,15 @@ HWY_INLINE void vary(const StepInput& in, VU noise_seed, Held& held) {
 }
 
 // The sum of all loads as force and torque about the centre of mass, body axes, for Runge-Kutta. shed: as in Held.
-template <bool kFull, class A>
+template <class A>
 static HWY_NOINLINE Twist aerodynamic_loads(const A& c, const Held& held, const Body& b, Twist t, VF& shed) {
     const VF nu = constant(c.viscosity) * held.inverse_length;
-    const Vec3 v = centre_velocity<kFull>(c, t), u = load_spin<kFull>(c, t);
+    const Vec3 v = centre_velocity<true>(c, t), u = load_spin<true>(c, t);
     const Stream stream = stream_loads(c, held, nu, b.lag, v, u);
     shed = stream.shed;
     const Vec3 force = cross(stream.circulation, v) - stream.drag * v;
     const VF s = hn::Sqrt(speed_squared(v));
     const Vec3 torque = shedding_couple(c, held, b.shedding, nu, v) - times(spin_drag_rate(c, held.drag, nu, s, u), u);
-    if constexpr (!kFull) return {force, torque};
     const Vec3 f = columns(c.axes, force);
     return {f, columns(c.axes, torque) + cross(broadcast(c.arm), f)};
 }
@@ -225,13 +222,7 @@ HWY_INLINE Vec3 next_gust(Vec3 gust, VF alpha, VF variance, float h, const VF ga
 // The motion of a substep with quasi-steady loads: half of the free motion, loads and weight, the other half (docs/maintainers/numerics.md,
 // "AERODYNAMIC loads").
 
-// y' = f - x/tau y over tau, given tau f: exp(-x) = 1/D and (1 - exp(-x))/x = C/D with D = 1 + x C, C = 1 + x/2.
-HWY_INLINE VF relax_second(VF y, VF x, VF tau_f) {
-    x = hn::Min(x, constant(1e15f));
-    const VF c = x * constant(0.5f) + constant(1.0f);
-    return (tau_f * c + y) / (x * c + constant(1.0f));
-}
-// Its middle: m = r/(1 + e), r = y plus half of tau f, as if the rate grew with y: with x/tau the rate at r, m (1 + x m/(2 r)) = r. The rate at y
+// The middle of y' = f - x/tau y over tau: m = r/(1 + e), r = y plus half of tau f, as if the rate grew with y: with x/tau the rate at r, m (1 + x m/(2 r)) = r. The rate at y
 // instead would leave y unchanged for large x, and a body at rest there for long.
 HWY_INLINE VF eased(VF x) {
     return x / (constant(1.0f) + hn::Sqrt(constant(2.0f) * x + constant(1.0f)));
@@ -269,12 +260,6 @@ template <class A> HWY_INLINE Moment moment_at(const A& c, const Held& held, VF 
             shedding_couple(c, held, b.shedding, nu, t.v)};
 }
 
-// M' v, M' the mass that a force at the load centre moves, along the load axes.
-template <bool kFull, class C> HWY_INLINE Vec3 centre_momentum(const C& c, Vec3 v) {
-    if constexpr (kFull) return symmetric3(c.aerodynamics.centre_mass, v);
-    return scaled_by(c.mass, v);
-}
-
 // An implicit stage of M' v' = k x v - drag v, with k and drag times its length: v = r + M'^-1 (k x v - drag v) moves v from r by S^-1 (k x r - drag r),
 // S = T - [k]x, T = M' + drag, S^-1 = (adj T + k k^T + [T k]x)/(det T + k.T k).
 struct Stage {
@@ -290,10 +275,11 @@ template <bool kFull, class C> HWY_INLINE Stage stage_of(const C& c, VF drag, Ve
     out.k = bounded(k, most, -most);
     VF* const adj = out.adjugate;
     VF det;
+    const auto* const m = c.aerodynamics.centre_mass;
+    const VF xx = constant(m[0]) + out.drag, yy = constant(m[3]) + out.drag, zz = constant(m[5]) + out.drag;
+    const VF xy = constant(m[1]);
     if constexpr (kFull) {
-        const auto* const m = c.aerodynamics.centre_mass;
-        const VF xx = constant(m[0]) + out.drag, yy = constant(m[3]) + out.drag, zz = constant(m[5]) + out.drag;
-        const VF xy = constant(m[1]), xz = constant(m[2]), yz = constant(m[4]);
+        const VF xz = constant(m[2]), yz = constant(m[4]);
         adj[0] = yy * zz - yz * yz;
         adj[1] = xz * yz - xy * zz;
         adj[2] = xy * yz - xz * yy;
@@ -304,12 +290,12 @@ template <bool kFull, class C> HWY_INLINE Stage stage_of(const C& c, VF drag, Ve
         out.tk = {xx * out.k.x + (xy * out.k.y + xz * out.k.z), xy * out.k.x + (yy * out.k.y + yz * out.k.z),
                   xz * out.k.x + (yz * out.k.y + zz * out.k.z)};
     } else {
-        const Vec3 t = broadcast(c.mass) + Vec3{out.drag, out.drag, out.drag};
-        adj[0] = t.y * t.z;
-        adj[1] = t.z * t.x;
-        adj[2] = t.x * t.y;
-        det = t.x * adj[0];
-        out.tk = times(t, out.k);
+        adj[0] = yy * zz;
+        adj[1] = -(xy * zz);
+        adj[3] = xx * zz;
+        adj[5] = xx * yy - xy * xy;
+        det = zz * adj[5];
+        out.tk = {xx * out.k.x + xy * out.k.y, xy * out.k.x + yy * out.k.y, zz * out.k.z};
     }
     out.inverse = constant(1.0f) / (dot(out.tk, out.k) + det);
     return out;
@@ -322,96 +308,100 @@ template <bool kFull> HWY_INLINE Vec3 moved_from(const Stage& p, Vec3 r) {
         sum = {adj[0] * f.x + (adj[1] * f.y + adj[2] * f.z), adj[1] * f.x + (adj[3] * f.y + adj[4] * f.z),
                adj[2] * f.x + (adj[4] * f.y + adj[5] * f.z)};
     else
-        sum = {adj[0] * f.x, adj[1] * f.y, adj[2] * f.z};
+        sum = {adj[0] * f.x + adj[1] * f.y, adj[1] * f.x + adj[3] * f.y, adj[5] * f.z};
     return p.inverse * (sum + dot(p.k, f) * p.k + cross(p.tk, f));
+}
+
+// The gain of a sheet's motion in its frame by external forces.
+template <class C> static HWY_NOINLINE Twist external_answer(const C& c, const External& e, Quaternion q) {
+    const auto* const axes = c.aerodynamics.axes;
+    const Vec3 arm = broadcast(c.aerodynamics.arm);
+    const auto along = [&](const Twist(&both)[2]) LR_LAMBDA {
+        return Twist{to_body(q, both[0].v) + rows(axes, both[1].v), to_body(q, both[0].u) + rows(axes, both[1].u)};
+    };
+    const Twist f = along(e.force), rate = along(e.rate);
+    return symmetric6(c.full_inverse, {f.v, f.u - cross(arm, f.v)}) + Twist{rate.v + cross(rate.u, arm), rate.u};
+}
+
+// Responses of the twist of the load centre to a vector along body axes.
+template <bool kFull, class T> HWY_INLINE Twist answer_to(const T* m, Vec3 f) {
+    if constexpr (kFull) return rows6(m, f);
+    return {{constant(m[0]) * f.x + constant(m[1]) * f.y, constant(m[3]) * f.x + constant(m[4]) * f.y,
+             constant(m[8]) * f.z},
+            {constant(m[11]) * f.z, constant(m[14]) * f.z, constant(m[15]) * f.x + constant(m[16]) * f.y}};
 }
 
 // Twist of the body about the load centre, in load axes: its gain by weight, buoyancy and external forces in half a motion.
 template <bool kFull, class C> HWY_INLINE Twist pull_of(float h, const C& c, const Held& held, Quaternion q) {
-    const VF tau = constant(0.5f * h);
-    if constexpr (!kFull) {
-        Twist f{to_body(q, held.weight), zero3()};
-        if (held.external) f += external_force<false>(c, *held.external, q);
-        return tau * acceleration<false>(c, f);
-    }
     const auto& a = c.aerodynamics;
-    const auto answer = [&](const Twist& f) LR_LAMBDA {
-        const Twist t = acceleration<true>(c, f);
-        return Twist{centre_velocity<true>(a, t), load_spin<true>(a, t)};
-    };
     const Vec3 gravity = to_body(q, held.gravity);
-    Twist t;
-    if (held.uniform) {
-        t = {rows(a.fall, gravity), rows(a.fall + 9, gravity)};
-        if (held.external) t += answer(external_force<true>(c, *held.external, q));
-    } else {
-        Twist f{to_body(q, held.weight), cross(broadcast(c.buoyancy), gravity)};
-        if (held.external) f += external_force<true>(c, *held.external, q);
-        t = answer(f);
+    Twist t = answer_to<kFull>(a.fall, gravity);
+    if (!held.uniform) t += answer_to<kFull>(a.push, to_body(q, held.weight) - constant(c.weight) * gravity);
+    if (HWY_UNLIKELY(held.external != nullptr)) {
+        if constexpr (kFull) {
+            const Twist gain = acceleration<true>(c, external_force<true>(c, *held.external, q));
+            t += Twist{centre_velocity<true>(a, gain), load_spin<true>(a, gain)};
+        } else {
+            t += external_answer(c, *held.external, q);
+        }
     }
-    return tau * t;
+    return constant(0.5f * h) * t;
 }
 
 // The mobility of the spin about each axis alone.
-template <bool kFull, class C> HWY_INLINE Vec3 spin_mobility(const C& c) {
+template <class C> HWY_INLINE Vec3 spin_mobility(const C& c) {
     const auto* const n = c.aerodynamics.spin_mobility;
-    if constexpr (kFull) return {constant(n[0]), constant(n[3]), constant(n[5])};
-    return broadcast(c.inverse_spin_mass);
+    return {constant(n[0]), constant(n[3]), constant(n[5])};
 }
 
 // Spin along one axis under couple and drag along it; all spin answers by N e, here over e.N e, N the mobility. Axis after axis, in reverse order in the
 // other half, is of second order, contracts in the norm of N^-1, and rests at any step if couple and drag agree along every axis.
-template <int kAxis, class T> HWY_INLINE Vec3 answering(const T* n, VF change, Vec3 u) {
-    if constexpr (kAxis == 0) return {u.x + change, constant(n[0]) * change + u.y, constant(n[1]) * change + u.z};
-    if constexpr (kAxis == 1) return {constant(n[2]) * change + u.x, u.y + change, constant(n[3]) * change + u.z};
-    return {constant(n[4]) * change + u.x, constant(n[5]) * change + u.y, u.z + change};
+template <bool kFull, int kAxis, class T> HWY_INLINE Vec3 answering(const T* n, VF change, Vec3 u) {
+    const auto answer = [&](int i, VF x) LR_LAMBDA { return constant(n[i]) * change + x; };
+    if constexpr (kAxis == 0) return {u.x + change, answer(0, u.y), kFull ? answer(1, u.z) : u.z};
+    if constexpr (kAxis == 1) return {answer(2, u.x), u.y + change, kFull ? answer(3, u.z) : u.z};
+    return {kFull ? answer(4, u.x) : u.x, kFull ? answer(5, u.y) : u.y, u.z + change};
 }
-template <int kAxis, class T> HWY_INLINE Vec3 relax_axis(const T* n, VF x, VF push, Vec3 u) {
-    const VF y = kAxis == 0 ? u.x : kAxis == 1 ? u.y : u.z;
-    x = hn::Min(x, constant(1e15f));
-    const VF p = x * constant(0.5f) + constant(1.0f);
-    return answering<kAxis>(n, (push - x * y) * (p / (x * p + constant(1.0f))), u);
+// y' = f - x/tau y over tau changes y by (1 - E)/x (tau f - x y), where exp(-2 x) = E^2 = 1/(1 + 2 x + 2 x^2): two halves are as one step of second order.
+HWY_INLINE VF relaxing(VF x) {
+    const VF one = constant(1.0f), c = x + one, inverse = one / (constant(2.0f) * x * c + one);
+    return (c + c) * inverse / (one + hn::Sqrt(inverse));
 }
 
-// Spin drag and couple over half a motion, full path. x: rates times time. A couple moves a load centre that lies off the centre of mass.
-template <class C> static HWY_NOINLINE Twist spin_half(const C& c, Vec3 x, Vec3 push, bool before_drag, Twist t) {
+// Spin drag and couple over half a motion. x: rates times time; part: relaxing(x). A couple moves a load centre that lies off the centre of mass.
+template <bool kFull, class C>
+HWY_INLINE Twist spin_half(const C& c, Vec3 x, Vec3 part, Vec3 push, bool before_drag, Twist t) {
     const auto* const n = c.aerodynamics.spin_answer;
     Vec3 u = t.u;
-    if (before_drag) {
-        u = relax_axis<0>(n, x.x, push.x, u);
-        u = relax_axis<1>(n, x.y, push.y, u);
-        u = relax_axis<2>(n, x.z, push.z, u);
-    } else {
-        u = relax_axis<2>(n, x.z, push.z, u);
-        u = relax_axis<1>(n, x.y, push.y, u);
-        u = relax_axis<0>(n, x.x, push.x, u);
-    }
-    return {t.v + rows(c.aerodynamics.velocity_of_couple, u - t.u), u};
+    const auto about_x = [&]() LR_LAMBDA { u = answering<kFull, 0>(n, (push.x - x.x * u.x) * part.x, u); };
+    const auto about_y = [&]() LR_LAMBDA { u = answering<kFull, 1>(n, (push.y - x.y * u.y) * part.y, u); };
+    const auto about_z = [&]() LR_LAMBDA { u = answering<kFull, 2>(n, (push.z - x.z * u.z) * part.z, u); };
+    if (before_drag)
+        about_x(), about_y(), about_z();
+    else
+        about_z(), about_y(), about_x();
+    return {t.v + coupled<!kFull>(c.aerodynamics.velocity_of_couple, u - t.u), u};
 }
 
 // The twist in the middle of the loads, by an implicit stage of half their length with the circulation and couple of `m`. drag, spin: times half of h.
 template <bool kFull, class C>
 HWY_INLINE Twist middle_by(float h, const C& c, const Moment& m, VF drag, Vec3 spin, const Twist& pull,
                            const Twist& t) {
+    const auto& a = c.aerodynamics;
+    const auto* const n = a.spin_answer;
     const VF tau = constant(0.5f * h);
     const Stage p = stage_of<kFull>(c, drag, tau * m.circulation);
     const Vec3 lost = moved_from<kFull>(p, t.v + pull.v);
-    const Vec3 rate = tau * spin_mobility<kFull>(c), push = bounded_push(times(rate, m.couple), m.s);
+    const Vec3 push = bounded_push(times(tau * spin_mobility(c), m.couple), m.s);
     Twist out = t + pull;
     out.v += lost;
-    if constexpr (!kFull) {
-        out.u = each_axis(over_one_and, out.u + push, spin);
-    } else {
-        const auto& a = c.aerodynamics;
-        const auto* const n = a.spin_answer;
-        out.u += rows(a.spin_of_force, lost);
-        const Vec3 before = out.u;
-        const auto less = [&](VF y, VF by, VF more) LR_LAMBDA { return over_one_and(more - y * by, by); };
-        out.u = answering<0>(n, less(out.u.x, spin.x, push.x), out.u);
-        out.u = answering<1>(n, less(out.u.y, spin.y, push.y), out.u);
-        out.u = answering<2>(n, less(out.u.z, spin.z, push.z), out.u);
-        out.v += rows(a.velocity_of_couple, out.u - before);
-    }
+    out.u += coupled<!kFull>(a.spin_of_force, lost);
+    const Vec3 before = out.u;
+    const auto less = [&](VF y, VF by, VF more) LR_LAMBDA { return over_one_and(more - y * by, by); };
+    out.u = answering<kFull, 0>(n, less(out.u.x, spin.x, push.x), out.u);
+    out.u = answering<kFull, 1>(n, less(out.u.y, spin.y, push.y), out.u);
+    out.u = answering<kFull, 2>(n, less(out.u.z, spin.z, push.z), out.u);
+    out.v += coupled<!kFull>(a.velocity_of_couple, out.u - before);
     return out;
 }
 
@@ -429,13 +419,17 @@ HWY_INLINE Middle loads_in_middle(float h, const C& c, const Held& held, VF nu, 
     const VF tau = constant(0.5f * h);
     const Twist pull = pull_of<kFull>(h, c, held, b.q);
     // Loads act on the spin relative to the fluid.
-    if (held.sheared) b.t.u -= to_body(b.q, held.fluid_spin);
+    const auto spun_by_fluid = [&]() LR_LAMBDA {
+        const Vec3 u = to_body(b.q, held.fluid_spin);
+        return Twist{kFull ? zero3() : arm_velocity(c, u), u};
+    };
+    if (held.sheared) b.t = b.t - spun_by_fluid();
     const Twist before{centre_velocity<kFull>(a, b.t), load_spin<kFull>(a, b.t)};
-    const Vec3 rate = tau * spin_mobility<kFull>(c);
+    const Vec3 rate = tau * spin_mobility(c);
 
     Moment m = moment_at(a, held, nu, b, before);
     const Vec3 r = before.v + pull.v, ur = before.u + pull.u + bounded_push(times(rate, m.couple), m.s);
-    const VF r2 = speed_squared(r), mass = dot(r, centre_momentum<kFull>(c, r)) / r2;
+    const VF r2 = speed_squared(r), mass = dot(r, block<!kFull>(a.centre_mass, r)) / r2;
     // The drag of r, as if it grew with the speed.
     const VF x = constant(h) * m.drag * hn::Sqrt(r2) / (m.s * mass);
     const Vec3 spin = constant(2.0f) * times(rate, spin_drag_rate(a, held.drag, nu, m.s, ur));
@@ -445,26 +439,25 @@ HWY_INLINE Middle loads_in_middle(float h, const C& c, const Held& held, VF nu, 
     m = moment_at(a, held, nu, b, middle);
 
     const Vec3 push = bounded_push(times(rate, m.couple), m.s);
-    Twist t = before;
-    if constexpr (kFull) t = spin_half(c, times(rate, m.spin), push, true, t);
+    const Vec3 rates = each_axis([](VF x) LR_LAMBDA { return hn::Min(x, constant(1e15f)); }, times(rate, m.spin));
+    const Vec3 relax = each_axis(relaxing, rates);
+    Twist t = spin_half<kFull>(c, rates, relax, push, true, before);
     const Stage p = stage_of<kFull>(c, constant(stage_gamma * h) * m.drag, constant(stage_gamma * h) * m.circulation);
     const Vec3 part = constant(2.0f * stage_gamma) * pull.v;
     const Vec3 first = part + moved_from<kFull>(p, t.v + part);
     const Vec3 second = constant(stage_rest) * first + part;
     const Vec3 gained = second + moved_from<kFull>(p, t.v + second);
     t.v += gained;
+    t.u += pull.u + pull.u + coupled<!kFull>(a.spin_of_force, gained - (pull.v + pull.v));
+    t = spin_half<kFull>(c, rates, relax, push, false, t);
     if constexpr (kFull) {
-        t.u += pull.u + pull.u + rows(a.spin_of_force, gained - (pull.v + pull.v));
-        t = spin_half(c, times(rate, m.spin), push, false, t);
         // Only the change: a round trip through the load axes would round the whole.
         const Vec3 u = columns(a.axes, t.u - before.u);
         b.t += Twist{columns(a.axes, t.v - before.v) - cross(u, broadcast(a.arm)), u};
     } else {
-        const Vec3 sum = push + pull.u;
-        t.u = each_axis(relax_second, before.u, constant(2.0f) * times(rate, m.spin), sum + sum);
         b.t = t;
     }
-    if (held.sheared) b.t.u += to_body(b.q, held.fluid_spin);
+    if (held.sheared) b.t += spun_by_fluid();
     return {middle.v, m.shed};
 }
 

@@ -168,8 +168,6 @@ HWY_INLINE void blend_aerodynamics(const AerodynamicConstants& a, const Aerodyna
     same(a.spin_weight, out.spin_weight);
     same(a.axes, out.axes);
     same(a.arm, out.arm);
-    same(a.plate_axes, out.plate_axes);
-    same(a.normal_axis, out.normal_axis);
     same(a.normal, out.normal);
     same(a.normal_arm, out.normal_arm);
     same(a.plate_stall, out.plate_stall);
@@ -183,6 +181,7 @@ HWY_INLINE void blend_aerodynamics(const AerodynamicConstants& a, const Aerodyna
     out.variance_of_gusts = constant(a.variance_of_gusts);
     out.wake_reynolds = constant(a.wake_reynolds);
     out.gust_gain = constant(a.gust_gain);
+    for (VF& x : out.fall) x = hn::Zero(DF()); // gravity is part of Floating
 }
 
 static HWY_NOINLINE void aerodynamic_frame(LaneConstants& c) {
@@ -272,7 +271,7 @@ static HWY_NOINLINE void blend(bool damped, const BodyConstants& a, const WaterB
     mean(a.spin_mass, w.water.spin_mass, c.spin_mass);
     if constexpr (kAerodynamic)
         blend_aerodynamics(a.aerodynamics, w.water.aerodynamics, mean, water_share(w, f), c.aerodynamics);
-    else // resolve_motion() reads them
+    else if constexpr (kFull) // resolve_motion() reads them
         for (int i = 0; i < 3; ++i) c.aerodynamics.normal[i] = c.aerodynamics.normal_arm[i] = hn::Zero(DF());
     if constexpr (kFull) {
         blend_full<kAerodynamic>(damped, a, w, f, unit, mean, c);
@@ -291,7 +290,6 @@ static HWY_NOINLINE void blend(bool damped, const BodyConstants& a, const WaterB
         c.rate[i + 3] = c.spin_damping[i] * c.inverse_spin_mass[i];
     }
     set_turning(c);
-    if constexpr (kAerodynamic) set_munk_of_normal(c.inverse_spin_mass, c.aerodynamics);
 }
 
 void near_surface(const SurfaceInstant& plane, float highest, const WaterBody& w, float dt, float gravity,
@@ -478,7 +476,7 @@ HWY_NOINLINE void settle_bodies(const StepInput& in, const WetSubstep& s, const 
 }
 
 void settle_wet(const StepInput& in, const WetSubstep& s, const BatchArrays& a, size_t count) {
-    if (in.body.diagonal)
+    if (s.body->diagonal)
         settle_bodies<false>(in, s, a, count);
     else
         settle_bodies<true>(in, s, a, count);

@@ -49,8 +49,9 @@ struct WaterBody {
     float center[3];                  // m, of buoyancy, from the centre of mass
     float radius;                     // m: no part of the ellipsoid is farther from the centre of mass
     // Modes of the mass matrices: X^T M_a X = 1, X^T (M_w U_w/U_a - M_a) X = lambda, so with the fraction f in water X^-1 twists scale with 1 + f
-    // lambda. On the diagonal path X is diagonal and not used.
+    // lambda. On the diagonal path, never with AERODYNAMIC loads, X is diagonal and not used.
     float lambda[6], to[36], from[36];
+    bool diagonal;
 };
 
 struct WetSubstep {
@@ -84,5 +85,5 @@ struct SurfaceTarget {
 // From an asset and the loads in use; `air` are the batch's constants. False if a mass matrix has no inverse.
 bool make_water_body(const AssetData& asset, const AerodynamicData& loads, const Gains& gains,
                      const TurbulenceSample& stationary, bool diagonal, double air_density, double water_density,
-                     double water_viscosity, const BodyConstants& air, WaterBody& out);
+                     double water_viscosity, Loads model, const BodyConstants& air, WaterBody& out);
 } // namespace lr

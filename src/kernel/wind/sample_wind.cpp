@@ -491,9 +491,13 @@ void leave_wind(const StepInput& in, const WindAlong& along, size_t first, size_
             if (c.diagonal) {
                 v += more - scaled_by(c.inverse_mass, lost);
             } else {
-                const Twist t = symmetric6(c.full_inverse, {lost, zero3()});
-                v += more - t.v;
-                u -= t.u;
+                const auto answer = [&](int i) LR_LAMBDA {
+                    const float* const m = c.full_inverse;
+                    return constant(m[upper6[i][0]]) * lost.x +
+                           (constant(m[upper6[i][1]]) * lost.y + constant(m[upper6[i][2]]) * lost.z);
+                };
+                v += more - Vec3{answer(0), answer(1), answer(2)};
+                u -= Vec3{answer(3), answer(4), answer(5)};
             }
         }
         store3(s.v, i, without_dust(v));

@@ -401,6 +401,8 @@ bool Batch::set_aerodynamics(const AerodynamicData& loads, const Gains& gains) {
     aerodynamics_ = loads;
     settings_.gains = gains;
     step.body = body;
+    if (step.loads == Loads::aerodynamic)
+        make_sheet(asset_->data, loads, asset_->diagonal, settings_.fluid_density, body, step.sheet);
     water_made_ = false;
     return true;
 }
@@ -412,7 +414,7 @@ const WaterBody* Batch::water_body(const lr_water_desc& surface, bool& failed) {
         water_usable_ = make_water_body(asset_->data, aerodynamics_, settings_.gains, stationary_, asset_->diagonal,
                                         settings_.fluid_density,
                                         std::max(static_cast<double>(surface.density), settings_.fluid_density),
-                                        static_cast<double>(surface.viscosity), step.body, water_);
+                                        static_cast<double>(surface.viscosity), step.loads, step.body, water_);
         water_made_ = true;
         failed = failed || !water_usable_;
     }

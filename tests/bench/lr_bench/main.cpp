@@ -22,27 +22,6 @@ namespace {
 
 using namespace lr_bench;
 
-void write_number(std::FILE* file, double value) {
-    if (value > 0.0)
-        std::fprintf(file, ",%.4g", value);
-    else
-        std::fprintf(file, ",");
-}
-
-void write_row(std::FILE* file, const Measured& m) {
-    const Row& r = m.row;
-    std::fprintf(file, "%s,%s,%s,%s,%s,%u,%u,%u", r.subject.c_str(), r.model.c_str(), r.integrator.c_str(),
-                 r.path.c_str(), r.target.c_str(), r.workers, r.bodies, r.substeps);
-    for (const double v : {m.wall_median, m.wall_least, m.cpu_median, m.cpu_least, m.cycles, m.over_sketch,
-                           m.over_sketch_avx2, m.facts.memory_bytes, m.facts.state_bytes})
-        write_number(file, v);
-    if (m.facts.hashed)
-        std::fprintf(file, ",%016" PRIx64, m.facts.hash);
-    else
-        std::fprintf(file, ",");
-    std::fprintf(file, ",%" PRIu64 ",%u\n", m.lost, m.rounds);
-}
-
 int write_csv(const char* path, Selection selection, const Schedule& schedule) {
     std::vector<std::string> missing;
     peer_rows(1, missing);
@@ -52,13 +31,11 @@ int write_csv(const char* path, Selection selection, const Schedule& schedule) {
         std::fprintf(stderr, "lr_bench: cannot write %s\n", path);
         return 1;
     }
-    std::fprintf(file, "subject,model,integrator,path,target,workers,bodies,substeps,wall_ns,wall_ns_least,cpu_ns,"
-                       "cpu_ns_least,cycles,speed_over_sketch,speed_over_sketch_avx2,memory_bytes_per_body,"
-                       "snapshot_bytes_per_body,hash,lost,rounds\n");
+    write_head(file);
     const std::vector<std::vector<Row>> groups = select_rows(selection);
     for (size_t g = 0; g < groups.size(); ++g) {
         if (groups.size() > 1) std::fprintf(stderr, "lr_bench: group %zu of %zu\n", g + 1, groups.size());
-        for (const Measured& m : measure(groups[g], schedule, 1.0 / static_cast<double>(groups.size())))
+        for (const Measured& m : measure(groups[g], make_subject, schedule, 1.0 / static_cast<double>(groups.size())))
             write_row(file, m);
         std::fflush(file);
     }

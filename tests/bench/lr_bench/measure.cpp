@@ -1,8 +1,8 @@
 #include "lr_bench/measure.h"
-#include "lr_bench/rows.h"
 
 #include <algorithm>
 #include <chrono>
+#include <cinttypes>
 #include <cstdio>
 #include <ctime>
 
@@ -80,9 +80,44 @@ double over_sketch(const Lane& lane, const std::vector<Lane>& all, const char* t
     return 0.0;
 }
 
+void write_number(std::FILE* file, double value) {
+    if (value > 0.0)
+        std::fprintf(file, ",%.4g", value);
+    else
+        std::fprintf(file, ",");
+}
+
 } // namespace
 
-std::vector<Measured> measure(const std::vector<Row>& rows, const Schedule& schedule, double share) {
+std::string Row::name() const {
+    std::string text;
+    for (const std::string& word : {subject, model, integrator, path, target, std::to_string(workers),
+                                    std::to_string(bodies), std::to_string(substeps)})
+        text += (text.empty() ? "" : "/") + word;
+    return text;
+}
+
+void write_head(std::FILE* file) {
+    std::fprintf(file, "subject,model,integrator,path,target,workers,bodies,substeps,wall_ns,wall_ns_least,cpu_ns,"
+                       "cpu_ns_least,cycles,speed_over_sketch,speed_over_sketch_avx2,memory_bytes_per_body,"
+                       "snapshot_bytes_per_body,hash,lost,rounds\n");
+}
+
+void write_row(std::FILE* file, const Measured& m) {
+    const Row& r = m.row;
+    std::fprintf(file, "%s,%s,%s,%s,%s,%u,%u,%u", r.subject.c_str(), r.model.c_str(), r.integrator.c_str(),
+                 r.path.c_str(), r.target.c_str(), r.workers, r.bodies, r.substeps);
+    for (const double v : {m.wall_median, m.wall_least, m.cpu_median, m.cpu_least, m.cycles, m.over_sketch,
+                           m.over_sketch_avx2, m.facts.memory_bytes, m.facts.state_bytes})
+        write_number(file, v);
+    if (m.facts.hashed)
+        std::fprintf(file, ",%016" PRIx64, m.facts.hash);
+    else
+        std::fprintf(file, ",");
+    std::fprintf(file, ",%" PRIu64 ",%u\n", m.lost, m.rounds);
+}
+
+std::vector<Measured> measure(const std::vector<Row>& rows, Make make, const Schedule& schedule, double share) {
     std::vector<Lane> lanes;
     const auto add = [&](const Row& row, std::unique_ptr<Subject> subject) {
         Lane lane{row, std::move(subject), {}, 1, true, {}, {}, {}};
@@ -96,7 +131,7 @@ std::vector<Measured> measure(const std::vector<Row>& rows, const Schedule& sche
     add({"clock", "-", "-", "-", "-", 0, clock_chain, 1}, make_clock());
     for (const Row& row : rows) {
         std::string why_not;
-        if (auto subject = make_subject(row, why_not))
+        if (auto subject = make(row, why_not))
             add(row, std::move(subject));
         else
             std::fprintf(stderr, "lr_bench: left out, %s: %s\n", why_not.c_str(), row.name().c_str());

@@ -4,6 +4,7 @@
 
 #include "lr_bench/subject.h"
 
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,13 @@ struct Schedule {
     unsigned least_rounds = 3, most_rounds = 200;
 };
 
+// The subject of a row; null, with a reason.
+using Make = std::unique_ptr<Subject> (*)(const Row& row, std::string& why_not);
+
 // Reports on stderr which rows cannot run here. `share` is this group's part of the budget.
-std::vector<Measured> measure(const std::vector<Row>& rows, const Schedule& schedule, double share);
+std::vector<Measured> measure(const std::vector<Row>& rows, Make make, const Schedule& schedule, double share);
+
+void write_head(std::FILE* file); // of a CSV file
+void write_row(std::FILE* file, const Measured& m);
 
 } // namespace lr_bench

@@ -130,14 +130,6 @@ std::vector<std::vector<Row>> product(const std::vector<std::string>& targets) {
 
 } // namespace
 
-std::string Row::name() const {
-    std::string text;
-    for (const std::string& word : {subject, model, integrator, path, target, std::to_string(workers),
-                                    std::to_string(bodies), std::to_string(substeps)})
-        text += (text.empty() ? "" : "/") + word;
-    return text;
-}
-
 bool find_model(const std::string& name, int32_t& load_model, int32_t& clock) {
     for (const Model& m : models)
         if (name == m.name) return load_model = m.load_model, clock = m.clock, true;

@@ -11,8 +11,10 @@ namespace LangevinRigid
     {
         /// <summary>No bit.</summary>
         None = 0,
-        /// <summary>Diagonal in body axes, buoyancy at the centre of mass: the fast path applies.</summary>
+        /// <summary>Diagonal in body axes, buoyancy at the centre of mass: the fastest path for all loads.</summary>
         Diagonal = 1,
+        /// <summary>Its own mirror image across its widest face: the fastest path for AERODYNAMIC loads.</summary>
+        Symmetric = 2,
     }
 
     /// <summary>Receives one numbered fault of an asset file; docs/reference/asset_format.md lists them. Strings are

@@ -29,8 +29,7 @@ namespace LangevinRigid
         /// <summary>Replaces the asset's coefficients of AERODYNAMIC loads for a batch from the next step on. The
         /// struct is copied; null restores the asset's. With intensity 0, <see cref="LoadGains.Turbulence"/> 1 and
         /// <see cref="BatchDesc.Variation"/> 0 a fall is the same for any seed. Axes other than the body's, or a center
-        /// other than 0, put an <see cref="AssetFlags.Diagonal"/> body on the slower path of all other
-        /// bodies.</summary>
+        /// other than 0, put an <see cref="AssetFlags.Diagonal"/> body on the slower path of contact.</summary>
         /// <param name="world">the world</param>
         /// <param name="batch">handle of a batch of the world</param>
         /// <param name="aerodynamics">aerodynamics</param>

@@ -83,8 +83,10 @@ export declare const LR: {
   readonly SIMD_WASM: 5;
   /** plain C++, only in test builds */
   readonly SIMD_PLAIN: 6;
-  /** diagonal in body axes, buoyancy at the centre of mass: the fast path applies */
+  /** diagonal in body axes, buoyancy at the centre of mass: the fastest path for all loads */
   readonly ASSET_DIAGONAL: 1;
+  /** its own mirror image across its widest face: the fastest path for AERODYNAMIC loads */
+  readonly ASSET_SYMMETRIC: 2;
   readonly CHECK_THREADS: 1;
   readonly MAX_WIND_SOURCES: 64;
   /** a smooth core, as viscosity makes it */
@@ -1813,7 +1815,7 @@ export interface RawFunctions {
    * Replaces the asset's coefficients of AERODYNAMIC loads for a batch from the next step on. The struct is copied; null
    * restores the asset's. With intensity 0, lr_load_gains.turbulence 1 and
    * lr_batch_desc.variation 0 a fall is the same for any seed. Axes other
-   * than the body's, or a center other than 0, put an LR_ASSET_DIAGONAL body on the slower path of all other bodies.
+   * than the body's, or a center other than 0, put an LR_ASSET_DIAGONAL body on the slower path of contact.
    * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
    * LR_ERROR_INVALID_ARGUMENT.
    */
