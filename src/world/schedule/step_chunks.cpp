@@ -17,9 +17,9 @@ constexpr uint64_t most_chunks = 1u << 24;
 } // namespace
 
 StepChunks::StepChunks(const lr_world& world, const StepItem* items, uint32_t item_count, uint64_t lane_blocks,
-                       uint64_t work, uint32_t helpers)
+                       uint64_t work, uint64_t cost, uint32_t helpers)
     : world_(&world), items_(items), item_count_(item_count), blocks_(lane_blocks) {
-    helpers_ = static_cast<uint32_t>(std::min<uint64_t>(helpers, work / helper_work));
+    helpers_ = static_cast<uint32_t>(std::min<uint64_t>(helpers, cost / helper_cost));
     if (helpers_ == 0) {
         chunk_ = std::max<uint64_t>(lane_blocks, 1);
         return;

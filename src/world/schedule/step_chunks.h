@@ -27,8 +27,8 @@ inline constexpr uint32_t cut_bodies = LR_CHUNK_BODIES < 256 ? LR_CHUNK_BODIES :
 // Bodies in a chunk of a large world. Shorter chunks cost nothing extra; after longer ones the caller waits for the last.
 inline constexpr uint32_t most_chunk_bodies = LR_CHUNK_BODIES;
 inline constexpr uint32_t most_chunk_work = 8192; // body-substeps
-// Body-substeps that justify another thread: tens of microseconds of work, when waking it takes up to ten.
-inline constexpr uint64_t helper_work = 4096;
+// Body-substeps with LANGEVIN loads, 8 ns each, that take as long as work that justifies another thread: waking it takes up to ten microseconds.
+inline constexpr uint64_t helper_cost = 4096;
 
 // The most bodies at the end of a batch that the narrow target steps.
 inline constexpr uint32_t narrow_lanes = 4;
@@ -57,9 +57,9 @@ inline const StepItem* item_at(const StepItem* items, uint32_t count, uint64_t a
 // Chunks are equal lengths of that line, with ends moved back to the last cut: part of a large batch, or many small ones.
 class StepChunks {
 public:
-    // work: body-substeps of one run over them.
+    // work: body-substeps of one run over them; cost: what they take, in those with LANGEVIN loads.
     StepChunks(const lr_world& world, const StepItem* items, uint32_t item_count, uint64_t lane_blocks, uint64_t work,
-               uint32_t helpers);
+               uint64_t cost, uint32_t helpers);
 
     const FieldSlice* slice = nullptr;  // null if there is only uniform wind
     const WaterStep* surface = nullptr; // null without water; each batch has its own time

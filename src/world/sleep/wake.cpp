@@ -68,7 +68,7 @@ void WakeByFlow::run(const FloatMode& mode) {
     if (world_->wind.active()) world_->wind.prepare(time_, world_->wind.uniform, 0, 1, world_->seed);
     const uint64_t bodies = uint64_t{chunks_} * chunk_bodies / turns;
     const auto helpers =
-        static_cast<uint32_t>(std::min<uint64_t>(world_->step_workers.helpers(), bodies / helper_work));
+        static_cast<uint32_t>(std::min<uint64_t>(world_->step_workers.helpers(), bodies / helper_cost));
     const auto try_chunk = [this](uint32_t chunk) {
         const StepItem& item = *item_at(items_, item_count_, chunk);
         const Batch& batch = *item.batch;

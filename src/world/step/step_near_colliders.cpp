@@ -3,6 +3,7 @@
 #include "kernel/divergence.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace lr {
 namespace {
@@ -35,7 +36,19 @@ void touch(const ContactRun& run, ContactGroup& group, const States& states, con
 // Bodies that were far throughout the step touch nothing.
 void leave(const ContactCache& book, const NearContacts& near, uint32_t begin, uint32_t end) {
     if (!book.still_time) return;
+    // Most bodies have been far before.
+    const auto blank = [&](uint32_t from, uint32_t to) {
+        uint32_t any = 0;
+        for (uint32_t i = from; i < to; ++i)
+            any |= std::bit_cast<uint32_t>(book.still_time[i]) | std::bit_cast<uint32_t>(book.stay[0][i]) |
+                   book.touching[0][i];
+        return any == 0;
+    };
     for (uint32_t i = begin; i < end; ++i) {
+        if (i % lane_block == 0 && i + lane_block <= end && blank(i, i + lane_block)) {
+            i += lane_block - 1;
+            continue;
+        }
         if (near.holds(i)) continue;
         book.still_time[i] = 0.0f;
         if (book.stay[0][i] != 0.0f)
