@@ -3,7 +3,7 @@
 
     /usr/bin/python3 scripts/performance.py [FOLDER [DOCS]]      default: build/release/bench, docs/maintainers
 
-Needs rows.csv (lr_bench --csv); ports.csv, mix.csv (scripts/port_bound.py) and instructions.csv
+Needs rows.csv (lr_bench --csv); scenes.csv (bench_scene --csv), ports.csv, mix.csv (scripts/port_bound.py) and instructions.csv
 (scripts/count_instructions.sh) are optional. Computes all verdicts.
 SPDX-License-Identifier: MIT"""
 import csv
@@ -85,6 +85,7 @@ def goals(rows, mix):
     ratio("AERODYNAMIC at most 1.6 times LANGEVIN", 1.6, rows.find("aerodynamic"), main)
     for model in ("langevin-speed", "aerodynamic"):
         ratio(f"Full 6x6 at most 1.5 times diagonal, {MODELS[model]}", 1.5, rows.find(model, "full"), rows.find(model))
+    ratio("A sheet at most 1.05 times a diagonal body, AERODYNAMIC", 1.05, rows.find("aerodynamic", "sheet"), rows.find("aerodynamic"))
     for model in ("langevin-speed", "aerodynamic"):
         wide, narrow = rows.find(model, target="avx512", bodies=middle), rows.find(model, target="avx2", bodies=middle)
         ratio(f"AVX2 at least 60 % of the speed of AVX-512, {MODELS[model]}", 0.6, wide, narrow, True)
@@ -104,7 +105,7 @@ def goals(rows, mix):
         rate = 1000.0 / wall(two)
         add("1,000,000 bodies x 4 substeps x 60 Hz on two threads: 240 million body-steps/s", 240, rate,
             f"{rate:.0f} million/s, best round {1000.0 / float(two['wall_ns_least']):.0f}", True)
-    for model, limit, handles in (("langevin-speed", 64, 20), ("aerodynamic", 96, 0)):
+    for model, limit, handles in (("langevin-speed", 64, 20), ("aerodynamic", 128, 0)):
         few, many = rows.find(model, bodies=100000), rows.find(model, bodies=1000000)
         if few and many:
             bytes_ = (float(many["memory_bytes_per_body"]) * 1e6 - float(few["memory_bytes_per_body"]) * 1e5) / 9e5 - handles
@@ -120,6 +121,34 @@ def goals(rows, mix):
         if name[:2] == (MODELS["langevin-speed"], "diagonal"):
             add(f"At least 60 % of the bound by the pipes, LANGEVIN, {name[2]}", 0.6, share, f"{100 * share:.0f} %", True)
     return out
+
+
+# Rows of bench_scene: what is in them, and the goal in ns.
+SCENES = {
+    "still": ("bare flight", 32), "uniform": ("uniform wind", 32), "gusts": ("and gusts", 33),
+    "turbulence": ("gusts and turbulence", 36), "octaves": ("gusts and turbulence of two octaves", None),
+    "ground": ("gusts and a ground profile", None), "wind": ("gusts, turbulence of two octaves, ground profile, four vortices", 40),
+    "grid": ("a velocity grid of two frames", 40), "far-sources": ("gusts and 60 vortices out of reach", None), "callback": ("a wind callback", None),
+    "heightfield": ("a heightfield", 34), "solids": ("a heightfield and 98 colliders", 36), "rules": ("rules, one volume", None),
+    "eight-volumes": ("rules, eight volumes", None), "batch-force": ("a force on the batch", None), "body-forces": ("a force on each body", None),
+    "events": ("rules and events", None), "transforms": ("transforms written", None),
+    "park": ("a park: uniform wind, gusts, turbulence of two octaves, ground profile, heightfield, 98 colliders, rules", 42),
+    "park-seen": ("the park, events and transforms", 47)}
+
+
+def scene_section(scenes):
+    lines = []
+    for row in scenes:
+        if row["subject"] == "clock":
+            continue
+        what, wanted = SCENES.get(row["path"], ("gravity and drag alone", None)) if row["subject"] == "langevin_rigid" else ("gravity and drag alone", None)
+        two = row["workers"] != "0"
+        time = wall(row) if two else cpu(row)
+        name = row["path"] if row["subject"] == "langevin_rigid" else row["subject"]
+        goal = 16.7 if two and row["bodies"] == "1000000" else wanted if not two and row["bodies"] == "100000" else None
+        lines.append([name, what, f"{int(row['bodies']):,}", "2" if two else "1", number(time), goal or "",
+                      "" if goal is None else "reached" if time <= goal else f"{time / goal:.2f} times", f"`{row['hash']}`" if row["hash"] else ""])
+    return SCENE_TEXT + table(["row", "scene", "bodies", "threads", "ns", "goal", "", "hash"], lines)
 
 
 def bounds(rows, mix):
@@ -207,7 +236,9 @@ def time_table(rows, wanted, head):
     return table([*head, "wall", "least", "CPU", "least", "cycles", "x sketch", "bytes", "hash"], lines)
 
 
-def sections(rows, ports, mix, instructions):
+def sections(rows, scenes, ports, mix, instructions):
+    if scenes:
+        yield "Scenes", scene_section(scenes)
     by_count = [row for n in COUNTS for row in rows.ours if row["bodies"] == str(n) and row["target"] == rows.best and
                 row["integrator"] == "default" and row["model"] in ("langevin-speed", "aerodynamic") and
                 (row["substeps"] == "4" and n != 1 or row["workers"] == "0")]
@@ -268,11 +299,11 @@ This page is for people who make the library faster, or compare it: the speed of
 optimisations that were tried. `scripts/performance.py` writes everything before "Optimisations" from measurements:
 
     scripts/setup.sh bench                       # peers, valgrind, matplotlib; all of them optional
-    cmake --preset release && cmake --build build/release --target lr_bench
+    cmake --preset release && cmake --build build/release --target lr_bench bench_scene
     scripts/performance.sh                       # about 6 minutes; --quick: 1 minute
 
 Times are ns per body and substep of 1/240 s, through the C API and the shared library as it ships. The body is the paper's leaf, an ellipsoid of 8 cm
-x 2 cm x 0.1 mm in air; for the full path its weight is off centre. All rows of a run are alive at once and timed in turns, a burst of 2 ms or one
+x 2 cm x 0.1 mm in air; a *sheet*'s weight is off centre, and on the full path its loads too. All rows of a run are alive at once and timed in turns, a burst of 2 ms or one
 step each, {rounds} rounds; the tables give the median and the least. *wall* is elapsed time, *CPU* the processor time of the process, which other
 processes do not lengthen. Ratios and verdicts are of CPU medians with one thread, of wall medians with two. *cycles*: CPU time over that of an
 addition that waits for the one before it, timed right after each burst. *x sketch*: speed relative to the first sketch (native) with as many bodies
@@ -293,6 +324,11 @@ PEERS = """Each runs in the same process and the same turns, on one thread, with
   dense Jacobian, so its cost per body grows with the bodies of a model, and the fair rows are those with few.
 
 """
+SCENE_TEXT = """`bench_scene`: flat leaves of 7 x 4 cm, 0.2 mm, 0.1 g, their weight off centre, AERODYNAMIC loads, a step of 1/60 s with one substep, a body in 0.5
+m^3. Medians of processor time with one thread, of wall time with two. Bullet and ODE: as many bodies under gravity and drag alone, without fluid,
+wind and colliders.
+
+"""
 BY_HAND = "## Optimisations"
 INSTRUCTIONS = """Counted by callgrind under AVX2, which has 8 bodies in a vector, 1024 bodies: `scripts/count_instructions.sh`, which also counts single functions.
 
@@ -307,7 +343,7 @@ each other's results.
 
 def main(folder="build/release/bench", docs="docs/maintainers"):
     rows = Rows(read(folder, "rows.csv"))
-    ports, mix, instructions = (read(folder, name + ".csv") for name in ("ports", "mix", "instructions"))
+    scenes, ports, mix, instructions = (read(folder, name + ".csv") for name in ("scenes", "ports", "mix", "instructions"))
     text = HEAD.format(rounds=rows.all[0]["rounds"])
     clock = next(row for row in rows.all if row["subject"] == "clock")
     alone = sorted(wall(row) / cpu(row) for row in rows.all if row["workers"] == "0")
@@ -318,7 +354,7 @@ def main(folder="build/release/bench", docs="docs/maintainers"):
          ("nothing else ran" if busy < 1.05 else "**other processes ran**, which times of two threads suffer from"))])
     text += "\n## Goals\n\n" + table(["goal", "measured", "verdict"], goals(rows, mix))
     text += "\n![ns a body-step over the number of bodies](performance.png)\n"
-    for title, body in sections(rows, ports, mix, instructions):
+    for title, body in sections(rows, scenes, ports, mix, instructions):
         text += f"\n## {title}\n\n{body}"
     plot(rows, os.path.join(docs, "performance.png"))
     page = os.path.join(docs, "performance.md")

@@ -76,15 +76,36 @@ static void draw_lines(viewer* v, const layout* l, float right, float top, char 
         text_write(&v->text, left + 0.8f * l->letter, top + l->line * (float)i + 1.5f * l->letter, ink, lines[i]);
 }
 
+enum { phase_number = 7 };
+
+/* The phases of the last step that took a hundredth of a millisecond or more. Returns how many lines it has written. */
+static int write_phases(const viewer* v, char lines[][64]) {
+    lr_timings t;
+    check(lr_timings_init(&t, sizeof t), "lr_timings_init", NULL);
+    check(lr_world_get_timings(v->scene->world, &t), "timings", NULL);
+    const struct {
+        const char* name;
+        double seconds;
+    } phases[phase_number] = {{"motion", t.motion},       {"wind", t.wind},   {"body contact", t.body_contact},
+                              {"colliders", t.colliders}, {"waking", t.wake}, {"emitters and rules", t.emit_and_rules},
+                              {"events", t.events}};
+    int n = 0;
+    for (int i = 0; i < phase_number; ++i)
+        if (phases[i].seconds >= 1e-5)
+            snprintf(lines[n++], sizeof *lines, "   %s %.2f ms", phases[i].name, 1e3 * phases[i].seconds);
+    return n;
+}
+
 static void draw_numbers(viewer* v, const layout* l) {
     const scene_report r = scene_look(v->scene, 0);
-    char lines[4][64];
+    char lines[4 + phase_number][64];
     int n = 0;
     snprintf(lines[n++], sizeof *lines, "%llu bodies, %llu asleep", (unsigned long long)r.bodies,
              (unsigned long long)(r.bodies - r.awake));
     snprintf(lines[n++], sizeof *lines, "t = %.2f s%s", r.time, v->paused ? "   paused" : "");
     if (v->frame_seconds > 0.0) {
         snprintf(lines[n++], sizeof *lines, "step %.2f ms", 1e3 * v->scene->stepping);
+        n += write_phases(v, lines + n);
         snprintf(lines[n++], sizeof *lines, "%.0f pictures/s", 1.0 / v->frame_seconds);
     }
     draw_lines(v, l, (float)v->picture.width - l->left, l->top, lines, n);

@@ -24,7 +24,7 @@ def main(program):
     ours = [row for row in rows if row["subject"] == "langevin_rigid"]
     assert {row["subject"] for row in rows} >= {"langevin_rigid", "clock", "scalar"}
     assert {row["model"] for row in ours} == {"none", "langevin-speed", "langevin-age", "aerodynamic"}
-    assert {row["path"] for row in ours} == {"diagonal", "full", "alike", "user", "stations5", "stations8"} and {row["workers"] for row in ours} == {"0", "1"}
+    assert {row["path"] for row in ours} == {"diagonal", "sheet", "full", "alike", "user", "stations5", "stations8"} and {row["workers"] for row in ours} == {"0", "1"}
     for row in rows:
         assert None not in row and None not in row.values(), row
         assert all(float(row[name]) > 0 for name in TIMES) and int(row["rounds"]) > 0, row

@@ -26,7 +26,8 @@ public:
         dt_ = substep_seconds * static_cast<float>(row.substeps);
         substeps_ = row.substeps;
         const uint32_t stations = row.stations();
-        asset_ = stations != 0 ? leaf_asset_of_stations(stations) : leaf_asset(row.path == "full");
+        asset_ =
+            stations != 0 ? leaf_asset_of_stations(stations) : leaf_asset(row.path == "full" || row.path == "sheet");
         if (!asset_) return "asset";
         lr_world_desc wd;
         lr_world_desc_init(&wd, sizeof wd);

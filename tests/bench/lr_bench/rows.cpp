@@ -79,7 +79,7 @@ std::vector<Row> goals(const std::vector<std::string>& targets, bool quick) {
                 for (const uint32_t substeps : {1u, 4u})
                     rows.ours(model, "default", "diagonal", "auto", 0, bodies, substeps);
         rows.ours("langevin-speed", "default", "full", best, 0, bodies, 4);
-        rows.ours("aerodynamic", "default", "full", best, 0, bodies, 4);
+        for (const char* const path : {"sheet", "full"}) rows.ours("aerodynamic", "default", path, best, 0, bodies, 4);
     }
     // The cost of variation and user data, beside the row of the same bodies on the diagonal path.
     for (const char* const path : {"alike", "user"})
@@ -88,7 +88,7 @@ std::vector<Row> goals(const std::vector<std::string>& targets, bool quick) {
     for (const std::string& target : targets) {
         for (const char* const model : {"langevin-speed", "aerodynamic"})
             for (const char* const path : paths) rows.ours(model, "default", path, target, 0, middle, 4);
-        for (const char* const path : {"stations5", "stations8"})
+        for (const char* const path : {"sheet", "stations5", "stations8"})
             rows.ours("aerodynamic", "default", path, target, 0, middle, 4);
         if (target == "avx2" && !quick)
             for (const uint32_t bodies : {1000u, 100000u, 1000000u})

@@ -13,7 +13,7 @@ struct Row {
     std::string model;      // loads
     std::string integrator; //
     std::string
-        path; // "diagonal", "full"; "alike": without variation; "user": with user data; "stations5", "stations8"
+        path; // "diagonal", "sheet", "full"; "alike": without variation; "user": with user data; "stations5", "stations8"
     std::string target;   // instruction set
     uint32_t workers = 0; // threads besides the caller's
     uint32_t bodies = 1;

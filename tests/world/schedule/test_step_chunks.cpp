@@ -36,7 +36,7 @@ void check(const std::vector<uint32_t>& counts, uint32_t substeps, uint32_t help
     recorder.splitting = recorder.aerodynamic = &record;
     const KernelTarget* const real = std::exchange(world->target, &recorder);
     world->narrow = narrow ? &recorder : nullptr;
-    StepChunks chunks(*world, items.data(), static_cast<uint32_t>(items.size()), blocks, substeps, helpers);
+    StepChunks chunks(*world, items.data(), static_cast<uint32_t>(items.size()), blocks, substeps, substeps, helpers);
     CHECK(chunks.helpers() <= helpers);
     CHECK((chunks.helpers() != 0 || chunks.count() == 1));
     pieces.clear();
