@@ -195,7 +195,8 @@ TEST_CASE("nobody is called for a small world") {
     };
     CHECK(calls(1, 8, 1) == 0);
     CHECK(calls(1000, 8, 1) == 0);
-    CHECK(calls(1000, 8, 3) == 0);
+    CHECK(calls(400, 8, 3) == 0);
+    CHECK(calls(2000, 8, 1) == 1); // with AERODYNAMIC loads, 60 us
     CHECK(calls(1000, 8, 64) == 1);
     CHECK(calls(20000, 8, 4) == 1);
 }
