@@ -299,7 +299,8 @@ void make_sheet(const AssetData& asset, const AerodynamicData& loads, bool diago
     // Twists of the load centre along the load axes.
     for (size_t i = 0; i < 3; ++i) {
         arm[i] = 0.0;
-        const double r[3] = {a.arm[0], a.arm[1], a.arm[2]};
+        double r[3];
+        std::copy(a.arm, a.arm + 3, r);
         for (size_t k = 0; k < 3; ++k) {
             arm[i] += q[3 * i + k] * r[k];
             to[i * 6 + k] = to[(i + 3) * 6 + k + 3] = q[3 * i + k];

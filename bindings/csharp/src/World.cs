@@ -13,7 +13,9 @@ namespace LangevinRigid
 
         private readonly WorldHandle _handle;
         private readonly WorldCallbacks _callbacks;
+        private readonly EventHandler _atExit;
         private int _state;
+        private bool _ending;
 
         /// <summary>Creates a world with defaults: still air, gravity along -y, all work on the calling thread.</summary>
         public World() : this(WorldDesc.Create(), null)
@@ -37,6 +39,7 @@ namespace LangevinRigid
             if (status == Status.Ok)
             {
                 _handle = new WorldHandle(world, _callbacks);
+                if (desc.WorkerCount != 0) AppDomain.CurrentDomain.ProcessExit += _atExit = AtExit(new WeakReference<World>(this));
                 return;
             }
             _callbacks.Free();
@@ -77,8 +80,32 @@ namespace LangevinRigid
             if (before == Disposed) return;
             if (before == InCall) throw Busy();
             ++ChangeCount;
+            if (_atExit != null) AppDomain.CurrentDomain.ProcessExit -= _atExit;
             _handle.Dispose();
             _callbacks.Rethrow();
+        }
+
+        // Mono ends a program only when all threads that have ever called managed code have ended, as workers do by a wind field. So a program
+        // that ends without Dispose ends them here. A thread that steps the world meanwhile waits for the end in its next call.
+        private static EventHandler AtExit(WeakReference<World> ending)
+        {
+            return (sender, arguments) =>
+            {
+                World world;
+                if (ending.TryGetTarget(out world)) world.EndThreads();
+            };
+        }
+
+        private void EndThreads()
+        {
+            Volatile.Write(ref _ending, true);
+            for (int tries = 0; tries < 1000; ++tries)
+            {
+                int before = Interlocked.CompareExchange(ref _state, Disposed, Idle);
+                if (before == Idle) _handle.Dispose();
+                if (before != InCall) return;
+                Thread.Sleep(1);
+            }
         }
 
         /// <summary>Advances all bodies by <paramref name="dt"/> seconds in <paramref name="substeps"/> equal parts. At 60 Hz take 2 for leaves and
@@ -147,6 +174,7 @@ namespace LangevinRigid
         /// <summary>The native world, for a query.</summary>
         internal IntPtr Enter()
         {
+            if (Volatile.Read(ref _ending)) Thread.Sleep(Timeout.Infinite);
             int before = Interlocked.CompareExchange(ref _state, InCall, Idle);
             if (before == Disposed) throw new ObjectDisposedException("World");
             if (before == InCall) throw Busy();
