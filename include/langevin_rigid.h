@@ -746,19 +746,21 @@ LR_API lr_status lr_world_get_timings(const lr_world* world, lr_timings* timings
 /* Snapshots save a world's state and restore it, for rollback; the hash tells whether two worlds agree.
  * docs/reference/snapshots.md */
 
-/* Computes a hash of the world's time index, bodies, colliders, water and wind sources (grids by the hash of their
- * samples). It does not depend on the order of bodies in memory, the processor or worker_count. Worlds with equal
+/* Computes a hash of the world's time index, bodies, colliders, pairs of touching bodies, water and wind sources (grids
+ * by the hash of their samples). It does not depend on the order of bodies in memory, the processor or worker_count. Worlds with equal
  * settings and equal hashes move alike from here on.
  * LR_OK, LR_ERROR_NULL_ARGUMENT. */
 LR_API lr_status lr_world_hash(const lr_world* world, uint64_t* out);
 
-/* Bytes that lr_world_snapshot_save needs at present; 0 for null. */
+/* Bytes that lr_world_snapshot_save needs at present; 0 for null. With body contact 208 of them for each pair of awake
+ * bodies that touch or nearly do. */
 LR_API uint64_t lr_world_snapshot_size(const lr_world* world);
 
 /* Writes the world's state into `size` bytes at `memory`, of any alignment: time, gravity, wind, water, budget; bodies
- * and colliders with their handles; each batch's turbulence table, loads, forces, rules, emitter, rate and contact
- * settings. Not included: assets, the descs of batches, threads, callbacks, the samples of wind grids, and the data of
- * hulls, heightfields and meshes; samples and data are identified by their hash. written: bytes used; may be null.
+ * and colliders with their handles; pairs of touching bodies; each batch's turbulence table, loads, forces, rules,
+ * emitter, rate and contact settings. Not included: assets, the descs of batches, threads, callbacks, the samples of
+ * wind grids, and the data of hulls, heightfields and meshes; samples and data are identified by their hash.
+ * written: bytes used; may be null.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_BUFFER_TOO_SMALL. */
 LR_API lr_status lr_world_snapshot_save(const lr_world* world, void* memory, uint64_t size, uint64_t* written);
 

@@ -3,7 +3,7 @@
 
     /usr/bin/python3 scripts/performance.py [FOLDER [DOCS]]      default: build/release/bench, docs/maintainers
 
-Needs rows.csv (lr_bench --csv); scenes.csv (bench_scene --csv), ports.csv, mix.csv (scripts/port_bound.py) and instructions.csv
+Needs rows.csv (lr_bench --csv); scenes.csv (bench_scene --csv), heaps.csv (bench_heap --csv), ports.csv, mix.csv (scripts/port_bound.py) and instructions.csv
 (scripts/count_instructions.sh) are optional. Computes all verdicts.
 SPDX-License-Identifier: MIT"""
 import csv
@@ -141,14 +141,34 @@ def scene_section(scenes):
     for row in scenes:
         if row["subject"] == "clock":
             continue
-        what, wanted = SCENES.get(row["path"], ("gravity and drag alone", None)) if row["subject"] == "langevin_rigid" else ("gravity and drag alone", None)
+        ours = row["subject"] == "langevin_rigid"
+        what, wanted = SCENES.get(row["path"] if ours else None, ("gravity and drag alone", None))
         two = row["workers"] != "0"
         time = wall(row) if two else cpu(row)
-        name = row["path"] if row["subject"] == "langevin_rigid" else row["subject"]
+        name = row["path"] if ours else row["subject"]
         goal = 16.7 if two and row["bodies"] == "1000000" else wanted if not two and row["bodies"] == "100000" else None
         lines.append([name, what, f"{int(row['bodies']):,}", "2" if two else "1", number(time), goal or "",
                       "" if goal is None else "reached" if time <= goal else f"{time / goal:.2f} times", f"`{row['hash']}`" if row["hash"] else ""])
     return SCENE_TEXT + table(["row", "scene", "bodies", "threads", "ns", "goal", "", "hash"], lines)
+
+
+# Goals of bench_heap, us an awake body and substep of one thread.
+HEAPS = {("heap", "landing"): 2.5, ("heap", "settling"): 3, ("heap", "gust"): 3, ("layers", "landing"): 3, ("layers", "settling"): 3, ("layers", "gust"): 3}
+
+
+def heap_section(heaps):
+    times, ends = [], []
+    for row in heaps:
+        place = [row["scene"], row["phase"], f"{int(row['bodies']):,}", row["threads"]]
+        if float(row["us"] or 0) > 0 and row["phase"] != "lying":
+            goal = HEAPS.get((row["scene"], row["phase"]), "") if row["threads"] == "1" else ""
+            times.append([*place, f"{float(row['awake']):,.0f}", number(float(row["wall_ms"])), number(float(row["wall_ms_worst"])),
+                          number(float(row["us"])), goal, row["over_flight"], f"`{row['hash']}`"])
+        if row["overlaps"] and row["threads"] == "1":
+            ends.append([row["scene"], row["phase"], row["overlaps"], row["depth_mm"], row["depth_99_mm"], row["share_deep"], row["height_mm"],
+                         row["height_95_mm"], row["awake_then"], row["tremor_mm"]])
+    return HEAP_TEXT + table(["scene", "phase", "bodies", "threads", "awake", "ms a step", "worst", "us", "goal", "over flight", "hash"], times) + "\n" + \
+        table(["scene", "after", "overlaps a body", "median, mm", "99 %, mm", "deep, %", "mean height, mm", "95 %, mm", "awake", "tremor, mm"], ends)
 
 
 def bounds(rows, mix):
@@ -236,9 +256,11 @@ def time_table(rows, wanted, head):
     return table([*head, "wall", "least", "CPU", "least", "cycles", "x sketch", "bytes", "hash"], lines)
 
 
-def sections(rows, scenes, ports, mix, instructions):
+def sections(rows, scenes, heaps, ports, mix, instructions):
     if scenes:
         yield "Scenes", scene_section(scenes)
+    if heaps:
+        yield "Heaps", heap_section(heaps)
     by_count = [row for n in COUNTS for row in rows.ours if row["bodies"] == str(n) and row["target"] == rows.best and
                 row["integrator"] == "default" and row["model"] in ("langevin-speed", "aerodynamic") and
                 (row["substeps"] == "4" and n != 1 or row["workers"] == "0")]
@@ -299,7 +321,7 @@ This page is for people who make the library faster, or compare it: the speed of
 optimisations that were tried. `scripts/performance.py` writes everything before "Optimisations" from measurements:
 
     scripts/setup.sh bench                       # peers, valgrind, matplotlib; all of them optional
-    cmake --preset release && cmake --build build/release --target lr_bench bench_scene
+    cmake --preset release && cmake --build build/release --target lr_bench bench_scene bench_heap
     scripts/performance.sh                       # about 6 minutes; --quick: 1 minute
 
 Times are ns per body and substep of 1/240 s, through the C API and the shared library as it ships. The body is the paper's leaf, an ellipsoid of 8 cm
@@ -341,9 +363,16 @@ each other's results.
 """
 
 
+HEAP_TEXT = """`bench_heap`: plates of 70 x 40 x 0.4 mm, 0.18 g, friction 0.5, AERODYNAMIC loads, steps of 1/60 s with two substeps. Medians of wall time a step
+and its worst; us of CPU time for each awake body and substep. Overlaps, by separating axes: pairs deeper than 0.1 mm; depths of pairs deeper than
+0.01 mm; deep: bodies more than their thickness within another. Tremor: the farthest that any corner goes in the second after.
+
+"""
+
+
 def main(folder="build/release/bench", docs="docs/maintainers"):
     rows = Rows(read(folder, "rows.csv"))
-    scenes, ports, mix, instructions = (read(folder, name + ".csv") for name in ("scenes", "ports", "mix", "instructions"))
+    scenes, heaps, ports, mix, instructions = (read(folder, name + ".csv") for name in ("scenes", "heaps", "ports", "mix", "instructions"))
     text = HEAD.format(rounds=rows.all[0]["rounds"])
     clock = next(row for row in rows.all if row["subject"] == "clock")
     alone = sorted(wall(row) / cpu(row) for row in rows.all if row["workers"] == "0")
@@ -354,7 +383,7 @@ def main(folder="build/release/bench", docs="docs/maintainers"):
          ("nothing else ran" if busy < 1.05 else "**other processes ran**, which times of two threads suffer from"))])
     text += "\n## Goals\n\n" + table(["goal", "measured", "verdict"], goals(rows, mix))
     text += "\n![ns a body-step over the number of bodies](performance.png)\n"
-    for title, body in sections(rows, scenes, ports, mix, instructions):
+    for title, body in sections(rows, scenes, heaps, ports, mix, instructions):
         text += f"\n## {title}\n\n{body}"
     plot(rows, os.path.join(docs, "performance.png"))
     page = os.path.join(docs, "performance.md")

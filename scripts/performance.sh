@@ -14,14 +14,16 @@ docs=${2:-docs/maintainers}
 folder=$build/bench
 bench=$build/tests/bench/lr_bench/lr_bench
 scene=$build/tests/bench/lr_bench/bench_scene
-[ -x "$bench" ] && [ -x "$scene" ] ||
-    { echo "performance: no $bench or $scene: cmake --build $build --target lr_bench bench_scene" >&2; exit 1; }
+heap=$build/tests/bench/bench_heap
+[ -x "$bench" ] && [ -x "$scene" ] && [ -x "$heap" ] ||
+    { echo "performance: no $bench, $scene or $heap: cmake --build $build --target lr_bench bench_scene bench_heap" >&2; exit 1; }
 
 mkdir -p "$folder" "$docs"
 rm -f "$folder"/*.csv
 "$bench" --csv "$folder/rows.csv" "${quick[@]}"
 if [ ${#quick[@]} -eq 0 ]; then
     "$scene" --csv "$folder/scenes.csv" --seconds 60
+    "$heap" --csv "$folder/heaps.csv"
     # Both are optional, because not every machine supports them.
     scripts/port_bound.py "$build" "$folder" || true
     scripts/count_instructions.sh "$build" "$folder/instructions.csv" || true

@@ -1,6 +1,7 @@
 // Finds the bodies that touch each other in a substep.
 #include "body_contact/body_contact_step.h"
 
+#include "body_contact/kept_manifold.h"
 #include "collision/pair_contacts.h"
 #include "kernel/divergence.h"
 #include "world/world.h"
@@ -11,7 +12,6 @@ namespace lr {
 namespace {
 
 constexpr uint32_t grain = 128; // bodies: some ten microseconds
-
 // False when out of memory.
 template <class... T> bool grow_all(Allocator& allocator, size_t count, Buffer<T>&... buffers) {
     return (grow(allocator, buffers, count) && ...);
@@ -30,7 +30,8 @@ void BodyContactStep::set_box(const BodyContactBatch& member, uint32_t index) {
     const float scale = batch.arrays().field[field_scale][index], margin = margin_of(member, index);
     const Pose began_at = began(body), now = pose_of(batch.arrays(), index);
     buffers_->moved[body] = {pair_body(batch.asset().pair_hull, scale, began_at, now), margin,
-                             static_cast<uint32_t>(&member - buffers_->members.data())};
+                             static_cast<uint32_t>(&member - buffers_->members.data()),
+                             pair_key(member.slot, batch.arrays().noise_seed[index])};
     const Box way =
         around(bounds(batch.asset().pair_hull, scale, began_at), bounds(batch.asset().pair_hull, scale, now));
     buffers_->grid.boxes()[body] = {grown(way, margin), body, 0, 0};
@@ -70,9 +71,33 @@ void BodyContactStep::keep_first(uint32_t* seen, uint32_t body) const {
 void BodyContactStep::meet(uint32_t begin, uint32_t end) {
     BodyContactBuffers& c = *buffers_;
     PairBatch batch(world_->target->search_pairs);
-    const auto found = [&](uint32_t at, const WayContact* contacts, uint32_t count) {
-        c.pairs[at].count = count;
-        if (count != 0) enter_contacts(at, contacts);
+    const auto within = [&](const BodyContactBuffers::Moved& one, const BodyContactBuffers::Moved& other) {
+        return near_enough(one.body, other.body, std::min(one.margin, other.margin));
+    };
+    const auto found = [&](uint32_t at, const WayContact* contacts, uint32_t count, const Manifold& manifold) {
+        BodyContactBuffers::Pair& pair = c.pairs[at];
+        const BodyContactBuffers::Moved &one = c.moved[pair.a], &other = c.moved[pair.b];
+        pair.count = count;
+        enter_manifold(at, manifold, within(one, other) + kept_way(one.body, other.body));
+        enter_contacts(at, contacts);
+    };
+    const auto kept = [&](uint32_t at) {
+        BodyContactBuffers::Pair& pair = c.pairs[at];
+        const uint64_t key_a = c.moved[pair.a].key, key_b = c.moved[pair.b].key;
+        const CachedPair* const cached = world_->pair_cache.find(std::min(key_a, key_b), std::max(key_a, key_b));
+        c.cached[at] = cached;
+        if (!cached) return false;
+        const BodyContactBuffers::Moved &one = c.moved[pair.a], &other = c.moved[pair.b];
+        const bool in_order = key_a < key_b;
+        const PairBody &a = in_order ? one.body : other.body, &b = in_order ? other.body : one.body;
+        Manifold manifold;
+        if (!kept_manifold(*cached, a, b, within(one, other), manifold)) return false;
+        if (!in_order) manifold = other_way_round(manifold);
+        WayContact contacts[most_pair_contacts];
+        pair.count = keep_way_contacts(one.body, other.body, std::min(one.margin, other.margin), manifold, contacts);
+        c.found[at] = *cached;
+        enter_contacts(at, contacts);
+        return true;
     };
     // Neighbours in space are far apart in memory.
     const auto fetch = [&c](uint32_t body) {
@@ -92,23 +117,12 @@ void BodyContactStep::meet(uint32_t begin, uint32_t end) {
         for (uint32_t at = first; at < past; ++at) {
             const BodyContactBuffers::Moved& other = c.moved[seen[at - first]];
             c.pairs[at] = {body, seen[at - first], 0};
-            batch.find(one.body, other.body, std::min(one.margin, other.margin), at, found);
+            if (kept(at)) continue;
+            batch.find(one.body, other.body, std::min(one.margin, other.margin), kept_way(one.body, other.body), at,
+                       found);
         }
     }
     batch.finish(found);
-}
-
-void BodyContactStep::enter_contacts(uint32_t at, const WayContact* found) {
-    BodyContactBuffers& c = *buffers_;
-    const BodyContactBuffers::Pair& pair = c.pairs[at];
-    const lr_batch_contact& of_a = c.members[c.moved[pair.a].member].item.batch->contact;
-    const lr_batch_contact& of_b = c.members[c.moved[pair.b].member].item.batch->contact;
-    const float friction = pair_friction(of_a, of_b), restitution = pair_restitution(of_a, of_b);
-    BodyContactPoint* const contacts = c.pair_contacts.data() + size_t{block_contacts} * at;
-    for (uint32_t k = 0; k < pair.count; ++k) {
-        const PairContact& contact = found[k].begin;
-        contacts[k] = {contact.arm_a, contact.arm_b, contact.normal, contact.gap, {}, {}, friction, restitution, false};
-    }
 }
 
 bool BodyContactStep::find_pairs() {
@@ -155,7 +169,9 @@ bool BodyContactStep::find_pairs() {
         sum += count;
     }
     c.first_pair[body_count_] = sum;
-    if (!grow(allocator, c.pairs, sum) || !grow(allocator, c.pair_contacts, size_t{block_contacts} * sum)) return false;
+    if (!grow_all(allocator, sum, c.pairs, c.found, c.cached) ||
+        !grow(allocator, c.pair_contacts, size_t{block_contacts} * sum))
+        return false;
     workers_.run(c.grid.placed(), grain, [&](uint32_t begin, uint32_t end) { meet(begin, end); });
     return true;
 }

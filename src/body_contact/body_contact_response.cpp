@@ -155,7 +155,7 @@ bool BodyContactStep::solve() {
     workers_.run(place_count_, 256, [&](uint32_t begin, uint32_t end) {
         for (uint32_t place = begin; place < end; ++place) fill_body(place);
     });
-    const uint32_t unit_count = list_units();
+    const uint32_t unit_count = unit_count_ = list_units();
     if (!grow(world_->allocator, c.kinds, member_count_) || !grow(world_->allocator, c.ranges, member_count_))
         return false;
     uint32_t ranges = 0;

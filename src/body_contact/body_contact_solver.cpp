@@ -146,7 +146,7 @@ void BodyContactSolver::fill(const SolverBodyKind* kinds, uint32_t index) {
         PairContacts& to = block.contact[k];
         for (uint32_t lane = 0; lane < lanes; ++lane) {
             const bool there = lane < count && k < units[lane]->count;
-            const BodyContactPoint none{{}, {}, {0.0f, 1.0f, 0.0f}, no_contact, {}, {}, 0.0f, 0.0f, false};
+            const BodyContactPoint none{{}, {}, {0.0f, 1.0f, 0.0f}, no_contact, {}, {}, 0.0f, 0.0f, false, {}, 0};
             const BodyContactPoint& c = there ? units[lane]->contact[k] : none;
             const bool swapped = there && units[lane]->swapped;
             put_in(to.arm_a, 0, lane, swapped ? c.arm_b : c.arm_a);
@@ -154,6 +154,7 @@ void BodyContactSolver::fill(const SolverBodyKind* kinds, uint32_t index) {
             put_in(to.normal, 0, lane, swapped ? -c.normal : c.normal);
             put_in(to.surface, 0, lane, c.surface);
             put_in(to.lag, 0, lane, c.lag);
+            put_in(to.start, 0, lane, swapped ? -c.impulse : c.impulse);
             to.gap[lane] = c.gap;
             to.friction[lane] = c.friction;
             to.restitution[lane] = c.restitution;

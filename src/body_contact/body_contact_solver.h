@@ -17,6 +17,9 @@ struct BodyContactPoint {
     Vector surface, lag; // m/s, m: of a fixed thing, as in ContactSlots
     float friction, restitution;
     bool solid; // a collider's
+    // World, on a, of the path projection over the lighter body's mass unit, m: in: a guess; out: what held the pair.
+    Vector impulse{};
+    uint32_t from = 0; // which contact of the pair's manifold, or WayContact::swept
 };
 
 // Up to block_contacts contacts of a body with another one, or with fixed things.
@@ -60,6 +63,12 @@ public:
     float pressed(const BodyContactPair& unit, uint32_t contact) const {
         const PairContacts& c = blocks_[unit.block].contact[contact];
         return c.touching[unit.lane] > 0.0f ? c.pressed[unit.lane] : -1.0f;
+    }
+    // The impulse of the path projection, as BodyContactPoint::impulse; 0 after a blow faster than `slow`, m/s, which will not come again.
+    Vector impulse(const BodyContactPair& unit, uint32_t contact, float slow) const {
+        if (blocks_[unit.block].contact[contact].came[0][unit.lane] < -slow) return {};
+        const Vector on_a = vector_in(blocks_[unit.block].contact[contact].start, 0, unit.lane);
+        return unit.swapped ? -on_a : on_a;
     }
 
 private:

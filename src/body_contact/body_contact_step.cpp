@@ -108,10 +108,17 @@ void BodyContactStep::run() {
     for (uint32_t substep = 0; substep < time_.substeps; ++substep) {
         move_alone(substep);
         place_count_ = 0;
-        if (!find_pairs() || !number_touching()) starved_ = true;
+        const bool found = find_pairs() && number_touching();
+        if (!found) starved_ = true;
         hold(substep, Held::apart);
+        const bool solved = place_count_ != 0 && solve();
+        if (solved) keep_impulses();
+        if (!found || !keep_pairs()) {
+            world_->pair_cache.clear();
+            starved_ = true;
+        }
         if (place_count_ == 0) continue;
-        if (!solve()) {
+        if (!solved) {
             starved_ = true;
             hold(substep, Held::touching);
             continue;

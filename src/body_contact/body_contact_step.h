@@ -4,6 +4,7 @@
 #include "base/float_mode.h"
 #include "base/step_workers.h"
 #include "body_contact/body_contact_solver.h"
+#include "body_contact/pair_cache.h"
 #include "collision/body_broad_phase.h"
 #include "collision/body_narrow_phase.h"
 #include "collision/collider_contact_group.h"
@@ -17,6 +18,7 @@ struct lr_world;
 
 namespace lr {
 
+struct Manifold;
 struct WayContact;
 
 // The sleeping bodies that a batch's bodies can touch: its partners' and perhaps its own.
@@ -57,6 +59,7 @@ struct BodyContactBuffers {
         PairBody body;
         float margin; // m
         uint32_t member;
+        uint64_t key; // of PairCache
     };
     // Two bodies whose boxes overlap.
     struct Pair {
@@ -73,6 +76,8 @@ struct BodyContactBuffers {
     static constexpr uint32_t most_seen = 48;
     Buffer<uint32_t> seen;
     Buffer<Pair> pairs;
+    Buffer<CachedPair> found;               // of each: the manifold that goes to the cache; count 0: none
+    Buffer<const CachedPair*> cached;       // of each: from the substep before, or null
     Buffer<BodyContactPoint> pair_contacts; // block_contacts of each
     Buffer<uint32_t> place;                 // by body: its number among those that touch others, or UINT32_MAX
     Buffer<uint64_t> order;                 // noise seed and body
@@ -115,8 +120,14 @@ private:
     void set_box(const BodyContactBatch& member, uint32_t index);
     void keep_first(uint32_t* seen, uint32_t body) const;
     void meet(uint32_t begin, uint32_t end);
-    void enter_contacts(uint32_t at, const WayContact* found);
     bool number_touching();
+
+    // body_contact/body_contact_manifolds.cpp
+    bool in_order(const BodyContactBuffers::Pair& pair) const; // a has the lower key
+    void enter_manifold(uint32_t at, const Manifold& manifold, float within);
+    void enter_contacts(uint32_t at, const WayContact* found);
+    void keep_impulses();
+    bool keep_pairs();
 
     // body_contact/body_contact_response.cpp
     // apart: bodies that touch no other awake one. touching: the others, if there is no memory to solve them together.
@@ -137,7 +148,7 @@ private:
     BodyContactBuffers* buffers_;
     const StepItem* items_;
     Workers workers_;
-    uint32_t member_count_, body_count_ = 0, place_count_ = 0;
+    uint32_t member_count_, body_count_ = 0, place_count_ = 0, unit_count_ = 0;
     StepTime time_{};
     WaterStep surface_{};
     bool wet_, starved_ = false;

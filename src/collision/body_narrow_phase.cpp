@@ -17,7 +17,7 @@ constexpr float part_of_gap = 0.01f, part_of_size = 1e-3f;
 constexpr float drawn_apart = 0.02f;
 constexpr uint32_t most_refinements = 3;
 // Share of the smaller core: contacts closer than this are duplicates.
-constexpr float same = 0.02f;
+constexpr float same = plate_same_place;
 
 Float4 rows_of(Vector v, float behind) {
     return Float4{v.x, v.y, v.z, behind};
@@ -312,21 +312,33 @@ uint32_t contacts_of(const NearPair& near, Closest closest, PairContact (&out)[m
     }
     uint32_t places[most_pair_contacts];
     const uint32_t count = spread(patch, limit, slack, same * smaller, places);
-    Vector normal = rotate(near.own_a, n);
-    normal = 1.0f / length(normal) * normal;
+    const ContactFrame frame(near, n, shift);
     for (uint32_t i = 0; i < count; ++i) {
         const uint32_t k = places[i];
-        PairContact& c = out[i];
         const Vector on_core =
             k < of_sides ? across.at(patch.u[k], patch.v[k], on_b.height_at(patch.u[k], patch.v[k])) : closest.on_b;
-        c.normal = near.swapped ? -normal : normal;
-        c.gap = near.scale_a * (patch.gap[k] - lifted - a.shape.radius - near.radius_b);
-        const Vector on_a_core = on_core + patch.gap[k] * n - shift;
-        c.arm_a = near.scale_a * (a.origin + rotate(a.frame, on_a_core - a.shape.radius * n));
-        c.arm_b = near.scale_b * b.origin +
-                  rotate(b.frame, near.scale_a * pair.to_b(on_core + near.radius_b * n - pair.offset));
-        if (near.swapped) std::swap(c.arm_a, c.arm_b);
+        out[i] = frame.contact(on_core, patch.gap[k]);
     }
     return count;
+}
+
+ContactFrame::ContactFrame(const NearPair& near, Vector normal, Vector shift)
+    : near_(near), normal_(normal), world_normal_(rotate(near.own_a, normal)), shift_(shift) {
+    world_normal_ = 1.0f / length(world_normal_) * world_normal_;
+}
+
+PairContact ContactFrame::contact(Vector on_core_b, float gap) const {
+    const RelativePair& pair = near_.pair;
+    const PairHull &a = *pair.a, &b = *pair.b;
+    PairContact c;
+    c.normal = near_.swapped ? -world_normal_ : world_normal_;
+    c.gap = near_.scale_a * (gap - dot(shift_, normal_) - a.shape.radius - near_.radius_b);
+    const Vector on_core_a = on_core_b + gap * normal_ - shift_;
+    c.arm_a = near_.scale_a * (a.origin + rotate(a.frame, on_core_a - a.shape.radius * normal_));
+    const Vector from_b = on_core_b + near_.radius_b * normal_ - pair.offset;
+    const Vector in_b{dot(pair.axes[0], from_b), dot(pair.axes[1], from_b), dot(pair.axes[2], from_b)};
+    c.arm_b = near_.scale_b * b.origin + rotate(b.frame, near_.scale_a * in_b);
+    if (near_.swapped) std::swap(c.arm_a, c.arm_b);
+    return c;
 }
 } // namespace lr

@@ -24,6 +24,8 @@ struct PairHull {
     alignas(16) float face_x[most_shape_faces], face_y[most_shape_faces], face_z[most_shape_faces];
     alignas(16) float face_offset[most_shape_faces];
     bool flat; // a plate: all z are 0
+    // Of a plate: its corners in order, counter-clockwise about z.
+    float ring_x[most_shape_points], ring_y[most_shape_points];
     Vector point(uint32_t i) const { return {x[i], y[i], z[i]}; }
     Vector face_normal(uint32_t f) const { return {face_x[f], face_y[f], face_z[f]}; }
 };
@@ -46,6 +48,7 @@ struct PairBody {
     // m: way of the centre of mass, and of the farthest point about it.
     Vector shift;
     float turns;
+    Vector turned[3]{}; // columns: the difference of the rotations at both ends
     // Bound of the way of its farthest point.
     float way() const { return length(shift) + turns; }
     float reach() const { return scale * shape->shape.reach; }

@@ -2,6 +2,9 @@
 
 #include "base/float4.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace lr {
 namespace {
 
@@ -17,8 +20,10 @@ void cut(Patch& patch, float from_u, float from_v, float out_u, float out_v, flo
         farthest = greater(at, farthest);
     }
     if (!(greatest(farthest) > 0.0f)) return;
-    const Patch before = patch;
-    patch.count = 0;
+    Patch before;
+    before.count = std::exchange(patch.count, 0u);
+    std::copy_n(patch.u, before.count, before.u);
+    std::copy_n(patch.v, before.count, before.v);
     for (uint32_t i = 0; i < before.count; ++i) {
         if (beyond[i] <= 0.0f) patch.add(before.u[i], before.v[i]);
         const uint32_t next = i + 1 < before.count ? i + 1 : 0;

@@ -11,7 +11,7 @@ namespace {
 constexpr float off_body = 4.0f;
 
 Vector moved(const PairBody& body, Vector arm) {
-    return to_outer(body.to, arm) - to_outer(body.from, arm);
+    return body.shift + (arm.x * body.turned[0] + arm.y * body.turned[1] + arm.z * body.turned[2]);
 }
 
 // The body's point farthest along a direction at the end of its way, body frame.
@@ -27,22 +27,21 @@ float near_enough(const PairBody& a, const PairBody& b, float margin) {
     return margin + length(a.shift - b.shift) + a.turns + b.turns;
 }
 
-uint32_t keep_way_contacts(const PairBody& a, const PairBody& b, float margin,
-                           const PairContact (&found)[most_pair_contacts], uint32_t count,
+uint32_t keep_way_contacts(const PairBody& a, const PairBody& b, float margin, const Manifold& found,
                            WayContact (&out)[most_pair_contacts]) {
-    if (count == 0) return 0;
+    if (found.count == 0) return 0;
     uint32_t kept = 0;
-    float least = margin, gap = found[0].gap;
-    for (uint32_t k = 0; k < count; ++k) {
-        const PairContact& c = found[k];
+    float least = margin, gap = found.contact[0].gap;
+    for (uint32_t k = 0; k < found.count; ++k) {
+        const PairContact& c = found.contact[k];
         const float end = c.gap + dot(c.normal, moved(a, c.arm_a) - moved(b, c.arm_b));
         gap = std::min(gap, c.gap);
         least = std::min(least, end);
-        if (end < margin) out[kept++] = {c, end};
+        if (end < margin) out[kept++] = {c, end, k};
     }
     if (a.turns + b.turns == 0.0f) return kept;
     // The plane between them at the substep's beginning must also separate them at its end: fast rotation could bring other points through.
-    const Vector n = found[0].normal;
+    const Vector n = found.contact[0].normal;
     const float slop = 1e-3f * std::min(a.reach(), b.reach());
     if (!(gap > -slop)) return kept;
     const Vector on_a = to_outer(a.to, farthest(a, -n)), on_b = to_outer(b.to, farthest(b, n));
@@ -61,7 +60,7 @@ uint32_t keep_way_contacts(const PairBody& a, const PairBody& b, float margin,
     } else {
         ++kept;
     }
-    out[at] = {{arm_a, arm_b, n, apart - dot(n, moved(a, arm_a) - moved(b, arm_b))}, apart};
+    out[at] = {{arm_a, arm_b, n, apart - dot(n, moved(a, arm_a) - moved(b, arm_b))}, apart, WayContact::swept};
     return kept;
 }
 
@@ -84,22 +83,32 @@ uint32_t PairBatch::search(uint32_t first) {
         block_.enough[lane] = near.enough;
         block_.near[lane] = touching_cores * near.pair.size;
         block_.tolerance[lane] = near.tolerance;
+        block_.smaller[lane] = std::min(near.pair.a->core_reach, near.pair.ratio * near.pair.b->core_reach);
     }
     const PairHull &a = *one.a, &b = *one.b;
-    target_({a.x, a.y, a.z, a.shape.count}, {b.x, b.y, b.z, b.shape.count}, lanes, block_);
+    const auto hull = [](const PairHull& h) {
+        return SearchHull{h.x, h.y, h.z, h.shape.count, h.flat ? h.ring_x : nullptr, h.flat ? h.ring_y : nullptr};
+    };
+    target_(hull(a), hull(b), lanes, block_);
     return lanes;
 }
 
-uint32_t PairBatch::contacts_at(uint32_t at, uint32_t lane, WayContact (&out)[most_pair_contacts]) const {
-    const Waiting& waiting = waiting_[order_[at]];
+Manifold PairBatch::manifold_at(uint32_t at, uint32_t lane) const {
     Closest closest{};
     closest.state = static_cast<Closest::State>(block_.state[lane]);
     closest.normal = vector_in(block_.normal, 0, lane);
     closest.distance = block_.distance[lane];
     closest.on_a = vector_in(block_.on_a, 0, lane);
     closest.on_b = closest.on_a - closest.distance * closest.normal;
-    PairContact touching[most_pair_contacts];
-    const uint32_t count = contacts_of(waiting.near, closest, touching);
-    return keep_way_contacts(*waiting.a, *waiting.b, waiting.margin, touching, count, out);
+    Manifold found;
+    if (const float count = block_.count[lane]; count >= 0.0f) {
+        found.count = static_cast<uint32_t>(count);
+        const ContactFrame frame(waiting_[order_[at]].near, closest.normal, {});
+        for (uint32_t k = 0; k < found.count; ++k)
+            found.contact[k] = frame.contact(vector_in(block_.place, size_t{3} * k, lane), block_.place_gap[k][lane]);
+        return found;
+    }
+    found.count = contacts_of(waiting_[order_[at]].near, closest, found.contact);
+    return found;
 }
 } // namespace lr

@@ -60,18 +60,37 @@ struct Closest {
     Vector on_a, on_b; // a's point includes its shift
 };
 
+// Turns places on cores into contacts of bodies.
+class ContactFrame {
+public:
+    // normal: from b to a, in the pair's frame. shift: of a's core, by which it was drawn out of b's.
+    ContactFrame(const NearPair& near, Vector normal, Vector shift);
+    // gap: of the cores there, with the shift.
+    PairContact contact(Vector on_core_b, float gap) const;
+
+private:
+    const NearPair& near_;
+    Vector normal_, world_normal_, shift_;
+};
+
 // Contacts of a pair with known nearest points: those that hold it best. Returns how many.
 uint32_t contacts_of(const NearPair& near, Closest closest, PairContact (&out)[most_pair_contacts]);
 
 struct WayContact {
+    static constexpr uint32_t swept = UINT32_MAX;
     PairContact begin;
-    float end; // m, the gap at the end of the way
+    float end;     // m, the gap at the end of the way
+    uint32_t from; // which contact of the manifold; swept: none, it was made for the end of the way
+};
+// All contacts of a pair as the substep begins.
+struct Manifold {
+    PairContact contact[most_pair_contacts];
+    uint32_t count;
 };
 
 // For contacts that end closer than `margin` (m): how close they must begin (m), and which of them count. Returns how many.
 float near_enough(const PairBody& a, const PairBody& b, float margin);
-uint32_t keep_way_contacts(const PairBody& a, const PairBody& b, float margin,
-                           const PairContact (&found)[most_pair_contacts], uint32_t count,
+uint32_t keep_way_contacts(const PairBody& a, const PairBody& b, float margin, const Manifold& found,
                            WayContact (&out)[most_pair_contacts]);
 
 // The result of a pair does not depend on the other pairs.
@@ -79,13 +98,13 @@ class PairBatch {
 public:
     explicit PairBatch(PairSearch* target) : target_(target) {}
 
-    // Calls found(id, contacts, count) once for each pair, now or in a later call, at the latest in finish(). Bodies must live until then.
+    // Calls found(id, contacts, count, manifold) once for each pair, now or in a later call, at the latest in finish(). Bodies must live
+    // until then. farther: m, by how much the manifold reaches beyond the contacts that count in this substep.
     template <class Found>
-    void find(const PairBody& a, const PairBody& b, float margin, uint32_t id, const Found& found) {
+    void find(const PairBody& a, const PairBody& b, float margin, float farther, uint32_t id, const Found& found) {
         Waiting& next = waiting_[count_];
-        WayContact contacts[most_pair_contacts];
-        if (!relate(a, b, near_enough(a, b, margin), next.near)) {
-            found(id, contacts, 0);
+        if (!relate(a, b, near_enough(a, b, margin) + farther, next.near)) {
+            found(id, nullptr, 0, Manifold{});
             return;
         }
         next.a = &a;
@@ -98,8 +117,11 @@ public:
         for (uint32_t first = 0; first < count_;) {
             const uint32_t lanes = search(first);
             for (uint32_t lane = 0; lane < lanes; ++lane, ++first) {
+                const Waiting& waiting = waiting_[order_[first]];
+                const Manifold manifold = manifold_at(first, lane);
                 WayContact contacts[most_pair_contacts];
-                found(waiting_[order_[first]].id, contacts, contacts_at(first, lane, contacts));
+                const uint32_t count = keep_way_contacts(*waiting.a, *waiting.b, waiting.margin, manifold, contacts);
+                found(waiting.id, contacts, count, manifold);
             }
         }
         count_ = 0;
@@ -115,7 +137,7 @@ private:
     };
     // Searches the pairs from `first` on that have the shapes of the first; returns how many.
     uint32_t search(uint32_t first);
-    uint32_t contacts_at(uint32_t at, uint32_t lane, WayContact (&out)[most_pair_contacts]) const;
+    Manifold manifold_at(uint32_t at, uint32_t lane) const;
 
     PairSearch* target_;
     uint32_t count_ = 0;

@@ -152,8 +152,11 @@ void set_own_points(PairHull& out) {
 PairBody pair_body(const PairHull& shape, float scale, const Pose& from, const Pose& to) {
     const Rotation turn = to.rotation * inverse(from.rotation);
     const float reach = scale * shape.shape.reach;
-    return {
+    PairBody body{
         &shape, scale, from, to, to.position - from.position, 2.0f * reach * length(Vector{turn.x, turn.y, turn.z})};
+    const Vector axes[3] = {{1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 1.0f}};
+    for (size_t k = 0; k < 3; ++k) body.turned[k] = rotate(to.rotation, axes[k]) - rotate(from.rotation, axes[k]);
+    return body;
 }
 
 PairHull make_pair_hull(const BodyShape& shape) {
@@ -163,6 +166,13 @@ PairHull make_pair_hull(const BodyShape& shape) {
     out.flat = is_plate(s);
     out.frame = out.flat ? plate_frame(s) : Rotation{0.0f, 0.0f, 0.0f, 1.0f};
     set_own_points(out);
+    // The corners of the face that looks along z.
+    const ShapeFace& face = s.faces[out.flat && out.face_z[1] > 0.0f ? 1 : 0];
+    for (uint32_t i = 0; out.flat && i < s.count; ++i) {
+        const uint32_t corner = s.corners[face.first + i];
+        out.ring_x[i] = out.x[corner];
+        out.ring_y[i] = out.y[corner];
+    }
     return out;
 }
 

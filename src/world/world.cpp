@@ -138,6 +138,7 @@ void lr_world::destroy_batch(lr_batch batch) {
         if (pairs.partners(other) == 1) batches[other].batch->forget_touched_bodies();
     });
     pairs.remove(at);
+    pair_cache.forget(at);
     BatchSlot& slot = batches[at];
     slot.body_generation = next_generation(std::max(slot.body_generation, slot.batch->last_generation()));
     slot.generation = slot.generation == max_batch_generation ? 1 : slot.generation + 1;
@@ -508,6 +509,7 @@ uint64_t lr_world::hash() const {
     for (uint64_t word : {wind.hash(time), surface.hash(), colliders.hash()})
         if (word != 0) mix(word);
     pairs.visit([&](uint32_t low, uint32_t high) { mix(low | uint64_t{high} << 32); });
+    if (const uint64_t word = pair_cache.hash(); word != 0) mix(word);
     return result;
 }
 

@@ -132,6 +132,7 @@ struct lr_world {
     lr::Water surface;
     lr::Colliders colliders{allocator};
     lr::BatchPairs pairs;
+    lr::PairCache pair_cache;
     lr::BodyContactBuffers body_contact_buffers{allocator}; // of batches with body contact
     lr::EventList events;
     lr_timings timings{}; // of the last step

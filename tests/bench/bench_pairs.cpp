@@ -56,11 +56,11 @@ void run(benchmark::State& state, const Scene& scene) {
     }
     size_t i = 0;
     double found = 0.0;
-    const auto take = [&](uint32_t, const WayContact*, uint32_t count) { found += count; };
+    const auto take = [&](uint32_t, const WayContact*, uint32_t count, const Manifold&) { found += count; };
     PairBatch batch(find_target(LR_SIMD_AUTO)->search_pairs);
     for (auto _ : state) {
         const size_t at = 2 * (i & 1023);
-        batch.find(bodies[at], bodies[at + 1], margin, 0, take);
+        batch.find(bodies[at], bodies[at + 1], margin, 0.0f, 0, take);
         benchmark::DoNotOptimize(found);
         ++i;
     }

@@ -75,14 +75,14 @@ std::vector<Found> search(PairSearch* target, const std::vector<Pair>& pairs, co
                           uint32_t together) {
     std::vector<Found> all(pairs.size());
     PairBatch batch(target);
-    const auto found = [&](uint32_t id, const WayContact* contacts, uint32_t count) {
+    const auto found = [&](uint32_t id, const WayContact* contacts, uint32_t count, const Manifold&) {
         ++all[id].calls;
         all[id].count = count;
         std::copy_n(contacts, count, all[id].contacts);
     };
     for (uint32_t i = 0; i < order.size(); ++i) {
         const Pair& pair = pairs[order[i]];
-        batch.find(pair.a, pair.b, pair.margin, order[i], found);
+        batch.find(pair.a, pair.b, pair.margin, 0.0f, order[i], found);
         if ((i + 1) % together == 0) batch.finish(found);
     }
     batch.finish(found);

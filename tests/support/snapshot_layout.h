@@ -1,6 +1,7 @@
 // A snapshot's bytes as pieces: headers and columns, without a world. For tests that change a piece.
 #pragma once
 
+#include "body_contact/pair_cache.h"
 #include "world/snapshot/snapshot_format.h"
 
 #include <cstdint>
@@ -39,7 +40,7 @@ private:
     bool wrong_ = false;
 };
 
-enum HeadPiece : uint32_t { head_header, head_wind, head_colliders, head_pairs, head_pieces };
+enum HeadPiece : uint32_t { head_header, head_wind, head_colliders, head_pairs, head_cached_pairs, head_pieces };
 inline constexpr uint32_t column_bits = 16;
 static_assert(batch_pieces < 1u << column_bits && head_pieces < 1u << column_bits);
 
@@ -69,8 +70,10 @@ inline uint64_t SnapshotLayout::words_of_head(uint32_t piece) const {
         return WindSnapshot::bytes(header_.wind_field) / 4;
     case head_colliders:
         return ColliderSnapshot::bytes(header_.colliders) / 4;
-    default:
+    case head_pairs:
         return padded_bytes(4 * uint64_t{header_.link_count}) / 4;
+    default:
+        return sizeof(CachedPair) / 4 * header_.cached_pair_count;
     }
 }
 

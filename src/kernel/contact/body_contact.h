@@ -40,8 +40,9 @@ struct PairContacts {
     LaneRow gap;       // m: between bodies at the beginning of the substep, with colliders at its end; no_contact: none
     LaneRow surface[3], lag[3]; // of an immovable surface, as in ContactSlots
     LaneRow friction, restitution;
-    LaneRow solid;   // 1: a collider, which nothing can overlap
-    LaneRow pressed; // out: normal impulse over a's mass unit, m/s; negative: no contact
+    LaneRow solid;    // 1: a collider, which nothing can overlap
+    LaneRow pressed;  // out: normal impulse over a's mass unit, m/s; negative: no contact
+    LaneRow start[3]; // impulse of the first projection, world, m: a guess, then the result
     // Private to the solver (kernel/contact/body_contact_solver-inl.h).
     LaneRow tangent[3], inverse, to_first, to_second, hold[3], least, target, drift[2], dragged[2];
     LaneRow before, bounce, touching;

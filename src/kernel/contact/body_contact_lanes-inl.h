@@ -181,15 +181,19 @@ HWY_INLINE Size size_of(const SolverBodyKind& kind, const LaneRow* row, size_t a
 struct Gathered {
     alignas(64) LaneRow a[fields_of_body], b[fields_of_body];
     Gathered(const BodyContactInput& in, const PairBlock& block) {
-        take(in.bodies, [&](size_t lane) { return block.a[lane]; }, a);
-        take(in.bodies, [&](size_t lane) { return block.b[lane]; }, b);
+        take(
+            in.bodies, [&](size_t lane) { return block.a[lane]; }, a);
+        take(
+            in.bodies, [&](size_t lane) { return block.b[lane]; }, b);
     }
 };
 struct GatheredTwists {
     alignas(64) LaneRow a[twist_floats], b[twist_floats];
     GatheredTwists(const BodyContactInput& in, const PairBlock& block) {
-        take(in.twists, [&](size_t lane) { return block.a[lane]; }, a);
-        take(in.twists, [&](size_t lane) { return block.b[lane]; }, b);
+        take(
+            in.twists, [&](size_t lane) { return block.a[lane]; }, a);
+        take(
+            in.twists, [&](size_t lane) { return block.b[lane]; }, b);
     }
     // The immovable body is shared by many lanes and must not change.
     void put_back(const BodyContactInput& in, const PairBlock& block) const {

@@ -114,12 +114,24 @@ HWY_INLINE void set_way(const PairState& s, VF h, PairContacts& c, size_t at) {
     const Vec3 path = load3(c.lag, at) + h * load3(c.surface, at);
     store1(c.drift[0], at, dot(tangent, path));
     store1(c.drift[1], at, dot(cross(normal, tangent), path));
-    for (float* to : {c.pressed, c.dragged[0], c.dragged[1]}) store1(to, at, zero);
-    store3(c.search, at, zero3());
+}
+
+// Starts a contact from an impulse along its normal and tangents, as far as friction allows.
+HWY_INLINE Vec3 started(PairContacts& c, size_t at, Vec3 had, hn::Mask<DF> counts) {
+    const VF zero = hn::Zero(DF()), most = load1(c.friction, at) * hn::Max(had.x, zero);
+    const VF size = hn::Sqrt(had.y * had.y + had.z * had.z);
+    const VF part = hn::Min(most / hn::Max(size, constant(1e-30f)), constant(1.0f));
+    const auto counted = [&](VF a) LR_LAMBDA { return hn::IfThenElseZero(counts, a); };
+    const Vec3 impulse{counted(hn::Max(had.x, zero)), counted(part * had.y), counted(part * had.z)};
+    store1(c.pressed, at, impulse.x);
+    store1(c.dragged[0], at, impulse.y);
+    store1(c.dragged[1], at, impulse.z);
+    return impulse;
 }
 
 void body_contact_way(const BodyContactInput& in, PairBlock& block) {
     const Gathered g(in, block);
+    GatheredTwists twists(in, block);
     alignas(64) LaneRow depth;
     for (size_t at = 0; at < contact_lanes; at += hn::Lanes(DF())) {
         const PairState s = state_of(in, block, g, at);
@@ -127,13 +139,21 @@ void body_contact_way(const BodyContactInput& in, PairBlock& block) {
         store_matrix(block.turn_a, at, s.a.turn);
         store_matrix(block.turn_b, at, s.b.turn);
         VF deepest = hn::Zero(DF());
+        Twist ta = load6(twists.a, at), tb = load6(twists.b, at);
         for (uint32_t k = 0; k < block.used; ++k) {
             PairContacts& c = block.contact[k];
             set_way(s, constant(in.h), c, at);
+            store3(c.search, at, zero3());
+            const Matrix frame = frame_of(c, at);
+            const Vec3 impulse = started(c, at, frame * load3(c.start, at), load1(c.inverse, at) > hn::Zero(DF()));
+            push(s.a, s.b, c, at, transposed_times(frame, impulse), ta, tb);
             deepest = hn::Max(deepest, -load1(c.gap, at));
         }
         store1(depth, at, deepest);
+        store6(twists.a, at, ta);
+        store6(twists.b, at, tb);
     }
+    twists.put_back(in, block);
     for (size_t lane = 0; lane < block.lanes; ++lane)
         for (uint32_t body : {block.a[lane], block.b[lane]}) {
             if (body == block.b[lane] && block.ratio[lane] == 0.0f) continue;
@@ -183,8 +203,8 @@ bool body_contact_sweep(const BodyContactInput& in, PairBlock& block) {
                  step.z);
             push(a, b, c, at, transposed_times(frame, step), ta, tb);
             store1(c.pressed, at, r.pressed);
-            for (int i = 0; i < 2; ++i) store1(c.dragged[i], at, r.dragged[i]);
             store3(c.change, at, step);
+            for (int i = 0; i < 2; ++i) store1(c.dragged[i], at, r.dragged[i]);
             squares += dot(step, step);
             load += hn::IfThenElse(load1(c.solid, at) > zero, more, zero);
             change = hn::Max(hn::Max(change, hn::Abs(more)), hn::Max(hn::Abs(step.y), hn::Abs(step.z)));
@@ -352,6 +372,9 @@ HWY_INLINE void join_arms(const Side& a, const Side& b, const Size& size_a, cons
     store3(c.arm_b, at, size_b.inverse * transposed_times(b.turn, on_b + half));
 }
 
+// The velocity's impulse starts from that of the path over h: of a body at rest it is twice that, after a blow just that.
+constexpr float resting_guess = 2.0f, moving_guess = 1.0f;
+
 void body_contact_velocity(const BodyContactInput& in, PairBlock& block) {
     const bool pairs = block.ratio[0] != 0.0f; // of all lanes or of none
     bool bouncing = false;
@@ -373,7 +396,8 @@ void body_contact_velocity(const BodyContactInput& in, PairBlock& block) {
         const auto load = [&](const LaneRow* row, size_t field) LR_LAMBDA { return load1(row[field], at); };
         const auto asleep_a = load(g.a, at_depth) < constant(2.0f) * size_a.slop + fall;
         const auto asleep_b = load(g.b, at_depth) < constant(2.0f) * size_b.slop + fall;
-        const VF guess = hn::IfThenElseZero(hn::And(asleep_a, asleep_b), constant(2.0f * frequency));
+        const VF guess = hn::IfThenElse(hn::And(asleep_a, asleep_b), constant(resting_guess * frequency),
+                                        constant(moving_guess * frequency));
         const Vec3 apart = load3(g.a + at_x, at) - load3(g.b + at_x, at);
         const auto any = hn::Max(load(g.a, at_touches), load(g.b, at_touches)) > zero;
         Twist ta = load6(twists.a, at), tb = load6(twists.b, at);
@@ -383,10 +407,10 @@ void body_contact_velocity(const BodyContactInput& in, PairBlock& block) {
             PairContacts& c = block.contact[k];
             if (pairs) join_arms(a, b, size_a, size_b, apart, c, at);
             set_gains(a, b, c, at);
+            store3(c.search, at, zero3());
             store1(c.inverse, at, hn::IfThenElseZero(any, load1(c.inverse, at)));
             const Matrix frame = frame_of(c, at);
             const Vec3 surface = load3(c.surface, at), drift = frame * surface;
-            store3(c.search, at, zero3());
             const auto touches = load1(c.touching, at) > zero;
             const VF bounce = load1(c.bounce, at);
             const VF back = -(load1(c.restitution, at) * bounce);
@@ -400,13 +424,10 @@ void body_contact_velocity(const BodyContactInput& in, PairBlock& block) {
             store1(c.bounce, at, bounces);
             bouncing = bouncing || !hn::AllTrue(DF(), hn::Eq(bounces, zero));
             store3(c.came, at, frame * (relative_velocity(a.turn, b.turn, c, at, met_a, met_b) - surface));
-            const VF kept = hn::IfThenElseZero(touches, guess);
-            const auto keep = [&](float* row) LR_LAMBDA {
-                const VF impulse = kept * load1(row, at);
-                store1(row, at, impulse);
-                return impulse;
-            };
-            const Vec3 impulse{keep(c.pressed), keep(c.dragged[0]), keep(c.dragged[1])};
+            const Vec3 path{load1(c.pressed, at), load1(c.dragged[0], at), load1(c.dragged[1], at)};
+            store3(c.start, at, transposed_times(frame, path));
+            const Vec3 had = guess * path;
+            const Vec3 impulse = started(c, at, had, touches);
             push(a, b, c, at, transposed_times(frame, impulse), ta, tb);
             more += hn::IfThenElseZero(load1(c.solid, at) > zero, impulse.x);
         }

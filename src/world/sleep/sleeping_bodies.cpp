@@ -152,7 +152,7 @@ uint32_t SleepingNeighbours::touched_by(uint32_t noise_seed, float scale, const 
     });
     PairBody others[most_sleeping];
     PairBatch pairs(world_->target->search_pairs);
-    const auto found = [&](uint32_t n, const WayContact* contacts, uint32_t count) {
+    const auto found = [&](uint32_t n, const WayContact* contacts, uint32_t count, const Manifold&) {
         out[n].count = count;
         for (uint32_t k = 0; k < count; ++k) {
             out[n].contact[k] = contacts[k].begin;
@@ -164,7 +164,7 @@ uint32_t SleepingNeighbours::touched_by(uint32_t noise_seed, float scale, const 
         const Batch& batch = *world_->batches[one.batch].batch;
         const Pose pose = pose_of(batch.arrays(), one.index);
         others[n] = {&batch.asset().pair_hull, batch.arrays().field[field_scale][one.index], pose, pose, {}, 0.0f};
-        pairs.find(moving, others[n], margin, n, found);
+        pairs.find(moving, others[n], margin, 0.0f, n, found);
     }
     pairs.finish(found);
     uint32_t count = 0;

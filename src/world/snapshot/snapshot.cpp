@@ -339,6 +339,7 @@ void write(const lr_world& w, const SnapshotHeader& header, Writer& to) {
     to.part(ColliderSnapshot::bytes(header.colliders),
             [&](unsigned char* at) { ColliderSnapshot::save(w.colliders, at); });
     to.bytes(w.pairs.links(), sizeof(uint32_t) * uint64_t{w.pairs.link_count()});
+    to.bytes(w.pair_cache.pairs(), sizeof(CachedPair) * uint64_t{w.pair_cache.count()});
     for (uint32_t i = 0; i < w.batch_slots; ++i) SnapshotAccess::save(w.batches[i], to);
 }
 } // namespace
@@ -361,6 +362,7 @@ lr_status snapshot_save(const lr_world& w, void* memory, uint64_t size, uint64_t
     header.batch_slots = w.batch_slots;
     header.pacing = w.pacing.record();
     header.link_count = w.pairs.link_count();
+    header.cached_pair_count = w.pair_cache.count();
     header.wind_field = WindSnapshot::head(w.wind);
     header.colliders = ColliderSnapshot::head(w.colliders);
     header.surface = w.surface.record();
@@ -418,6 +420,13 @@ lr_status snapshot_restore(lr_world& w, const void* memory) {
     const BatchPairs& pairs = same_pairs ? w.pairs : new_pairs;
     if (!w.reserve_left([&](uint32_t slot) { return pairs.has_contact(slot); })) return LR_ERROR_OUT_OF_MEMORY;
     at += pair_bytes;
+    const unsigned char* const cached_pairs = begin + at;
+    const auto cached_count = static_cast<uint32_t>(header.cached_pair_count);
+    if (header.cached_pair_count > left() / sizeof(CachedPair) || cached_count != header.cached_pair_count ||
+        !PairCache::consistent(cached_pairs, cached_count, header.batch_slots))
+        return LR_ERROR_SNAPSHOT_FORMAT;
+    if (!w.pair_cache.reserve(w.allocator, cached_count)) return LR_ERROR_OUT_OF_MEMORY;
+    at += sizeof(CachedPair) * header.cached_pair_count;
     const uint64_t batches = at;
     for (uint32_t i = 0; i < w.batch_slots; ++i) {
         if (left() < sizeof(SnapshotBatch)) return LR_ERROR_SNAPSHOT_FORMAT;
@@ -432,6 +441,7 @@ lr_status snapshot_restore(lr_world& w, const void* memory) {
     wind.commit();
     colliders.commit();
     if (!same_pairs) w.pairs.swap(new_pairs);
+    w.pair_cache.fill(cached_pairs, cached_count);
     w.surface.restore(header.surface);
     at = batches;
     for (uint32_t i = 0; i < w.batch_slots; ++i) {

@@ -1,4 +1,4 @@
-// Layout of a snapshot: the world's header, wind sources, colliders, pairs of batches, and for each batch a header and its pieces.
+// Layout of a snapshot: the world's header, wind sources, colliders, pairs of batches, pairs of touching bodies, and for each batch a header and its pieces.
 // Everything is little-endian and a multiple of 8 bytes. docs/reference/snapshots.md
 #pragma once
 
@@ -37,7 +37,8 @@ struct SnapshotHeader {
     float gravity[3];
     float wind[3];
     uint32_t next_noise_seed;
-    uint32_t link_count; // of BatchPairs, after the colliders
+    uint32_t link_count;        // of BatchPairs, after the colliders
+    uint64_t cached_pair_count; // of PairCache, after these
     WindSnapshot::Head wind_field;
     ColliderSnapshot::Head colliders;
     Water::Record surface;

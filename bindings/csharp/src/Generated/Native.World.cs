@@ -384,25 +384,26 @@ namespace LangevinRigid
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_world_get_timings(IntPtr world, Timings* timings);
 
-        /// <summary>Computes a hash of the world's time index, bodies, colliders, water and wind sources (grids by the
-        /// hash of their samples). It does not depend on the order of bodies in memory, the processor or worker_count.
-        /// Worlds with equal settings and equal hashes move alike from here on.</summary>
+        /// <summary>Computes a hash of the world's time index, bodies, colliders, pairs of touching bodies, water and
+        /// wind sources (grids by the hash of their samples). It does not depend on the order of bodies in memory, the
+        /// processor or worker_count. Worlds with equal settings and equal hashes move alike from here on.</summary>
         /// <param name="world">the world</param>
         /// <param name="out">out</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_world_hash(IntPtr world, ulong* @out);
 
-        /// <summary>Bytes that <see cref="Native.lr_world_snapshot_save"/> needs at present; 0 for null.</summary>
+        /// <summary>Bytes that <see cref="Native.lr_world_snapshot_save"/> needs at present; 0 for null. With body
+        /// contact 208 of them for each pair of awake bodies that touch or nearly do.</summary>
         /// <param name="world">the world</param>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern ulong lr_world_snapshot_size(IntPtr world);
 
         /// <summary>Writes the world's state into <paramref name="size"/> bytes at <paramref name="memory"/>, of any
-        /// alignment: time, gravity, wind, water, budget; bodies and colliders with their handles; each batch's
-        /// turbulence table, loads, forces, rules, emitter, rate and contact settings. Not included: assets, the descs
-        /// of batches, threads, callbacks, the samples of wind grids, and the data of hulls, heightfields and meshes;
-        /// samples and data are identified by their hash.</summary>
+        /// alignment: time, gravity, wind, water, budget; bodies and colliders with their handles; pairs of touching
+        /// bodies; each batch's turbulence table, loads, forces, rules, emitter, rate and contact settings. Not
+        /// included: assets, the descs of batches, threads, callbacks, the samples of wind grids, and the data of
+        /// hulls, heightfields and meshes; samples and data are identified by their hash.</summary>
         /// <param name="world">the world</param>
         /// <param name="memory">the bytes</param>
         /// <param name="size">number of bytes</param>

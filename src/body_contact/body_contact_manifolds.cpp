@@ -1,0 +1,91 @@
+// From manifolds to the contacts of a substep, and from its impulses to the pairs that are kept for the next.
+#include "body_contact/body_contact_step.h"
+#include "body_contact/kept_manifold.h"
+#include "world/world.h"
+
+#include <algorithm>
+
+namespace lr {
+
+bool BodyContactStep::in_order(const BodyContactBuffers::Pair& pair) const {
+    return buffers_->moved[pair.a].key < buffers_->moved[pair.b].key;
+}
+
+void BodyContactStep::enter_manifold(uint32_t at, const Manifold& manifold, float within) {
+    BodyContactBuffers& c = *buffers_;
+    const BodyContactBuffers::Pair& pair = c.pairs[at];
+    const BodyContactBuffers::Moved &one = c.moved[pair.a], &other = c.moved[pair.b];
+    c.found[at].count = 0;
+    if (manifold.count == 0 || one.key == other.key) return;
+    c.found[at] = in_order(pair) ? cached_pair(one.key, other.key, one.body, other.body, manifold, within, c.cached[at])
+                                 : cached_pair(other.key, one.key, other.body, one.body, other_way_round(manifold),
+                                               within, c.cached[at]);
+}
+
+void BodyContactStep::enter_contacts(uint32_t at, const WayContact* found) {
+    BodyContactBuffers& c = *buffers_;
+    const BodyContactBuffers::Pair& pair = c.pairs[at];
+    const lr_batch_contact& of_a = c.members[c.moved[pair.a].member].item.batch->contact;
+    const lr_batch_contact& of_b = c.members[c.moved[pair.b].member].item.batch->contact;
+    const float friction = pair_friction(of_a, of_b), restitution = pair_restitution(of_a, of_b);
+    BodyContactPoint* const contacts = c.pair_contacts.data() + size_t{block_contacts} * at;
+    CachedPair& manifold = c.found[at];
+    if (pair.count == 0 && manifold.count == 0) return;
+    const auto h = static_cast<float>(time_.h);
+    const bool ordered = in_order(pair);
+    const float scale = ordered ? h * h : -h * h;
+    const Rotation frame = c.moved[ordered ? pair.a : pair.b].body.from.rotation;
+    for (uint32_t k = 0; k < pair.count; ++k) {
+        const PairContact& contact = found[k].begin;
+        contacts[k] = {contact.arm_a, contact.arm_b, contact.normal, contact.gap, {},           {},
+                       friction,      restitution,   false,          {},          found[k].from};
+        if (found[k].from < manifold.count)
+            contacts[k].impulse = scale * rotate(frame, manifold.contact[found[k].from].impulse);
+    }
+    // Contacts that do not count in this substep have none for the next.
+    for (CachedPair::Contact& contact : manifold.contact) contact.impulse = {};
+}
+
+void BodyContactStep::keep_impulses() {
+    BodyContactBuffers& c = *buffers_;
+    const auto h = static_cast<float>(time_.h);
+    const float square = h * h;
+    constexpr float most = 1e12f; // m/s^2: such an impulse says nothing about the next substep
+    if (!(square > 1e-30f)) return;
+    const float slow = 2.0f * c.members[0].run.step.gravity * h; // as for restitution
+    workers_.run(place_count_, 256, [&](uint32_t begin, uint32_t end) {
+        const uint32_t past = end < place_count_ ? c.first_unit[end] : unit_count_;
+        for (uint32_t u = c.first_unit[begin]; u < past; ++u) {
+            const BodyContactPair& unit = c.units[u];
+            if (unit.b == BodyContactPair::nobody) continue;
+            const auto at = static_cast<uint32_t>((unit.contact - c.pair_contacts.data()) / block_contacts);
+            const BodyContactBuffers::Pair& pair = c.pairs[at];
+            CachedPair& to = c.found[at];
+            const bool ordered = in_order(pair);
+            const Rotation back = inverse(c.moved[ordered ? pair.a : pair.b].body.from.rotation);
+            const float scale = (ordered ? 1.0f : -1.0f) / square;
+            for (uint32_t k = 0; k < unit.count; ++k) {
+                if (unit.contact[k].from >= to.count) continue;
+                const Vector impulse = scale * rotate(back, c.solver.impulse(unit, k, slow));
+                if (dot(impulse, impulse) < most * most) to.contact[unit.contact[k].from].impulse = impulse;
+            }
+        }
+    });
+}
+
+bool BodyContactStep::keep_pairs() {
+    BodyContactBuffers& c = *buffers_;
+    PairCache& cache = world_->pair_cache;
+    const CachedPair *const found = c.found.data(), *const end = found + c.first_pair[body_count_];
+    const auto stepped = [&](uint32_t slot) {
+        const BodyContactBatch* const members = c.members.data();
+        return std::any_of(members, members + member_count_, [&](const BodyContactBatch& m) { return m.slot == slot; });
+    };
+    const auto kept = [](const CachedPair& pair) { return pair.count != 0; };
+    const auto count = static_cast<uint32_t>(std::count_if(found, end, kept));
+    if (!cache.begin(world_->allocator, count, stepped)) return false;
+    std::copy_if(found, end, cache.next(), kept);
+    cache.commit(count);
+    return true;
+}
+} // namespace lr

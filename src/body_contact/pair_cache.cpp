@@ -1,0 +1,115 @@
+#include "body_contact/pair_cache.h"
+
+#include "base/counter_random.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace lr {
+namespace {
+
+constexpr uint32_t most_pairs = 1u << 30; // the table's cells are a power of two
+
+uint64_t hash_of(uint64_t a, uint64_t b) {
+    return mix64(a + 0x9e3779b97f4a7c15ull * b);
+}
+} // namespace
+
+bool PairCache::reserve(Allocator& allocator, uint32_t count) {
+    if (count > most_pairs) return false;
+    uint32_t cells = 16;
+    while (cells < 2 * count) cells *= 2;
+    // The two lists change places: both get room, so that a later restore of as many allocates nothing.
+    if (!grow(allocator, next_, count) || !enlarge(allocator, pairs_, next_.size(), count_)) return false;
+    if (table_.size() >= cells) return true;
+    Buffer<uint32_t> table;
+    if (!table.allocate(allocator, cells)) return false;
+    table_.swap(table);
+    index();
+    return true;
+}
+
+// Bodies can share a noise seed. Of pairs with equal keys none is found: which one was meant would depend on their order.
+void PairCache::index() {
+    const auto cells = static_cast<uint32_t>(table_.size());
+    mask_ = 0;
+    if (count_ == 0 || cells == 0) return;
+    mask_ = cells - 1;
+    std::fill_n(table_.data(), cells, 0u);
+    for (uint32_t i = 0; i < count_; ++i) {
+        CachedPair& pair = pairs_[i];
+        uint32_t at = static_cast<uint32_t>(hash_of(pair.a, pair.b)) & mask_;
+        for (; table_[at] != 0; at = (at + 1) & mask_) {
+            CachedPair& other = pairs_[table_[at] - 1];
+            if (other.a == pair.a && other.b == pair.b) break;
+        }
+        if (table_[at] == 0)
+            table_[at] = i + 1;
+        else
+            pair.count = pairs_[table_[at] - 1].count = 0;
+    }
+}
+
+const CachedPair* PairCache::find(uint64_t a, uint64_t b) const {
+    if (mask_ == 0) return nullptr;
+    for (uint32_t at = static_cast<uint32_t>(hash_of(a, b)) & mask_; table_[at] != 0; at = (at + 1) & mask_) {
+        const CachedPair& pair = pairs_[table_[at] - 1];
+        if (pair.a == a && pair.b == b) return pair.count != 0 ? &pair : nullptr;
+    }
+    return nullptr;
+}
+
+void PairCache::commit(uint32_t added) {
+    pairs_.swap(next_);
+    count_ = next_count_ + added;
+    index();
+}
+
+void PairCache::clear() {
+    count_ = mask_ = 0;
+}
+
+void PairCache::forget(uint32_t slot) {
+    const auto of_slot = [slot](const CachedPair& p) { return slot_of_key(p.a) == slot || slot_of_key(p.b) == slot; };
+    CachedPair* const data = pairs_.data();
+    count_ = static_cast<uint32_t>(std::remove_if(data, data + count_, of_slot) - data);
+    index();
+}
+
+uint64_t PairCache::hash() const {
+    uint64_t sum = 0;
+    for (uint32_t i = 0; i < count_; ++i) {
+        uint64_t words[sizeof(CachedPair) / 8], one = 0;
+        std::memcpy(words, &pairs_[i], sizeof words);
+        for (const uint64_t word : words) one = mix64(one ^ word);
+        sum += one;
+    }
+    return sum;
+}
+
+void PairCache::fill(const unsigned char* from, uint32_t count) {
+    if (count != 0) std::memcpy(pairs_.data(), from, sizeof(CachedPair) * size_t{count});
+    count_ = count;
+    index();
+}
+
+bool PairCache::consistent(const unsigned char* from, uint32_t count, uint32_t slots) {
+    const auto fine = [](Vector v) { return dot(v, v) < 1e30f; }; // false for NaN
+    const auto right = [&](const CachedPair& p) {
+        if (p.a >= p.b || slot_of_key(p.b) >= slots || p.count > most_pair_contacts || p.of_b > 1 || !fine(p.offset))
+            return false;
+        const float turn = dot(p.turn, p.turn), normal = dot(p.normal, p.normal);
+        if (!(std::abs(turn - 1.0f) < 0.01f && std::abs(normal - 1.0f) < 0.01f && p.within >= 0.0f)) return false;
+        for (const CachedPair::Contact& c : p.contact)
+            if (!fine(c.arm_a) || !fine(c.arm_b) || !fine(c.impulse)) return false;
+        return true;
+    };
+    for (uint32_t i = 0; i < count; ++i) {
+        CachedPair pair;
+        std::memcpy(&pair, from + sizeof pair * size_t{i}, sizeof pair);
+        if (!right(pair)) return false;
+    }
+    return true;
+}
+} // namespace lr
