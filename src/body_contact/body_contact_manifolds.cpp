@@ -58,7 +58,8 @@ void BodyContactStep::keep_impulses() {
         for (uint32_t u = c.first_unit[begin]; u < past; ++u) {
             const BodyContactPair& unit = c.units[u];
             if (unit.b == BodyContactPair::nobody) continue;
-            const auto at = static_cast<uint32_t>((unit.contact - c.pair_contacts.data()) / block_contacts);
+            const auto point = static_cast<size_t>(unit.contact - c.pair_contacts.data());
+            const auto at = static_cast<uint32_t>(point / block_contacts);
             const BodyContactBuffers::Pair& pair = c.pairs[at];
             CachedPair& to = c.found[at];
             const bool ordered = in_order(pair);
