@@ -165,7 +165,7 @@ def heap_section(heaps):
             times.append([*place, f"{float(row['awake']):,.0f}", number(float(row["wall_ms"])), number(float(row["wall_ms_worst"])),
                           number(float(row["us"])), goal, row["over_flight"], f"`{row['hash']}`"])
         if row["overlaps"] and row["threads"] == "1":
-            ends.append([row["scene"], row["phase"], row["overlaps"], row["depth_mm"], row["depth_99_mm"], row["share_deep"], row["height_mm"],
+            ends.append([row["scene"], row["phase"], row["overlaps"], row["depth_mm"], row["depth_99_mm"], f"{100 * float(row['share_deep']):.2f}", row["height_mm"],
                          row["height_95_mm"], row["awake_then"], row["tremor_mm"]])
     return HEAP_TEXT + table(["scene", "phase", "bodies", "threads", "awake", "ms a step", "worst", "us", "goal", "over flight", "hash"], times) + "\n" + \
         table(["scene", "after", "overlaps a body", "median, mm", "99 %, mm", "deep, %", "mean height, mm", "95 %, mm", "awake", "tremor, mm"], ends)
