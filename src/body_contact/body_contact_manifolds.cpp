@@ -4,8 +4,15 @@
 #include "world/world.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lr {
+namespace {
+
+// The part of friction that starts the next substep. Friction that only strains bodies against each other would never fade else: a stack
+// of five boxes then creeps.
+constexpr float lasting_friction = 0.8f;
+} // namespace
 
 bool BodyContactStep::in_order(const BodyContactBuffers::Pair& pair) const {
     return buffers_->moved[pair.a].key < buffers_->moved[pair.b].key;
@@ -32,18 +39,36 @@ void BodyContactStep::enter_contacts(uint32_t at, const WayContact* found) {
     CachedPair& manifold = c.found[at];
     if (pair.count == 0 && manifold.count == 0) return;
     const auto h = static_cast<float>(time_.h);
-    const bool ordered = in_order(pair);
-    const float scale = ordered ? h * h : -h * h;
-    const Rotation frame = c.moved[ordered ? pair.a : pair.b].body.from.rotation;
     for (uint32_t k = 0; k < pair.count; ++k) {
         const PairContact& contact = found[k].begin;
-        contacts[k] = {contact.arm_a, contact.arm_b, contact.normal, contact.gap, {},           {},
-                       friction,      restitution,   false,          {},          found[k].from};
-        if (found[k].from < manifold.count)
-            contacts[k].impulse = scale * rotate(frame, manifold.contact[found[k].from].impulse);
+        const bool cached = found[k].from < manifold.count;
+        contacts[k] = {contact.arm_a,
+                       contact.arm_b,
+                       contact.normal,
+                       contact.gap,
+                       {},
+                       {},
+                       friction,
+                       restitution,
+                       false,
+                       cached ? h * h * manifold.contact[found[k].from].pressed : 0.0f,
+                       found[k].from};
     }
     // Contacts that do not count in this substep have none for the next.
-    for (CachedPair::Contact& contact : manifold.contact) contact.impulse = {};
+    for (CachedPair::Contact& contact : manifold.contact) contact.pressed = 0.0f;
+    if (pair.count == 0) manifold.drag = {}, manifold.spin = 0.0f;
+}
+
+PathFriction BodyContactStep::friction_before(uint32_t at) const {
+    const BodyContactBuffers& c = *buffers_;
+    const BodyContactBuffers::Pair& pair = c.pairs[at];
+    const CachedPair& cached = c.found[at];
+    if (cached.count == 0) return {};
+    const bool ordered = in_order(pair);
+    const auto h = static_cast<float>(time_.h);
+    const Vector drag = rotate(c.moved[ordered ? pair.a : pair.b].body.from.rotation, cached.drag);
+    const float scale = lasting_friction * h * h;
+    return {(ordered ? scale : -scale) * drag, scale * cached.spin};
 }
 
 void BodyContactStep::keep_impulses() {
@@ -63,12 +88,19 @@ void BodyContactStep::keep_impulses() {
             const BodyContactBuffers::Pair& pair = c.pairs[at];
             CachedPair& to = c.found[at];
             const bool ordered = in_order(pair);
+            if (to.count == 0) continue;
             const Rotation back = inverse(c.moved[ordered ? pair.a : pair.b].body.from.rotation);
-            const float scale = (ordered ? 1.0f : -1.0f) / square;
+            const float over = 1.0f / square;
+            const PathFriction friction = c.solver.path_friction(unit);
+            const Vector drag = (ordered ? over : -over) * rotate(back, friction.drag);
+            const float spin = over * friction.spin;
+            const bool fine = dot(drag, drag) < most * most && std::abs(spin) < most;
+            to.drag = fine ? drag : Vector{};
+            to.spin = fine ? spin : 0.0f;
             for (uint32_t k = 0; k < unit.count; ++k) {
                 if (unit.contact[k].from >= to.count) continue;
-                const Vector impulse = scale * rotate(back, c.solver.impulse(unit, k, slow));
-                if (dot(impulse, impulse) < most * most) to.contact[unit.contact[k].from].impulse = impulse;
+                const float pressed = over * c.solver.path_pressed(unit, k, slow);
+                if (pressed < most) to.contact[unit.contact[k].from].pressed = pressed;
             }
         }
     });

@@ -198,7 +198,6 @@ bool BodyContactStep::number_touching() {
     if (padded == 0) return true;
     if (!grow_all(allocator, padded, c.body_at, c.first_held, c.held_count, c.first_unit, c.touches_body) ||
         !grow_all(allocator, size_t{contact_slots} * padded, c.held, c.held_contacts) ||
-        !grow(allocator, c.units, size_t{contact_slots / block_contacts} * padded + pair_count) ||
         !c.solver.reserve_bodies(padded)) {
         std::fill_n(c.place.data(), body_count_, none);
         return false;

@@ -29,6 +29,12 @@ Pose began(const SolverBody& b) {
 Pose now(const SolverBody& b) {
     return {vector_of(b.x), {b.q[0], b.q[1], b.q[2], b.q[3]}};
 }
+// Whether two contacts with fixed things can be of one unit: to the bit, so that equal ones are found on every machine.
+bool one_frame(const BodyContactPoint& a, const BodyContactPoint& b) {
+    const auto same = [](Vector u, Vector v) { return u.x == v.x && u.y == v.y && u.z == v.z; };
+    return same(a.normal, b.normal) && same(a.surface, b.surface) && same(a.lag, b.lag) && a.friction == b.friction &&
+           a.restitution == b.restitution && a.solid == b.solid;
+}
 } // namespace
 
 void BodyContactStep::wake(const BodyAfter& body, const ContactGroup::Asleep& at_rest) const {
@@ -134,9 +140,13 @@ uint32_t BodyContactStep::list_units() {
         c.first_unit[place] = used;
         c.touches_body[place] = 0;
         if (body == none) continue;
-        for (uint32_t k = 0; k < c.held_count[place]; k += block_contacts)
-            c.units[used++] = {place, BodyContactPair::nobody, c.held_contacts.data() + c.first_held[place] + k,
-                               std::min(block_contacts, c.held_count[place] - k)};
+        const BodyContactPoint* const held = c.held_contacts.data() + c.first_held[place];
+        for (uint32_t k = 0, count; k < c.held_count[place]; k += count) {
+            count = 1;
+            while (count < block_contacts && k + count < c.held_count[place] && one_frame(held[k], held[k + count]))
+                ++count;
+            c.units[used++] = {place, BodyContactPair::nobody, held + k, count};
+        }
         const uint32_t first = used;
         for (uint32_t i = c.first_pair[body]; i < c.first_pair[body + 1]; ++i) {
             const BodyContactBuffers::Pair& pair = c.pairs[i];
@@ -144,7 +154,8 @@ uint32_t BodyContactStep::list_units() {
             const uint32_t other = c.place[pair.b];
             uint32_t at = used++;
             for (; at > first && c.units[at - 1].b > other; --at) c.units[at] = c.units[at - 1];
-            c.units[at] = {place, other, c.pair_contacts.data() + size_t{block_contacts} * i, pair.count};
+            c.units[at] = {place, other, c.pair_contacts.data() + size_t{block_contacts} * i, pair.count,
+                           friction_before(i)};
         }
     }
     return used;
@@ -155,9 +166,10 @@ bool BodyContactStep::solve() {
     workers_.run(place_count_, 256, [&](uint32_t begin, uint32_t end) {
         for (uint32_t place = begin; place < end; ++place) fill_body(place);
     });
-    const uint32_t unit_count = unit_count_ = list_units();
-    if (!grow(world_->allocator, c.kinds, member_count_) || !grow(world_->allocator, c.ranges, member_count_))
+    if (!grow(world_->allocator, c.units, size_t{held_used_} + c.first_pair[body_count_]) ||
+        !grow(world_->allocator, c.kinds, member_count_) || !grow(world_->allocator, c.ranges, member_count_))
         return false;
+    const uint32_t unit_count = unit_count_ = list_units();
     uint32_t ranges = 0;
     for (uint32_t m = 0; m < member_count_; ++m) {
         c.kinds[m] = c.members[m].kind;
@@ -176,20 +188,22 @@ bool BodyContactStep::solve() {
     return true;
 }
 
-float BodyContactStep::pressed(uint32_t place, uint32_t k) const {
-    return buffers_->solver.pressed(buffers_->units[buffers_->first_unit[place] + k / block_contacts],
-                                    k % block_contacts);
+template <class Function> void BodyContactStep::each_held(uint32_t place, const Function& function) const {
+    const BodyContactBuffers& c = *buffers_;
+    uint32_t k = 0;
+    for (uint32_t u = c.first_unit[place]; k < c.held_count[place]; ++u)
+        for (uint32_t i = 0; i < c.units[u].count; ++i) function(k++, c.solver.pressed(c.units[u], i));
 }
 
 Touch BodyContactStep::touch_with(uint32_t place, uint32_t collider) const {
     const BodyContactBuffers& c = *buffers_;
     const SolverBody& body = buffers_->solver.bodies()[place];
     TouchSum sum(collider, now(body), lr::began(body).rotation, vector_of(body.v0), vector_of(body.w0));
-    for (uint32_t k = 0; k < c.held_count[place]; ++k) {
+    each_held(place, [&](uint32_t k, float impulse) {
         const BodyContactPoint& contact = c.held_contacts[c.first_held[place] + k];
         if (c.held[c.first_held[place] + k].collider == collider)
-            sum.take(pressed(place, k), contact.arm_a, contact.normal, contact.surface);
-    }
+            sum.take(impulse, contact.arm_a, contact.normal, contact.surface);
+    });
     return sum.touch(member_of(c.body_at[place]).kind.body->unit_mass * body.scale * body.scale * body.scale);
 }
 
@@ -216,13 +230,12 @@ void BodyContactStep::put_back(uint32_t place, uint32_t substep) {
                                member.run.step.gravity * static_cast<float>(time_.h));
     body.still *= heap_still;
     TouchList touched;
-    for (uint32_t k = 0; k < c.held_count[place]; ++k) {
-        const float impulse = pressed(place, k);
-        if (!(impulse >= 0.0f)) continue;
+    each_held(place, [&](uint32_t k, float impulse) {
+        if (!(impulse >= 0.0f)) return;
         const BodyContactBuffers::Held& held = c.held[c.first_held[place] + k];
         touched.take(held.collider + 1, impulse);
         if (held.collider == ContactGroup::a_body) wake(body, held.at_rest);
-    }
+    });
     if (c.touches_body[place] != 0) touched.take(touching_body, 0.0f);
     body.touches = touched.id[0] != 0;
     std::copy_n(touched.id, most_touches, body.now);

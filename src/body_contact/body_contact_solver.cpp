@@ -12,7 +12,7 @@ namespace {
 
 constexpr auto lanes = static_cast<uint32_t>(contact_lanes);
 constexpr uint32_t usual_colours = 64; // as bits; units without a free colour get blocks of their own
-constexpr uint32_t body_contact_sweeps = 20, roll_every = 4;
+constexpr uint32_t body_contact_sweeps = 30, roll_every = 4;
 constexpr uint32_t bounce_rounds = 2, bounce_sweeps = 3;
 constexpr uint32_t held_sweeps = 4; // extra sweeps over fixed things: a heap must not press a body into a collider
 // Blocks and groups of bodies that justify another thread: some microseconds of work.
@@ -21,6 +21,7 @@ constexpr uint32_t block_grain = 4, group_grain = 16;
 
 bool BodyContactSolver::reserve_bodies(uint32_t count) {
     if (!grow(*allocator_, bodies_, size_t{count} + 1) || !grow(*allocator_, twists_, size_t{count} + 1) ||
+        !grow(*allocator_, twists_before_, count) || !grow(*allocator_, directions_, count) ||
         !grow(*allocator_, used_colours_, count) || !grow(*allocator_, kind_of_, count / lanes + 1))
         return false;
     body_count_ = count;
@@ -134,33 +135,36 @@ void BodyContactSolver::fill(const SolverBodyKind* kinds, uint32_t index) {
     block.kind_b = kind_b(*units[0]);
     block.lanes = count;
     block.used = 0;
+    const BodyContactPoint none{{}, {}, {0.0f, 1.0f, 0.0f}, no_contact, {}, {}, 0.0f, 0.0f, false};
     for (uint32_t lane = 0; lane < lanes; ++lane) {
         const BodyContactPair* const unit = lane < count ? units[lane] : nullptr;
-        const bool pair = unit && unit->b != BodyContactPair::nobody;
+        const bool pair = unit && unit->b != BodyContactPair::nobody, swapped = unit && unit->swapped;
+        const BodyContactPoint& first = unit ? unit->contact[0] : none;
+        const PathFriction friction = unit ? unit->friction : PathFriction{};
         block.a[lane] = unit ? unit->a : body_count_;
         block.b[lane] = pair ? unit->b : body_count_;
         if (unit) block.used = std::max(block.used, unit->count);
         block.ratio[lane] = pair ? mass(kinds, unit->a) / mass(kinds, unit->b) : 0.0f;
+        put_in(block.normal, 0, lane, swapped ? -first.normal : first.normal);
+        put_in(block.surface, 0, lane, first.surface);
+        put_in(block.lag, 0, lane, first.lag);
+        put_in(block.start_drag, 0, lane, swapped ? -friction.drag : friction.drag);
+        block.start_spin[lane] = friction.spin;
+        block.friction.most[lane] = first.friction;
+        block.restitution[lane] = first.restitution;
+        block.solid[lane] = first.solid ? 1.0f : 0.0f;
     }
-    for (uint32_t k = 0; k < block.used; ++k) {
-        PairContacts& to = block.contact[k];
+    for (uint32_t k = 0; k < block.used; ++k)
         for (uint32_t lane = 0; lane < lanes; ++lane) {
             const bool there = lane < count && k < units[lane]->count;
-            const BodyContactPoint none{{}, {}, {0.0f, 1.0f, 0.0f}, no_contact, {}, {}, 0.0f, 0.0f, false, {}, 0};
             const BodyContactPoint& c = there ? units[lane]->contact[k] : none;
             const bool swapped = there && units[lane]->swapped;
+            PairBlock::Place& to = block.place[k];
             put_in(to.arm_a, 0, lane, swapped ? c.arm_b : c.arm_a);
             put_in(to.arm_b, 0, lane, swapped ? c.arm_a : c.arm_b);
-            put_in(to.normal, 0, lane, swapped ? -c.normal : c.normal);
-            put_in(to.surface, 0, lane, c.surface);
-            put_in(to.lag, 0, lane, c.lag);
-            put_in(to.start, 0, lane, swapped ? -c.impulse : c.impulse);
             to.gap[lane] = c.gap;
-            to.friction[lane] = c.friction;
-            to.restitution[lane] = c.restitution;
-            to.solid[lane] = c.solid ? 1.0f : 0.0f;
+            to.start[lane] = c.pressed;
         }
-    }
 }
 
 // Blocks of a colour in parallel, colours one after the other.
@@ -181,34 +185,45 @@ template <class Function> void BodyContactSolver::each_group(const Workers& work
 }
 
 // Nonsmooth nonlinear conjugate gradients (Silcowitz-Hansen, Niebe and Erleben 2010): the changes of the impulses in a sweep serve
-// as the gradient; 16 sweeps then do as much as 60. Sums go over blocks in order: the same on every machine.
+// as the gradient; 16 sweeps then do as much as 60. Bodies follow the search direction after a sweep, impulses in the next one. Sums
+// go over blocks in order: the same on every machine.
 void BodyContactSolver::sweep(const BodyContactTarget& target, const BodyContactInput& in, const Workers& workers,
                               bool rolls) {
+    std::copy_n(twists_.data(), body_count_, twists_before_.data());
+    std::fill_n(directions_.data(), body_count_, SolverTwist{});
+    const SolverSearch search{twists_before_.data(), directions_.data()};
     double former = 0.0;
+    float part = 0.0f;
     for (uint32_t n = 0; n < body_contact_sweeps; ++n) {
         std::atomic<bool> changed{false};
         const auto note = [&](bool change) {
             if (change) changed.store(true, std::memory_order_relaxed);
         };
-        each_block(workers, 0, [&](PairBlock& block) { note(target.sweep(in, block)); });
-        if (rolls && (n % roll_every == roll_every - 1))
-            each_group(workers, [&](uint32_t kind, uint32_t begin) { note(target.roll(in, kind, begin)); });
-        if (!changed) break;
-        if (n + 1 == body_contact_sweeps) break; // the last sweep respects all bounds
+        each_block(workers, 0, [&](PairBlock& block) { note(target.sweep(in, block, part)); });
+        const bool last = n + 1 == body_contact_sweeps; // respects all bounds
         double squares = 0.0;
-        for (uint32_t b = 0; b < block_count_; ++b) {
-            double sum = 0.0;
-            for (uint32_t lane = 0; lane < blocks_[b].lanes; ++lane)
-                sum += static_cast<double>(blocks_[b].changed[lane]);
-            squares += sum;
+        if (!last && changed) {
+            for (uint32_t b = 0; b < block_count_; ++b) {
+                double sum = 0.0;
+                for (uint32_t lane = 0; lane < blocks_[b].lanes; ++lane)
+                    sum += static_cast<double>(blocks_[b].changed[lane]);
+                squares += sum;
+            }
+            const bool onward = former > 0.0 && squares <= former; // else it restarts
+            part = onward ? static_cast<float>(squares / former) : 0.0f;
+            former = squares;
+            each_group(workers, [&](uint32_t, uint32_t begin) { target.follow(in, search, begin, part); });
         }
-        const bool onward = former > 0.0 && squares <= former; // else it restarts
-        const float part = onward ? static_cast<float>(squares / former) : 0.0f;
-        former = squares;
-        each_block(workers, 0, [&](PairBlock& block) { target.follow(in, block, part); });
+        if (rolls && (n % roll_every == roll_every - 1))
+            each_group(workers, [&](uint32_t kind, uint32_t begin) {
+                if (!target.roll(in, kind, begin)) return;
+                note(true);
+                std::copy_n(in.twists + begin, lanes, search.before + begin);
+            });
+        if (last || !changed) break;
     }
     for (uint32_t n = 0; n < held_sweeps; ++n)
-        each_block(workers, pair_colours_, [&](PairBlock& block) { target.sweep(in, block); });
+        each_block(workers, pair_colours_, [&](PairBlock& block) { target.sweep(in, block, 0.0f); });
 }
 
 // Restitution and friction together can add energy (Kane 1984): reduces the bounce of such contacts.
@@ -220,7 +235,7 @@ void BodyContactSolver::restrain(const BodyContactTarget& target, const BodyCont
         });
         if (!some) return;
         for (uint32_t n = 0; n < bounce_sweeps; ++n)
-            each_block(workers, 0, [&](PairBlock& block) { target.sweep(in, block); });
+            each_block(workers, 0, [&](PairBlock& block) { target.sweep(in, block, 0.0f); });
     }
 }
 

@@ -16,18 +16,24 @@ struct BodyContactPoint {
     float gap;           // m: of a pair at the beginning of the substep; of a fixed thing at its end
     Vector surface, lag; // m/s, m: of a fixed thing, as in ContactSlots
     float friction, restitution;
-    bool solid; // a collider's
-    // World, on a, of the path projection over the lighter body's mass unit, m: in: a guess; out: what held the pair.
-    Vector impulse{};
-    uint32_t from = 0; // which contact of the pair's manifold, or WayContact::swept
+    bool solid;           // a collider's
+    float pressed = 0.0f; // a guess of the path projection's impulse over the lighter body's mass unit, m
+    uint32_t from = 0;    // which contact of the pair's manifold, or WayContact::swept
 };
 
-// Up to block_contacts contacts of a body with another one, or with fixed things.
+// Impulses of the path projection's friction, over the lighter body's mass unit, m: on a, along the world's axes, and about the normal.
+struct PathFriction {
+    Vector drag{};
+    float spin = 0.0f; // over a's d s
+};
+
+// Up to block_contacts contacts of a body with another one, or with a fixed thing: of one normal, surface velocity and material.
 struct BodyContactPair {
     static constexpr uint32_t nobody = UINT32_MAX;
     uint32_t a, b; // bodies by index; b: nobody, or another
     const BodyContactPoint* contact;
     uint32_t count;
+    PathFriction friction{}; // a guess
     // Set by the solver.
     uint32_t colour = 0, block = 0, lane = 0;
     bool swapped = false; // a and b are swapped relative to the contacts
@@ -61,14 +67,18 @@ public:
 
     // After solve(): the impulse along the normal over a's mass unit, m/s; negative if they do not touch.
     float pressed(const BodyContactPair& unit, uint32_t contact) const {
-        const PairContacts& c = blocks_[unit.block].contact[contact];
-        return c.touching[unit.lane] > 0.0f ? c.pressed[unit.lane] : -1.0f;
+        const PairBlock& block = blocks_[unit.block];
+        return block.place[contact].touching[unit.lane] > 0.0f ? block.row[contact].pressed[unit.lane] : -1.0f;
     }
-    // The impulse of the path projection, as BodyContactPoint::impulse; 0 after a blow faster than `slow`, m/s, which will not come again.
-    Vector impulse(const BodyContactPair& unit, uint32_t contact, float slow) const {
-        if (blocks_[unit.block].contact[contact].came[0][unit.lane] < -slow) return {};
-        const Vector on_a = vector_in(blocks_[unit.block].contact[contact].start, 0, unit.lane);
-        return unit.swapped ? -on_a : on_a;
+    // The impulse of the path projection, as BodyContactPoint::pressed; 0 after a blow faster than `slow`, m/s, which will not come again.
+    float path_pressed(const BodyContactPair& unit, uint32_t contact, float slow) const {
+        const PairBlock::Place& place = blocks_[unit.block].place[contact];
+        return place.came[unit.lane] < -slow ? 0.0f : place.start[unit.lane];
+    }
+    PathFriction path_friction(const BodyContactPair& unit) const {
+        const PairBlock& block = blocks_[unit.block];
+        const Vector on_a = vector_in(block.start_drag, 0, unit.lane);
+        return {unit.swapped ? -on_a : on_a, block.start_spin[unit.lane]};
     }
 
 private:
@@ -88,7 +98,7 @@ private:
     uint32_t body_count_ = 0, block_count_ = 0, group_count_ = 0;
     uint32_t colour_count_ = 0, pair_colours_ = 0; // fixed things have the last colours
     Buffer<SolverBody> bodies_;                    // the last one stands for fixed things
-    Buffer<SolverTwist> twists_;
+    Buffer<SolverTwist> twists_, twists_before_, directions_;
     Buffer<uint64_t> used_colours_; // by body
     Buffer<uint32_t> kind_of_;      // by group of bodies
     Buffer<const BodyContactPair*> order_, spare_;

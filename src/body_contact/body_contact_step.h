@@ -126,6 +126,7 @@ private:
     bool in_order(const BodyContactBuffers::Pair& pair) const; // a has the lower key
     void enter_manifold(uint32_t at, const Manifold& manifold, float within);
     void enter_contacts(uint32_t at, const WayContact* found);
+    PathFriction friction_before(uint32_t at) const;
     void keep_impulses();
     bool keep_pairs();
 
@@ -141,7 +142,8 @@ private:
     void put_back(uint32_t place, uint32_t substep);
     void wake(const BodyAfter& body, const ContactGroup::Asleep& at_rest) const;
     Touch touch_with(uint32_t place, uint32_t collider) const;
-    float pressed(uint32_t place, uint32_t k) const;
+    // Calls function(k, impulse) for each contact of a body with fixed things; impulse as of BodyContactSolver::pressed.
+    template <class Function> void each_held(uint32_t place, const Function& function) const;
     bool last(uint32_t substep) const { return substep + 1 == time_.substeps; }
 
     lr_world* world_;

@@ -61,7 +61,7 @@ bool arms_fit(const CachedPair& pair, const PairBody& a, const PairBody& b) {
     });
 }
 
-// Each contact takes the impulse of the nearest one of the manifold before.
+// Each contact takes the impulse of the nearest one of the manifold before; friction lasts with the first of them.
 void take_impulses(const CachedPair& from, float reach, CachedPair& to) {
     bool taken[most_pair_contacts] = {};
     for (CachedPair::Contact& c : std::span(to.contact, to.count)) {
@@ -75,7 +75,9 @@ void take_impulses(const CachedPair& from, float reach, CachedPair& to) {
         }
         if (best == most_pair_contacts) continue;
         taken[best] = true;
-        c.impulse = from.contact[best].impulse;
+        c.pressed = from.contact[best].pressed;
+        to.drag = from.drag;
+        to.spin = from.spin;
     }
 }
 } // namespace
@@ -116,7 +118,7 @@ CachedPair cached_pair(uint64_t key_a, uint64_t key_b, const PairBody& a, const 
     const Vector normal_b = rotate(inverse(b.from.rotation), found.contact[0].normal);
     out.of_b = fits_face(*a.shape, -normal_a) < fits_face(*b.shape, normal_b) ? 1 : 0;
     out.normal = out.of_b != 0 ? normal_b : normal_a;
-    for (uint32_t k = 0; k < found.count; ++k) out.contact[k] = {found.contact[k].arm_a, found.contact[k].arm_b, {}};
+    for (uint32_t k = 0; k < found.count; ++k) out.contact[k] = {found.contact[k].arm_a, found.contact[k].arm_b, 0.0f};
     if (before) take_impulses(*before, smaller_reach(a, b), out);
     return out;
 }

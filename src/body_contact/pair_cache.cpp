@@ -101,8 +101,9 @@ bool PairCache::consistent(const unsigned char* from, uint32_t count, uint32_t s
             return false;
         const float turn = dot(p.turn, p.turn), normal = dot(p.normal, p.normal);
         if (!(std::abs(turn - 1.0f) < 0.01f && std::abs(normal - 1.0f) < 0.01f && p.within >= 0.0f)) return false;
+        if (!fine(p.drag) || !(std::abs(p.spin) < 1e15f)) return false;
         for (const CachedPair::Contact& c : p.contact)
-            if (!fine(c.arm_a) || !fine(c.arm_b) || !fine(c.impulse)) return false;
+            if (!fine(c.arm_a) || !fine(c.arm_b) || !(std::abs(c.pressed) < 1e15f)) return false;
         return true;
     };
     for (uint32_t i = 0; i < count; ++i) {

@@ -28,9 +28,12 @@ struct CachedPair {
     Vector normal;  // from b to a, in the frame of the body whose face it is
     uint16_t count; // of contacts
     uint16_t of_b;  // whose face: 0: a's, 1: b's
+    // Impulses of the path projection, over h^2 and the lighter body's mass unit, m/s^2: friction on a, in its frame, and about the normal.
+    Vector drag;
+    float spin; // over the lighter body's d s
     struct Contact {
         Vector arm_a, arm_b; // m
-        Vector impulse; // a's frame, on a: of the path projection, over h^2 and the lighter body's mass unit, m/s^2
+        float pressed;
     } contact[most_pair_contacts];
 };
 static_assert(std::is_trivially_copyable_v<CachedPair> && sizeof(CachedPair) % 8 == 0);

@@ -114,7 +114,9 @@ TEST_CASE("pairs out of bounds are not consistent") {
     CHECK(!with([](CachedPair& p) { p.within = -1.0f; }));
     CHECK(!with([&](CachedPair& p) { p.offset.z = nan; }));
     CHECK(!with([](CachedPair& p) { p.contact[3].arm_b.x = 1e20f; }));
-    CHECK(!with([&](CachedPair& p) { p.contact[0].impulse.y = nan; }));
+    CHECK(!with([&](CachedPair& p) { p.contact[0].pressed = nan; }));
+    CHECK(!with([&](CachedPair& p) { p.drag.y = nan; }));
+    CHECK(!with([&](CachedPair& p) { p.spin = 1e20f; }));
 }
 
 TEST_CASE("a kept manifold moves with its bodies: gaps are those of a new search, until they have moved too far") {

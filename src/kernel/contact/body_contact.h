@@ -30,36 +30,68 @@ struct alignas(32) SolverTwist {
     float spare;
 };
 
+// Beside the twists of a projection: as they were before the last sweep, and the direction of search.
+struct SolverSearch {
+    SolverTwist *before, *direction; // of each body
+};
+
 inline constexpr uint32_t block_contacts = 4;
 
-// Contacts of contact_lanes pairs (a, b). Without a body b, a touches a surface that it cannot move.
-struct PairContacts {
-    alignas(64) LaneRow arm_a[3]; // m, body frames, from the centres of mass; in the solver over d s
-    LaneRow arm_b[3];
-    LaneRow normal[3]; // world, unit, from b to a
-    LaneRow gap;       // m: between bodies at the beginning of the substep, with colliders at its end; no_contact: none
-    LaneRow surface[3], lag[3]; // of an immovable surface, as in ContactSlots
-    LaneRow friction, restitution;
-    LaneRow solid;    // 1: a collider, which nothing can overlap
-    LaneRow pressed;  // out: normal impulse over a's mass unit, m/s; negative: no contact
-    LaneRow start[3]; // impulse of the first projection, world, m: a guess, then the result
-    // Private to the solver (kernel/contact/body_contact_solver-inl.h).
-    LaneRow tangent[3], inverse, to_first, to_second, hold[3], least, target, drift[2], dragged[2];
-    LaneRow before, bounce, touching;
-    LaneRow came[3];              // relative velocity along normal and tangents, before the velocity projection
-    LaneRow change[3], search[3]; // of the impulses: change by the last sweep, and search direction
-};
+// Units of contact_lanes pairs (a, b), each with contacts of one normal. Without a body b, a touches a surface that it cannot move.
+// A contact frame's axes are the normal and two tangents; in it a unit is the relative twist of the bodies at the middle of its contacts.
 struct PairBlock {
+    // A contact as sweeps read it.
+    struct Row {
+        alignas(64) LaneRow along[2]; // from the middle, along the tangents, over a's d s
+        LaneRow inverse;              // 1 over the gain of normal velocity by a unit impulse; 0: no contact
+        LaneRow target;               // least normal velocity or displacement
+        LaneRow pressed;              // normal impulse over a's mass unit
+        LaneRow change, search;       // of the impulse: change by the last sweep, and search direction
+    };
+    // Friction of a unit: along the tangents, and a couple about the normal.
+    struct Friction {
+        alignas(64) LaneRow most,
+            radius; // of the impulse over the sum of normal ones; of the couple over that, a's d s
+        LaneRow hold[3], least, hold_spin; // inverses of the gains
+        LaneRow drift[2];                  // of the surface
+        LaneRow dragged[3], change[3], search[3];
+    };
+    // A contact's own data.
+    struct Place {
+        alignas(64) LaneRow arm_a[3], arm_b[3]; // m, body frames, from the centres of mass
+        LaneRow gap; // m: between bodies at the beginning of the substep, with colliders at its end; no_contact: none
+        LaneRow before, bounce, touching;
+        LaneRow start; // m: impulse of the path projection: a guess, then the result
+        LaneRow came;  // m/s, normal, before the velocity projection
+    };
+
     uint32_t kind_a, kind_b; // the same in all lanes
     uint32_t used;           // contacts of the lane with the most
     uint32_t lanes;          // lanes with a pair; other lanes pair an immovable body with itself
     uint32_t bounces;        // 1: some contact bounces
     alignas(64) uint32_t a[contact_lanes];
     uint32_t b[contact_lanes];
-    LaneRow ratio;                      // a's mass unit over b's; 0: b is immovable
-    LaneRow turn_a[9], turn_b[9], dust; // rotations as matrices
-    LaneRow changed;                    // sum of squares of the last sweep's changes
-    PairContacts contact[block_contacts];
+    LaneRow ratio;                    // a's mass unit over b's; 0: b is immovable, in all lanes or in none
+    LaneRow lengths;                  // a's d s over b's
+    LaneRow dust;                     // smaller changes do not count
+    LaneRow axes_a[9], axes_b[9];     // of the contact frame, in body frames
+    LaneRow middle_a[3], middle_b[3]; // from the centres of mass, along the contact frame, over d s
+    // Of the relative twist by unit impulses: upper triangle of (force, couples) along normal and tangents; of that row by row by (forces,
+    // couple) along tangents and normal; upper triangle of these.
+    LaneRow press_press[6], press_drag[9], drag_drag[6];
+    Friction friction;
+    Row row[block_contacts];
+    LaneRow changed; // sum of squares of the last sweep's changes
+
+    // Read and written outside sweeps alone.
+    LaneRow normal[3];          // world, unit, from b to a
+    LaneRow surface[3], lag[3]; // of an immovable surface, as in ContactSlots
+    LaneRow restitution;
+    LaneRow solid; // 1: a collider, which nothing can overlap
+    // Friction of the path projection, m: along the world's axes and about the normal; a guess, then the result.
+    LaneRow start_drag[3], start_spin;
+    LaneRow came[3]; // relative velocity along the tangents and spin, before the velocity projection
+    Place place[block_contacts];
 };
 
 // Bodies of one kind belong to one batch.
@@ -79,9 +111,9 @@ struct BodyContactInput {
 struct BodyContactTarget {
     void (*begin)(const BodyContactInput&, uint32_t kind, uint32_t begin); // first of all
     void (*way)(const BodyContactInput&, PairBlock&);                      // rows of the first projection
-    bool (*sweep)(const BodyContactInput&, PairBlock&);                    // false: nothing has changed
-    // After a sweep: moves the impulses on by `part` of the search direction.
-    void (*follow)(const BodyContactInput&, PairBlock&, float part);
+    // First moves the impulses on by `part` of the search direction, as follow() has moved the bodies. False: nothing has changed.
+    bool (*sweep)(const BodyContactInput&, PairBlock&, float part);
+    void (*follow)(const BodyContactInput&, const SolverSearch&, uint32_t begin, float part); // after a sweep
     bool (*roll)(const BodyContactInput&, uint32_t kind, uint32_t begin);
     void (*move)(const BodyContactInput&, uint32_t kind,
                  uint32_t begin); // applies the displacement's correction; velocities are next

@@ -9,6 +9,8 @@
 #include "kernel/contact/body_contact.h"
 #include "kernel/contact/collider_solver-inl.h"
 
+#include <initializer_list>
+
 HWY_BEFORE_NAMESPACE();
 namespace lr::LR_KERNEL_NAMESPACE {
 
@@ -98,66 +100,109 @@ HWY_INLINE Vec3 transposed_times(const Matrix& m, Vec3 a) {
     return a.x * m.row[0] + a.y * m.row[1] + a.z * m.row[2];
 }
 
-// One body of a pair, for a vector of pairs.
+// One body of a unit, for a vector of units.
 struct Side {
     const float* inverse_mass; // 6x6, kernel units
-    Matrix turn;
-    VF weight; // its share of an impulse over a's mass unit
+    Matrix axes;               // of the contact frame, in the body's
+    Vec3 middle;               // of the contacts, from the centre of mass, along the contact frame, over d s
+    VF weight, length;         // its share of an impulse over a's mass unit; a's d s over its own
 };
 
-// Velocity at the arm, world axes.
-HWY_INLINE Vec3 velocity_of(const Matrix& turn, const Twist& t, Vec3 arm) {
-    return turn * velocity_at(t, arm);
+// Velocity and spin, along the contact frame, of the side's point in the middle; spin times a's d s.
+HWY_INLINE Twist motion_of(const Side& s, const Twist& t) {
+    const Vec3 u = s.axes * t.u;
+    return {s.axes * t.v + cross(u, s.middle), s.length * u};
 }
-HWY_INLINE Twist impulse_at(const Matrix& turn, Vec3 impulse, Vec3 arm) {
-    const Vec3 p = transposed_times(turn, impulse);
-    return {p, cross(arm, p)};
+// The body's answer to an impulse in the middle and a couple, along the contact frame.
+template <bool kFull> HWY_INLINE Twist answer(const Side& s, const Twist& impulse) {
+    const Vec3 couple = s.length * impulse.u + cross(s.middle, impulse.v);
+    const Twist on_body{transposed_times(s.axes, impulse.v), transposed_times(s.axes, couple)};
+    if constexpr (kFull) return s.weight * symmetric6(s.inverse_mass, on_body);
+    const float* const m = s.inverse_mass;
+    const float diagonal[6] = {m[0], m[6], m[11], m[15], m[18], m[20]};
+    return s.weight * Twist{scaled_by(diagonal, on_body.v), scaled_by(diagonal + 3, on_body.u)};
 }
-HWY_INLINE Twist answer(const Side& s, const Twist& impulse) {
-    return s.weight * symmetric6(s.inverse_mass, impulse);
+HWY_INLINE Side side_a(const BodyContactInput& in, const PairBlock& block, size_t at) {
+    return {in.kinds[block.kind_a].body->full_inverse, load_matrix(block.axes_a, at), load3(block.middle_a, at),
+            constant(1.0f), constant(1.0f)};
 }
-HWY_INLINE void push(const Side& a, const Side& b, const PairContacts& c, size_t at, Vec3 impulse, Twist& ta,
-                     Twist& tb) {
-    ta += answer(a, impulse_at(a.turn, impulse, load3(c.arm_a, at)));
-    tb = tb - answer(b, impulse_at(b.turn, impulse, load3(c.arm_b, at)));
+HWY_INLINE Side side_b(const BodyContactInput& in, const PairBlock& block, size_t at) {
+    return {in.kinds[block.kind_b].body->full_inverse, load_matrix(block.axes_b, at), load3(block.middle_b, at),
+            load1(block.ratio, at), load1(block.lengths, at)};
 }
-// Velocity of a's contact point relative to b's, world axes.
-HWY_INLINE Vec3 relative_velocity(const Matrix& turn_a, const Matrix& turn_b, const PairContacts& c, size_t at,
-                                  const Twist& ta, const Twist& tb) {
-    return velocity_of(turn_a, ta, load3(c.arm_a, at)) - velocity_of(turn_b, tb, load3(c.arm_b, at));
+HWY_INLINE bool between_bodies(const PairBlock& block) {
+    return block.ratio[0] != 0.0f;
+}
+HWY_INLINE bool full_mass(const BodyContactInput& in, const PairBlock& block) {
+    return !in.kinds[block.kind_a].body->diagonal || (between_bodies(block) && !in.kinds[block.kind_b].body->diagonal);
 }
 
-HWY_INLINE Matrix frame_of(const PairContacts& c, size_t at) {
-    const Vec3 normal = load3(c.normal, at), first = load3(c.tangent, at);
-    return {{normal, first, cross(normal, first)}};
+// What acts at, and what is seen from, the contacts of a unit: along the normal (a force and couples about the tangents), and across it.
+struct Reduced {
+    Vec3 press, drag; // (n, 1, 2) of a twist: (v_n, u_1, u_2), (v_1, v_2, u_n)
+};
+HWY_INLINE Reduced reduced(const Twist& t) {
+    return {{t.v.x, t.u.y, t.u.z}, {t.v.y, t.v.z, t.u.x}};
 }
-// Gains of relative velocity along the contact's three directions by unit impulses along them.
-HWY_INLINE void set_gains(const Side& a, const Side& b, PairContacts& c, size_t at) {
-    const Vec3 arm[2] = {load3(c.arm_a, at), load3(c.arm_b, at)};
-    Vec3 direction[3] = {load3(c.normal, at), {}, {}};
-    tangents(direction[0], direction[1], direction[2]);
-    store3(c.tangent, at, direction[1]);
-    direction[2] = cross(direction[0], direction[1]);
-    const Side* const side[2] = {&a, &b};
-    VF gain[6];
-    for (VF& g : gain) g = hn::Zero(DF());
-    for (int s = 0; s < 2; ++s) {
-        Twist along[3], response[3];
-        for (int k = 0; k < 3; ++k) {
-            along[k] = impulse_at(side[s]->turn, direction[k], arm[s]);
-            response[k] = answer(*side[s], along[k]);
-        }
-        constexpr int first[6] = {0, 1, 2, 1, 1, 2}, second[6] = {0, 0, 0, 1, 2, 2};
-        for (int k = 0; k < 6; ++k) gain[k] += product(along[first[k]], response[second[k]]);
-    }
-    const auto empty = load1(c.gap, at) >= constant(0.5f * no_contact);
-    store1(c.inverse, at, hn::IfThenElse(empty, hn::Zero(DF()), inverse_length(gain[0])));
-    store1(c.to_first, at, gain[1]);
-    store1(c.to_second, at, gain[2]);
+HWY_INLINE Twist expanded(const Reduced& r) {
+    return {{r.press.x, r.drag.x, r.drag.y}, {r.drag.z, r.press.y, r.press.z}};
+}
+HWY_INLINE Reduced operator-(const Reduced& a, const Reduced& b) {
+    return {a.press - b.press, a.drag - b.drag};
+}
+// Velocity of a relative to b.
+HWY_INLINE Reduced relative_motion(const Side& a, const Side& b, const Twist& ta, const Twist& tb) {
+    return reduced(motion_of(a, ta) - motion_of(b, tb));
+}
+template <bool kFull, bool kPair>
+HWY_INLINE void push(const Side& a, const Side& b, const Reduced& impulse, Twist& ta, Twist& tb) {
+    const Twist p = expanded(impulse);
+    ta += answer<kFull>(a, p);
+    if constexpr (kPair) tb = tb - answer<kFull>(b, p);
+}
+HWY_INLINE Vec3 press_direction(const PairBlock::Row& row, size_t at) {
+    return {constant(1.0f), load1(row.along[1], at), -load1(row.along[0], at)};
+}
+HWY_INLINE Vec3 symmetric(const LaneRow* m, size_t at, Vec3 a) {
+    const VF xy = load1(m[1], at), xz = load1(m[2], at), yz = load1(m[4], at);
+    return {load1(m[0], at) * a.x + (xy * a.y + xz * a.z), xy * a.x + (load1(m[3], at) * a.y + yz * a.z),
+            xz * a.x + (yz * a.y + load1(m[5], at) * a.z)};
+}
+
+// Gains of the relative twist by unit impulses.
+template <bool kFull> HWY_INLINE void set_gains(const Side& a, const Side& b, PairBlock& block, size_t at) {
+    const VF zero = hn::Zero(DF()), one = constant(1.0f);
+    const bool pair = between_bodies(block);
+    const auto gained = [&](const Vec3& press, const Vec3& drag) LR_LAMBDA {
+        const Twist impulse = expanded({press, drag});
+        Twist gain = motion_of(a, answer<kFull>(a, impulse));
+        if (pair) gain += motion_of(b, answer<kFull>(b, impulse));
+        return reduced(gain);
+    };
+    const Vec3 unit[3] = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}}, none = zero3();
+    const Reduced x = gained(unit[0], none), y = gained(unit[1], none), z = gained(unit[2], none);
+    const auto put = [&](LaneRow* to, std::initializer_list<VF> values) LR_LAMBDA {
+        for (VF v : values) store1(*to++, at, v);
+    };
+    put(block.press_press, {x.press.x, x.press.y, x.press.z, y.press.y, y.press.z, z.press.z});
+    store3(block.press_drag, at, x.drag);
+    store3(block.press_drag + 3, at, y.drag);
+    store3(block.press_drag + 6, at, z.drag);
+    const Vec3 along = gained(none, unit[0]).drag, across = gained(none, unit[1]).drag,
+               spin = gained(none, unit[2]).drag;
+    put(block.drag_drag, {along.x, along.y, along.z, across.y, across.z, spin.z});
+    PairBlock::Friction& f = block.friction;
     VF hold[3], least;
-    set_hold(gain[3], gain[4], gain[5], hold, least);
-    store3(c.hold, at, broadcast(hold));
-    store1(c.least, at, least);
+    set_hold(along.x, along.y, across.y, hold, least);
+    store3(f.hold, at, broadcast(hold));
+    store1(f.least, at, least);
+    store1(f.hold_spin, at, inverse_length(spin.z));
+    for (uint32_t k = 0; k < block.used; ++k) {
+        const Vec3 direction = press_direction(block.row[k], at);
+        const VF gain = dot(direction, symmetric(block.press_press, at, direction));
+        const auto empty = load1(block.place[k].gap, at) >= constant(0.5f * no_contact);
+        store1(block.row[k].inverse, at, hn::IfThenElse(empty, zero, inverse_length(gain)));
+    }
 }
 
 HWY_INLINE VF slop_of(VF reach, Vec3 x) {

@@ -30,11 +30,11 @@ void body_contact_begin(const BodyContactInput& in, uint32_t kind, uint32_t begi
     bodies.put_back(in, begin);
 }
 
-// The two bodies of a pair in the first projection, and their motion in the substep so far.
+// The two bodies of a unit where the substep has taken them.
 struct PairState {
-    Side a, b;
-    Size size_a, size_b;
+    Matrix turn_a, turn_b;
     Quaternion began_a, began_b;
+    Size size_a, size_b;
     Vec3 moved_a, moved_b;
     Twist way[2], met[2], before[2];
     decltype(VF() > VF()) pair; // both are bodies
@@ -47,12 +47,10 @@ HWY_INLINE PairState state_of(const BodyContactInput& in, const PairBlock& block
     const SolverBodyKind &kind_a = in.kinds[block.kind_a], &kind_b = in.kinds[block.kind_b];
     PairState s;
     s.size_a = size_of(kind_a, g.a, at), s.size_b = size_of(kind_b, g.b, at);
-    const VF ratio = load1(block.ratio, at);
-    s.pair = ratio > hn::Zero(DF());
+    s.pair = load1(block.ratio, at) > hn::Zero(DF());
     s.slop = hn::Min(s.size_a.slop, hn::IfThenElse(s.pair, s.size_b.slop, s.size_a.slop));
     s.reach = hn::Min(s.size_a.reach, hn::IfThenElse(s.pair, s.size_b.reach, s.size_a.reach));
-    s.a = {kind_a.body->full_inverse, matrix_of(load4(g.a + at_q, at)), constant(1.0f)};
-    s.b = {kind_b.body->full_inverse, matrix_of(load4(g.b + at_q, at)), ratio};
+    s.turn_a = matrix_of(load4(g.a + at_q, at)), s.turn_b = matrix_of(load4(g.b + at_q, at));
     s.began_a = load4(g.a + at_q0, at), s.began_b = load4(g.b + at_q0, at);
     s.moved_a = load3(g.a + at_x, at) - load3(g.a + at_x0, at);
     s.moved_b = load3(g.b + at_x, at) - load3(g.b + at_x0, at);
@@ -62,25 +60,92 @@ HWY_INLINE PairState state_of(const BodyContactInput& in, const PairBlock& block
     return s;
 }
 
+// Contacts act in the middle between both surfaces' points: impulses at two points would turn the pair. At most so far from them: after
+// a large rotation they no longer say how the surfaces move.
+constexpr float most_joined = 0.2f; // of the smaller reach
+
+// The contact frame, its places on both bodies, and all gains.
+HWY_INLINE void set_frame(const BodyContactInput& in, const Gathered& g, PairBlock& block, size_t at,
+                          const Size& size_a, const Size& size_b, Side& a, Side& b) {
+    const VF zero = hn::Zero(DF()), one = constant(1.0f);
+    const bool pairs = between_bodies(block);
+    const Matrix turn_a = matrix_of(load4(g.a + at_q, at)), turn_b = matrix_of(load4(g.b + at_q, at));
+    const Vec3 normal = load3(block.normal, at);
+    Vec3 first, second;
+    tangents(normal, first, second);
+    const Matrix frame{{normal, first, cross(normal, first)}};
+    const auto seen_from = [&](const Matrix& turn) LR_LAMBDA {
+        return Matrix{{transposed_times(turn, frame.row[0]), transposed_times(turn, frame.row[1]),
+                       transposed_times(turn, frame.row[2])}};
+    };
+    store_matrix(block.axes_a, at, seen_from(turn_a));
+    store_matrix(block.axes_b, at, seen_from(turn_b));
+    store1(block.lengths, at, size_a.length * size_b.inverse);
+    const Vec3 apart = load3(g.a + at_x, at) - load3(g.b + at_x, at);
+    const VF most = constant(most_joined) * hn::Min(size_a.reach, size_b.reach);
+    Vec3 on_a[block_contacts], sum_a = zero3(), sum_b = zero3();
+    VF there[block_contacts], count = zero;
+    for (uint32_t k = 0; k < block.used; ++k) {
+        const PairBlock::Place& c = block.place[k];
+        there[k] = hn::IfThenElseZero(load1(c.gap, at) < constant(0.5f * no_contact), one);
+        on_a[k] = turn_a * load3(c.arm_a, at);
+        if (pairs) {
+            const Vec3 on_b = turn_b * load3(c.arm_b, at);
+            Vec3 half = constant(0.5f) * (apart + (on_a[k] - on_b));
+            half = hn::Min(most / hn::Max(hn::Sqrt(dot(half, half)), constant(1e-30f)), one) * half;
+            on_a[k] = on_a[k] - half;
+            sum_b += there[k] * (on_b + half);
+        }
+        sum_a += there[k] * on_a[k];
+        count += there[k];
+    }
+    const VF part = one / hn::Max(count, one);
+    const Vec3 middle_a = part * sum_a, middle_b = part * sum_b;
+    VF radius = zero;
+    for (uint32_t k = 0; k < block.used; ++k) {
+        const Vec3 from_middle = size_a.inverse * (on_a[k] - middle_a);
+        const VF x = dot(first, from_middle), y = dot(frame.row[2], from_middle);
+        store1(block.row[k].along[0], at, x);
+        store1(block.row[k].along[1], at, y);
+        radius += there[k] * hn::Sqrt(x * x + y * y);
+    }
+    store1(block.friction.radius, at, part * radius);
+    store3(block.middle_a, at, size_a.inverse * (frame * middle_a));
+    store3(block.middle_b, at, size_b.inverse * (frame * middle_b));
+    a = side_a(in, block, at), b = side_b(in, block, at);
+    if (full_mass(in, block))
+        set_gains<true>(a, b, block, at);
+    else
+        set_gains<false>(a, b, block, at);
+}
+HWY_INLINE void push_pair(const BodyContactInput& in, const PairBlock& block, const Side& a, const Side& b,
+                          const Reduced& impulse, Twist& ta, Twist& tb) {
+    if (full_mass(in, block))
+        push<true, true>(a, b, impulse, ta, tb);
+    else
+        push<false, true>(a, b, impulse, ta, tb);
+}
+
 // The gap at the end of the substep and at its beginning, and the approach velocity when it closed.
-HWY_INLINE void set_gaps(const PairState& s, VF h, PairContacts& c, size_t at, Vec3 arm_a, Vec3 arm_b) {
+HWY_INLINE void set_gaps(const PairState& s, VF h, const PairBlock& block, PairBlock::Place& c, size_t at) {
     const VF zero = hn::Zero(DF());
-    const Vec3 normal = load3(c.normal, at), surface = load3(c.surface, at);
-    const Vec3 path = load3(c.lag, at) + h * surface;
-    const Vec3 over_a = load3(c.arm_a, at), over_b = load3(c.arm_b, at);
+    const Vec3 normal = load3(block.normal, at), surface = load3(block.surface, at);
+    const Vec3 path = load3(block.lag, at) + h * surface;
+    const Vec3 arm_a = load3(c.arm_a, at), arm_b = load3(c.arm_b, at);
+    const Vec3 over_a = s.size_a.inverse * arm_a, over_b = s.size_b.inverse * arm_b;
     const VF given = load1(c.gap, at);
     const auto empty = given >= constant(0.5f * no_contact);
-    const Vec3 went_a = s.moved_a + s.a.turn * arm_a - to_world(s.began_a, arm_a);
-    const Vec3 went_b = s.moved_b + s.b.turn * arm_b - to_world(s.began_b, arm_b);
+    const Vec3 went_a = s.moved_a + s.turn_a * arm_a - to_world(s.began_a, arm_a);
+    const Vec3 went_b = s.moved_b + s.turn_b * arm_b - to_world(s.began_b, arm_b);
     const VF closed = dot(normal, select(s.pair, went_b, path) - went_a);
     const VF gap = hn::IfThenElse(empty, given, hn::IfThenElse(s.pair, given - closed, given));
     const VF before = hn::IfThenElse(empty, given, hn::IfThenElse(s.pair, given, given + closed));
     store1(c.gap, at, gap);
     store1(c.before, at, before);
     const Vec3 first = select(s.pair, to_world(s.began_b, velocity_at(s.before[1], over_b)), surface);
-    const Vec3 last = select(s.pair, velocity_of(s.b.turn, s.met[1], over_b), surface);
+    const Vec3 last = select(s.pair, s.turn_b * velocity_at(s.met[1], over_b), surface);
     const VF from = dot(normal, to_world(s.began_a, velocity_at(s.before[0], over_a)) - first);
-    const VF to = dot(normal, velocity_of(s.a.turn, s.met[0], over_a) - last);
+    const VF to = dot(normal, s.turn_a * velocity_at(s.met[0], over_a) - last);
     const auto closes = hn::And(before > s.slop, closed > zero);
     const VF time = before / hn::Max(closed, constant(1e-30f));
     const VF part = hn::IfThenElseZero(closes, hn::Min(time, constant(1.0f)));
@@ -92,41 +157,45 @@ constexpr float pair_push = 0.02f, collider_push = 0.5f;
 // A substep undoes this part of an overlap between bodies beyond the slop: with more, pairs of a heap that contradict each other would oscillate.
 constexpr float undone = 0.3f;
 
-HWY_INLINE void set_way(const PairState& s, VF h, PairContacts& c, size_t at) {
-    const VF zero = hn::Zero(DF());
-    const Vec3 arm_a = load3(c.arm_a, at), arm_b = load3(c.arm_b, at);
-    store3(c.arm_a, at, s.size_a.inverse * arm_a);
-    store3(c.arm_b, at, s.size_b.inverse * arm_b);
-    set_gaps(s, h, c, at, arm_a, arm_b);
-    set_gains(s.a, s.b, c, at);
-    const Vec3 normal = load3(c.normal, at), tangent = load3(c.tangent, at);
-    const auto solid = load1(c.solid, at) > zero;
-    const VF gap = load1(c.gap, at);
-    const VF before = load1(c.before, at), overlap = hn::Min(before + s.slop, zero);
-    const VF most = constant(pair_push) * s.reach;
+// How far a contact's gap must open.
+HWY_INLINE VF push_out(const PairState& s, const PairBlock& block, const PairBlock::Place& c, size_t at) {
+    const VF zero = hn::Zero(DF()), gap = load1(c.gap, at), before = load1(c.before, at);
+    const auto solid = load1(block.solid, at) > zero;
+    const VF overlap = hn::Min(before + s.slop, zero), most = constant(pair_push) * s.reach;
     const VF stays = hn::Min(constant(1.0f - undone) * overlap, overlap + most);
     // Colliders: as in the solver of single bodies.
     const VF gained = gap - hn::Min(before, zero);
     const VF out = hn::Max(gap, hn::Min(constant(-collider_push) * s.reach + gained, zero));
-    const VF push = hn::IfThenElse(solid, out, gap - stays);
-    const Vec3 relative = relative_velocity(s.a.turn, s.b.turn, c, at, s.way[0], s.way[1]);
-    store1(c.target, at, dot(normal, relative) - push);
-    const Vec3 path = load3(c.lag, at) + h * load3(c.surface, at);
-    store1(c.drift[0], at, dot(tangent, path));
-    store1(c.drift[1], at, dot(cross(normal, tangent), path));
+    return hn::IfThenElse(solid, out, gap - stays);
 }
 
-// Starts a contact from an impulse along its normal and tangents, as far as friction allows.
-HWY_INLINE Vec3 started(PairContacts& c, size_t at, Vec3 had, hn::Mask<DF> counts) {
-    const VF zero = hn::Zero(DF()), most = load1(c.friction, at) * hn::Max(had.x, zero);
-    const VF size = hn::Sqrt(had.y * had.y + had.z * had.z);
-    const VF part = hn::Min(most / hn::Max(size, constant(1e-30f)), constant(1.0f));
-    const auto counted = [&](VF a) LR_LAMBDA { return hn::IfThenElseZero(counts, a); };
-    const Vec3 impulse{counted(hn::Max(had.x, zero)), counted(part * had.y), counted(part * had.z)};
-    store1(c.pressed, at, impulse.x);
-    store1(c.dragged[0], at, impulse.y);
-    store1(c.dragged[1], at, impulse.z);
-    return impulse;
+// Starts a unit from impulses along its normal, and its friction from `drag`, as far as they allow. Returns all of it.
+HWY_INLINE Reduced started(PairBlock& block, size_t at, const VF* pressed, Vec3 drag) {
+    const VF zero = hn::Zero(DF()), one = constant(1.0f);
+    Vec3 press = zero3();
+    PairBlock::Friction& f = block.friction;
+    for (uint32_t k = 0; k < block.used; ++k) {
+        PairBlock::Row& row = block.row[k];
+        const VF had = hn::IfThenElseZero(load1(row.inverse, at) > zero, hn::Max(pressed[k], zero));
+        store1(row.pressed, at, had);
+        store1(row.search, at, zero);
+        store1(row.change, at, zero);
+        press += had * press_direction(row, at);
+    }
+    const VF most = load1(f.most, at) * press.x, most_spin = load1(f.radius, at) * most;
+    const VF size = hn::Sqrt(drag.x * drag.x + drag.y * drag.y);
+    const VF part = hn::Min(most / hn::Max(size, constant(1e-30f)), one);
+    drag = {part * drag.x, part * drag.y, hn::Max(hn::Min(drag.z, most_spin), -most_spin)};
+    store3(f.dragged, at, drag);
+    store3(f.search, at, zero3());
+    store3(f.change, at, zero3());
+    return {press, drag};
+}
+HWY_INLINE Matrix frame_of(const PairBlock& block, size_t at) {
+    const Vec3 normal = load3(block.normal, at);
+    Vec3 first, second;
+    tangents(normal, first, second);
+    return {{normal, first, cross(normal, first)}};
 }
 
 void body_contact_way(const BodyContactInput& in, PairBlock& block) {
@@ -136,19 +205,26 @@ void body_contact_way(const BodyContactInput& in, PairBlock& block) {
     for (size_t at = 0; at < contact_lanes; at += hn::Lanes(DF())) {
         const PairState s = state_of(in, block, g, at);
         store1(block.dust, at, constant(1e-3f) * s.slop);
-        store_matrix(block.turn_a, at, s.a.turn);
-        store_matrix(block.turn_b, at, s.b.turn);
-        VF deepest = hn::Zero(DF());
-        Twist ta = load6(twists.a, at), tb = load6(twists.b, at);
+        Side a, b;
+        set_frame(in, g, block, at, s.size_a, s.size_b, a, b);
+        const Matrix frame = frame_of(block, at);
+        const Vec3 path = frame * (load3(block.lag, at) + constant(in.h) * load3(block.surface, at));
+        store1(block.friction.drift[0], at, path.y);
+        store1(block.friction.drift[1], at, path.z);
+        const Reduced way = relative_motion(a, b, s.way[0], s.way[1]);
+        VF deepest = hn::Zero(DF()), guess[block_contacts];
         for (uint32_t k = 0; k < block.used; ++k) {
-            PairContacts& c = block.contact[k];
-            set_way(s, constant(in.h), c, at);
-            store3(c.search, at, zero3());
-            const Matrix frame = frame_of(c, at);
-            const Vec3 impulse = started(c, at, frame * load3(c.start, at), load1(c.inverse, at) > hn::Zero(DF()));
-            push(s.a, s.b, c, at, transposed_times(frame, impulse), ta, tb);
+            PairBlock::Place& c = block.place[k];
+            set_gaps(s, constant(in.h), block, c, at);
+            store1(block.row[k].target, at,
+                   dot(press_direction(block.row[k], at), way.press) - push_out(s, block, c, at));
+            guess[k] = load1(c.start, at);
             deepest = hn::Max(deepest, -load1(c.gap, at));
         }
+        const Vec3 drag = frame * load3(block.start_drag, at);
+        const Reduced impulse = started(block, at, guess, {drag.y, drag.z, load1(block.start_spin, at)});
+        Twist ta = load6(twists.a, at), tb = load6(twists.b, at);
+        push_pair(in, block, a, b, impulse, ta, tb);
         store1(depth, at, deepest);
         store6(twists.a, at, ta);
         store6(twists.b, at, tb);
@@ -161,103 +237,123 @@ void body_contact_way(const BodyContactInput& in, PairBlock& block) {
         }
 }
 
-// Squares of impulses over a mass, m^2/s^2 and m^2. A pair with larger changes, or NaN, passes nothing on and is dropped for the substep.
+// Squares of impulses over a mass, m^2/s^2 and m^2. A unit with larger changes, or NaN, passes nothing on and is dropped for the substep.
 constexpr float most_change = 1e30f;
 
 HWY_INLINE void let_go(PairBlock& block, size_t at, hn::Mask<DF> fine) {
+    const auto keep = [&](LaneRow& row) LR_LAMBDA { store1(row, at, hn::IfThenElseZero(fine, load1(row, at))); };
     for (uint32_t k = 0; k < block.used; ++k) {
-        PairContacts& c = block.contact[k];
-        for (float* row : {c.inverse, c.pressed, c.dragged[0], c.dragged[1], c.change[0], c.change[1], c.change[2],
-                           c.search[0], c.search[1], c.search[2]})
-            store1(row, at, hn::IfThenElseZero(fine, load1(row, at)));
+        PairBlock::Row& row = block.row[k];
+        for (LaneRow* of : {&row.inverse, &row.pressed, &row.change, &row.search}) keep(*of);
     }
+    for (LaneRow* three : {block.friction.dragged, block.friction.change, block.friction.search})
+        for (int i = 0; i < 3; ++i) keep(three[i]);
 }
 
-bool body_contact_sweep(const BodyContactInput& in, PairBlock& block) {
+// An impulse goes on along its search direction, which then takes the last change in.
+HWY_INLINE VF followed(float* impulse, float* search, const float* change, size_t at, VF part) {
+    const VF more = part * load1(search, at);
+    store1(search, at, more + load1(change, at));
+    return load1(impulse, at) + more;
+}
+
+// Friction of a unit against the slip, which the couple sees changed by the forces.
+HWY_INLINE Vec3 drag_unit(PairBlock& block, size_t at, Vec3 slip, Vec3 dragged, VF load, VF dust) {
+    PairBlock::Friction& f = block.friction;
+    Row r;
+    for (int i = 0; i < 3; ++i) r.hold[i] = load1(f.hold[i], at);
+    r.least = load1(f.least, at);
+    r.friction = load1(f.most, at);
+    r.pressed = load;
+    r.dragged[0] = dragged.x, r.dragged[1] = dragged.y;
+    Vec3 step;
+    drag(r, slip.x - load1(f.drift[0], at), slip.y - load1(f.drift[1], at), dust, step.x, step.y);
+    const VF spin = load1(block.drag_drag[2], at) * step.x + load1(block.drag_drag[4], at) * step.y + slip.z;
+    const VF most = load1(f.radius, at) * (r.friction * load);
+    const VF wanted = dragged.z - load1(f.hold_spin, at) * spin;
+    const VF couple = hn::Max(hn::Min(hn::IfThenElse(hn::Abs(spin) > dust, wanted, dragged.z), most), -most);
+    step.z = couple - dragged.z;
+    store3(f.dragged, at, {r.dragged[0], r.dragged[1], couple});
+    return step;
+}
+
+template <bool kFull, bool kPair> HWY_INLINE bool sweep(const BodyContactInput& in, PairBlock& block, VF part) {
     const VF zero = hn::Zero(DF());
     GatheredTwists twists(in, block);
     bool changed = false;
     for (size_t at = 0; at < contact_lanes; at += hn::Lanes(DF())) {
-        const Side a{in.kinds[block.kind_a].body->full_inverse, load_matrix(block.turn_a, at), constant(1.0f)};
-        const Side b{in.kinds[block.kind_b].body->full_inverse, load_matrix(block.turn_b, at), load1(block.ratio, at)};
+        const Side a = side_a(in, block, at), b = side_b(in, block, at);
         const VF dust = load1(block.dust, at);
         Twist ta = load6(twists.a, at), tb = load6(twists.b, at);
+        Reduced seen = reduced(kPair ? motion_of(a, ta) - motion_of(b, tb) : motion_of(a, ta)),
+                impulse{zero3(), zero3()};
         VF change = zero, load = zero, squares = zero;
         for (uint32_t k = 0; k < block.used; ++k) {
-            PairContacts& c = block.contact[k];
-            const Matrix frame = frame_of(c, at);
-            const Vec3 relative = frame * relative_velocity(a.turn, b.turn, c, at, ta, tb);
+            PairBlock::Row& row = block.row[k];
+            const Vec3 direction = press_direction(row, at);
             Row r;
-            r.inverse = load1(c.inverse, at);
-            r.target = load1(c.target, at);
-            r.pressed = load1(c.pressed, at);
-            for (int i = 0; i < 2; ++i) r.dragged[i] = load1(c.dragged[i], at);
-            for (int i = 0; i < 3; ++i) r.hold[i] = load1(c.hold[i], at);
-            r.least = load1(c.least, at);
-            r.friction = load1(c.friction, at);
-            const VF more = press(r, relative.x, dust);
-            const auto slip = [&](VF seen, const float* gained, const float* drift)
-                                  LR_LAMBDA { return more * load1(gained, at) + seen - load1(drift, at); };
-            Vec3 step{more, more, more};
-            drag(r, slip(relative.y, c.to_first, c.drift[0]), slip(relative.z, c.to_second, c.drift[1]), dust, step.y,
-                 step.z);
-            push(a, b, c, at, transposed_times(frame, step), ta, tb);
-            store1(c.pressed, at, r.pressed);
-            store3(c.change, at, step);
-            for (int i = 0; i < 2; ++i) store1(c.dragged[i], at, r.dragged[i]);
-            squares += dot(step, step);
-            load += hn::IfThenElse(load1(c.solid, at) > zero, more, zero);
-            change = hn::Max(hn::Max(change, hn::Abs(more)), hn::Max(hn::Abs(step.y), hn::Abs(step.z)));
+            r.inverse = load1(row.inverse, at);
+            r.target = load1(row.target, at);
+            r.pressed = followed(row.pressed, row.search, row.change, at, part);
+            const VF more = press(r, dot(direction, seen.press), dust, constant(1.0f));
+            const Vec3 along = more * direction;
+            seen.press += symmetric(block.press_press, at, along);
+            impulse.press += along;
+            store1(row.pressed, at, r.pressed);
+            store1(row.change, at, more);
+            squares += more * more;
+            load += r.pressed;
+            change = hn::Max(change, hn::Abs(more));
         }
+        PairBlock::Friction& f = block.friction;
+        Vec3 dragged;
+        dragged.x = followed(f.dragged[0], f.search[0], f.change[0], at, part);
+        dragged.y = followed(f.dragged[1], f.search[1], f.change[1], at, part);
+        dragged.z = followed(f.dragged[2], f.search[2], f.change[2], at, part);
+        const Vec3 slip = transposed_times(load_matrix(block.press_drag, at), impulse.press) + seen.drag;
+        impulse.drag = drag_unit(block, at, slip, dragged, load, dust);
+        store3(f.change, at, impulse.drag);
+        squares += dot(impulse.drag, impulse.drag);
+        change = hn::Max(change, greatest(impulse.drag));
+        push<kFull, kPair>(a, b, impulse, ta, tb);
+        VF more = load1(block.solid, at) * impulse.press.x;
         const auto fine = squares <= constant(most_change);
         if (HWY_UNLIKELY(!hn::AllTrue(DF(), fine))) {
             let_go(block, at, fine);
             ta = select(fine, ta, load6(twists.a, at));
             tb = select(fine, tb, load6(twists.b, at));
             squares = hn::IfThenElseZero(fine, squares);
-            load = hn::IfThenElseZero(fine, load);
+            more = hn::IfThenElseZero(fine, more);
             change = hn::IfThenElseZero(fine, change);
         }
         store6(twists.a, at, ta);
-        store6(twists.b, at, tb);
+        if constexpr (kPair) store6(twists.b, at, tb);
         store1(block.changed, at, squares);
-        store1(twists.a[6], at, load1(twists.a[6], at) + load);
+        store1(twists.a[6], at, load1(twists.a[6], at) + more);
         changed = changed || !hn::AllTrue(DF(), hn::Eq(change, zero));
     }
     if (changed) twists.put_back(in, block);
     return changed;
 }
 
-// part 0: only remembers the direction.
-void body_contact_follow(const BodyContactInput& in, PairBlock& block, float part) {
-    if (part == 0.0f) {
-        for (uint32_t k = 0; k < block.used; ++k)
-            for (size_t at = 0; at < contact_lanes; at += hn::Lanes(DF()))
-                store3(block.contact[k].search, at, load3(block.contact[k].change, at));
-        return;
+bool body_contact_sweep(const BodyContactInput& in, PairBlock& block, float part) {
+    const bool full = full_mass(in, block);
+    if (between_bodies(block))
+        return full ? sweep<true, true>(in, block, constant(part)) : sweep<false, true>(in, block, constant(part));
+    return full ? sweep<true, false>(in, block, constant(part)) : sweep<false, false>(in, block, constant(part));
+}
+
+// Each body moves on along its search direction, which then takes the last sweep's change in.
+void body_contact_follow(const BodyContactInput& in, const SolverSearch& search, uint32_t begin, float part) {
+    float* const twist = in.twists[begin].v;
+    float *const before = search.before[begin].v, *const direction = search.direction[begin].v;
+    const DF d;
+    for (size_t at = 0; at < contact_lanes * twist_floats; at += hn::Lanes(d)) {
+        const VF now = hn::LoadU(d, twist + at), more = constant(part) * hn::LoadU(d, direction + at), on = now + more;
+        hn::StoreU(more + (now - hn::LoadU(d, before + at)), d, direction + at);
+        hn::StoreU(on, d, before + at);
+        hn::StoreU(on, d, twist + at);
     }
-    GatheredTwists twists(in, block);
-    for (size_t at = 0; at < contact_lanes; at += hn::Lanes(DF())) {
-        const Side a{in.kinds[block.kind_a].body->full_inverse, load_matrix(block.turn_a, at), constant(1.0f)};
-        const Side b{in.kinds[block.kind_b].body->full_inverse, load_matrix(block.turn_b, at), load1(block.ratio, at)};
-        Twist ta = load6(twists.a, at), tb = load6(twists.b, at);
-        VF load = hn::Zero(DF());
-        for (uint32_t k = 0; k < block.used; ++k) {
-            PairContacts& c = block.contact[k];
-            const Vec3 more = constant(part) * load3(c.search, at);
-            store3(c.search, at, more + load3(c.change, at));
-            push(a, b, c, at, transposed_times(frame_of(c, at), more), ta, tb);
-            const auto gain = [&](float* to, VF by) LR_LAMBDA { store1(to, at, load1(to, at) + by); };
-            gain(c.pressed, more.x);
-            gain(c.dragged[0], more.y);
-            gain(c.dragged[1], more.z);
-            load += hn::IfThenElseZero(load1(c.solid, at) > hn::Zero(DF()), more.x);
-        }
-        store6(twists.a, at, ta);
-        store6(twists.b, at, tb);
-        store1(twists.a[6], at, load1(twists.a[6], at) + load);
-    }
-    twists.put_back(in, block);
 }
 
 // The couple against rolling and spinning, bounded by the normal impulses.
@@ -322,27 +418,24 @@ void body_contact_touch(const BodyContactInput& in, PairBlock& block) {
     alignas(64) LaneRow carried, shallow, touching;
     for (size_t at = 0; at < contact_lanes; at += hn::Lanes(DF())) {
         const Size size_a = size_of(in.kinds[block.kind_a], g.a, at), size_b = size_of(in.kinds[block.kind_b], g.b, at);
-        const auto pair = load1(block.ratio, at) > zero;
+        const auto pair = load1(block.ratio, at) > zero, solid = load1(block.solid, at) > zero;
         const VF slop = hn::Min(size_a.slop, hn::IfThenElse(pair, size_b.slop, size_a.slop));
-        const Matrix turn_a = load_matrix(block.turn_a, at), turn_b = load_matrix(block.turn_b, at);
-        const Twist moved_a = load6(g.a + at_correction, at), moved_b = load6(g.b + at_correction, at);
-        VF fast = zero, least = zero, any = zero;
+        const Reduced moved = relative_motion(side_a(in, block, at), side_b(in, block, at),
+                                              load6(g.a + at_correction, at), load6(g.b + at_correction, at));
+        VF least = zero, any = zero;
         for (uint32_t k = 0; k < block.used; ++k) {
-            PairContacts& c = block.contact[k];
+            PairBlock::Place& c = block.place[k];
             const VF given = load1(c.gap, at);
             const auto there = given < empty;
-            const Vec3 relative = relative_velocity(turn_a, turn_b, c, at, moved_a, moved_b);
-            const VF gap = hn::IfThenElse(there, given + dot(load3(c.normal, at), relative), given);
-            const auto pressed = load1(c.pressed, at) > zero;
-            const auto touches = hn::And(there, hn::Or(pressed, gap <= slop));
+            const VF opened = dot(press_direction(block.row[k], at), moved.press);
+            const VF gap = hn::IfThenElse(there, given + opened, given);
+            const auto touches = hn::And(there, hn::Or(load1(block.row[k].pressed, at) > zero, gap <= slop));
             store1(c.gap, at, gap);
             store1(c.touching, at, hn::IfThenElseZero(touches, one));
             any = hn::IfThenElse(touches, one, any);
-            fast = hn::Max(fast, hn::IfThenElseZero(touches, greatest(load3(c.surface, at))));
-            const auto counts = hn::And(touches, load1(c.solid, at) > zero);
-            least = hn::Min(least, hn::IfThenElseZero(counts, load1(c.before, at)));
+            least = hn::Min(least, hn::IfThenElseZero(hn::And(touches, solid), load1(c.before, at)));
         }
-        store1(carried, at, fast);
+        store1(carried, at, any * greatest(load3(block.surface, at)));
         store1(shallow, at, least);
         store1(touching, at, any);
     }
@@ -357,115 +450,97 @@ void body_contact_touch(const BodyContactInput& in, PairBlock& block) {
     }
 }
 
-// Moves both points of a contact to the middle between them: impulses at two points would turn the pair. At most this far: after a
-// large rotation they no longer say how the surfaces move.
-constexpr float most_joined = 0.2f; // of the smaller reach
-
-HWY_INLINE void join_arms(const Side& a, const Side& b, const Size& size_a, const Size& size_b, Vec3 apart,
-                          PairContacts& c, size_t at) {
-    const Vec3 on_a = a.turn * (size_a.length * load3(c.arm_a, at));
-    const Vec3 on_b = b.turn * (size_b.length * load3(c.arm_b, at));
-    Vec3 half = constant(0.5f) * (apart + (on_a - on_b));
-    const VF most = constant(most_joined) * hn::Min(size_a.reach, size_b.reach);
-    half = hn::Min(most / hn::Max(hn::Sqrt(dot(half, half)), constant(1e-30f)), constant(1.0f)) * half;
-    store3(c.arm_a, at, size_a.inverse * transposed_times(a.turn, on_a - half));
-    store3(c.arm_b, at, size_b.inverse * transposed_times(b.turn, on_b + half));
-}
-
 // The velocity's impulse starts from that of the path over h: of a body at rest it is twice that, after a blow just that.
 constexpr float resting_guess = 2.0f, moving_guess = 1.0f;
 
 void body_contact_velocity(const BodyContactInput& in, PairBlock& block) {
-    const bool pairs = block.ratio[0] != 0.0f; // of all lanes or of none
     bool bouncing = false;
     const Gathered g(in, block);
     GatheredTwists twists(in, block);
-    const SolverBodyKind &kind_a = in.kinds[block.kind_a], &kind_b = in.kinds[block.kind_b];
     // The inverse of the shortest steps would overflow.
     const float frequency = 1.0f / HWY_MAX(in.h, 1e-30f);
     const VF zero = hn::Zero(DF()), slow = constant(2.0f * in.gravity * in.h), inverse_h = constant(frequency);
     const VF fall = constant(in.gravity * (in.h * in.h));
     for (size_t at = 0; at < contact_lanes; at += hn::Lanes(DF())) {
-        const Size size_a = size_of(kind_a, g.a, at), size_b = size_of(kind_b, g.b, at);
-        const VF ratio = load1(block.ratio, at);
-        const Side a{kind_a.body->full_inverse, matrix_of(load4(g.a + at_q, at)), constant(1.0f)};
-        const Side b{kind_b.body->full_inverse, matrix_of(load4(g.b + at_q, at)), ratio};
-        store_matrix(block.turn_a, at, a.turn);
-        store_matrix(block.turn_b, at, b.turn);
+        const Size size_a = size_of(in.kinds[block.kind_a], g.a, at), size_b = size_of(in.kinds[block.kind_b], g.b, at);
+        PairBlock::Friction& f = block.friction;
+        const Matrix frame = frame_of(block, at);
+        const Vec3 path{load1(f.dragged[0], at), load1(f.dragged[1], at), load1(f.dragged[2], at)};
+        store3(block.start_drag, at, path.x * frame.row[1] + path.y * frame.row[2]);
+        store1(block.start_spin, at, path.z);
+        Side a, b;
+        set_frame(in, g, block, at, size_a, size_b, a, b);
         store1(block.dust, at, constant(1e-4f) * slow);
         const auto load = [&](const LaneRow* row, size_t field) LR_LAMBDA { return load1(row[field], at); };
         const auto asleep_a = load(g.a, at_depth) < constant(2.0f) * size_a.slop + fall;
         const auto asleep_b = load(g.b, at_depth) < constant(2.0f) * size_b.slop + fall;
         const VF guess = hn::IfThenElse(hn::And(asleep_a, asleep_b), constant(resting_guess * frequency),
                                         constant(moving_guess * frequency));
-        const Vec3 apart = load3(g.a + at_x, at) - load3(g.b + at_x, at);
         const auto any = hn::Max(load(g.a, at_touches), load(g.b, at_touches)) > zero;
-        Twist ta = load6(twists.a, at), tb = load6(twists.b, at);
-        VF more = zero;
-        const Twist met_a = load6(g.a + at_way, at), met_b = load6(g.b + at_way, at);
+        const Vec3 drift = frame * load3(block.surface, at);
+        store1(f.drift[0], at, drift.y);
+        store1(f.drift[1], at, drift.z);
+        const Reduced came = relative_motion(a, b, load6(g.a + at_way, at), load6(g.b + at_way, at));
+        store3(block.came, at, came.drag - Vec3{drift.y, drift.z, zero});
+        VF had[block_contacts];
         for (uint32_t k = 0; k < block.used; ++k) {
-            PairContacts& c = block.contact[k];
-            if (pairs) join_arms(a, b, size_a, size_b, apart, c, at);
-            set_gains(a, b, c, at);
-            store3(c.search, at, zero3());
-            store1(c.inverse, at, hn::IfThenElseZero(any, load1(c.inverse, at)));
-            const Matrix frame = frame_of(c, at);
-            const Vec3 surface = load3(c.surface, at), drift = frame * surface;
+            PairBlock::Place& c = block.place[k];
+            PairBlock::Row& row = block.row[k];
+            store1(row.inverse, at, hn::IfThenElseZero(any, load1(row.inverse, at)));
             const auto touches = load1(c.touching, at) > zero;
             const VF bounce = load1(c.bounce, at);
-            const VF back = -(load1(c.restitution, at) * bounce);
+            const VF back = -(load1(block.restitution, at) * bounce);
             const VF away = hn::IfThenElseZero(bounce < -slow, back);
             // If a body touches somewhere, its open contacts can close within a substep, but not faster.
             const VF closing = -(hn::Max(load1(c.gap, at), zero) * inverse_h);
-            store1(c.target, at, drift.x + hn::IfThenElse(touches, away, closing));
-            store1(c.drift[0], at, drift.y);
-            store1(c.drift[1], at, drift.z);
+            store1(row.target, at, drift.x + hn::IfThenElse(touches, away, closing));
             const VF bounces = hn::IfThenElseZero(touches, away);
             store1(c.bounce, at, bounces);
             bouncing = bouncing || !hn::AllTrue(DF(), hn::Eq(bounces, zero));
-            store3(c.came, at, frame * (relative_velocity(a.turn, b.turn, c, at, met_a, met_b) - surface));
-            const Vec3 path{load1(c.pressed, at), load1(c.dragged[0], at), load1(c.dragged[1], at)};
-            store3(c.start, at, transposed_times(frame, path));
-            const Vec3 had = guess * path;
-            const Vec3 impulse = started(c, at, had, touches);
-            push(a, b, c, at, transposed_times(frame, impulse), ta, tb);
-            more += hn::IfThenElseZero(load1(c.solid, at) > zero, impulse.x);
+            store1(c.came, at, dot(press_direction(row, at), came.press) - drift.x);
+            const VF pressed = load1(row.pressed, at);
+            store1(c.start, at, pressed);
+            had[k] = hn::IfThenElseZero(touches, guess * pressed);
         }
+        const Reduced impulse = started(block, at, had, guess * path);
+        Twist ta = load6(twists.a, at), tb = load6(twists.b, at);
+        push_pair(in, block, a, b, impulse, ta, tb);
         store6(twists.a, at, ta);
         store6(twists.b, at, tb);
+        const VF more = load1(block.solid, at) * impulse.press.x;
         store1(twists.a[6], at, load1(twists.a[6], at) + more);
     }
     twists.put_back(in, block);
     block.bounces = bouncing ? 1 : 0;
 }
 
-// The work of a contact's impulse is half of it times the sum of the velocities before and after.
+// The work of a unit's friction is half of its impulse times the sum of the velocities before and after.
 bool body_contact_restrain(const BodyContactInput& in, PairBlock& block) {
     if (block.bounces == 0) return false;
     GatheredTwists twists(in, block);
     const VF zero = hn::Zero(DF()), most_gain = constant(1.01f);
     bool restrained = false;
     for (size_t at = 0; at < contact_lanes; at += hn::Lanes(DF())) {
-        const Matrix turn_a = load_matrix(block.turn_a, at), turn_b = load_matrix(block.turn_b, at);
-        const Twist ta = load6(twists.a, at), tb = load6(twists.b, at);
+        const Reduced now =
+            relative_motion(side_a(in, block, at), side_b(in, block, at), load6(twists.a, at), load6(twists.b, at));
+        const PairBlock::Friction& f = block.friction;
+        const Vec3 drift{load1(f.drift[0], at), load1(f.drift[1], at), zero};
+        const VF work = dot(load3(f.dragged, at), load3(block.came, at) + (now.drag - drift));
+        VF load = zero;
+        for (uint32_t k = 0; k < block.used; ++k) load += load1(block.row[k].pressed, at);
+        const VF over = work / hn::Max(load, constant(1e-30f));
         for (uint32_t k = 0; k < block.used; ++k) {
-            PairContacts& c = block.contact[k];
-            const auto load = [&](const float* row) LR_LAMBDA { return load1(row, at); };
-            const VF pressed = load(c.pressed), bounces = load(c.bounce);
-            const auto counts = hn::And(bounces > zero, pressed > zero);
-            if (hn::AllFalse(DF(), counts)) continue;
-            const Vec3 relative = frame_of(c, at) * relative_velocity(turn_a, turn_b, c, at, ta, tb);
-            const VF sum_x = load(c.came[1]) + (relative.y - load(c.drift[0]));
-            const VF sum_y = load(c.came[2]) + (relative.z - load(c.drift[1]));
-            const VF work = load(c.dragged[0]) * sum_x + load(c.dragged[1]) * sum_y;
-            const VF over = work / hn::Max(pressed, constant(1e-30f));
-            const VF most = hn::Max(-(load(c.came[0]) + over), zero);
+            PairBlock::Place& c = block.place[k];
+            PairBlock::Row& row = block.row[k];
+            const VF bounces = load1(c.bounce, at);
+            const auto counts = hn::And(bounces > zero, load1(row.pressed, at) > zero);
+            const VF most = hn::Max(-(load1(c.came, at) + over), zero);
             const auto less = hn::And(counts, bounces > most_gain * most);
             if (hn::AllFalse(DF(), less)) continue;
             restrained = true;
             const VF by = hn::IfThenElseZero(less, bounces - most);
             store1(c.bounce, at, bounces - by);
-            store1(c.target, at, load(c.target) - by);
+            store1(row.target, at, load1(row.target, at) - by);
         }
     }
     return restrained;
