@@ -1,16 +1,19 @@
 // The cost of plates that collide with each other, and how well they lie. Steps of 1/60 s with two substeps, AERODYNAMIC loads.
 //     bench_heap [--only SCENE] [--bodies N] [--threads 1|2|both] [--asset FILE] [--csv FILE]
-// Scenes: heap, layers, fall, walk, colliders. Default: all, with one thread. --bodies: in each scene, over as much less ground.
+// Scenes: heap, layers, fall, walk, colliders, and bullet: the heap by Bullet, if it was found, of plates ten times as thick, as it
+// cannot hold these. Default: all, with one thread. --bodies: in each scene, over as much less ground.
 // --asset: instead of the plate baked here, as for a library that reads older files; overlaps stay those of the plate.
 // CPU time is the sum over all threads; `us` is CPU time over awake bodies and substeps, of a whole phase. Overlaps are those of
 // support/heap_quality.h. The same hash in each row for any number of threads.
 #include "bench/heap_scene.h"
+#include "bench/peers/bullet_heap.h"
 
 #include <chrono>
 #include <cinttypes>
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -145,6 +148,7 @@ struct Run {
                          since_start / 60.0, seen.awake, seen.count, phase.costs.back().wall);
     }
     void end(const Phase& phase) { table.add(name, threads, bodies, phase, scene.hash()); }
+    Starts starts(const Source& source, double seconds = 0.0) const { return {source, bodies, seconds}; }
 
     Quality quality() const {
         const test::HeapState state = scene.state();
@@ -184,11 +188,14 @@ struct Run {
         end(gust);
     }
 
-    bool heap() {
-        // A column 0.4 m wide, dropped from half a metre; other numbers make it wider, so that as many fall on an area.
+    // A column 0.4 m wide, dropped from half a metre in three seconds; other numbers of bodies make it wider, so that as many fall
+    // on an area.
+    Starts column() const {
         const uint32_t across = std::max(1u, static_cast<uint32_t>(5.0 * std::sqrt(bodies / 1800.0)));
-        if (!make()) return false;
-        scene.start_over({{across, across}, {0.082f, 0.082f}, 0.5f, 0.0f, 2.2f}, 3.0f);
+        return starts({{across, across}, {0.082f, 0.082f}, 0.5f, 0.0f, 2.2f}, 3.0);
+    }
+    bool heap() {
+        if (!make() || !scene.start(column())) return false;
         Phase landing{"landing"};
         land(landing, 600);
         end(landing);
@@ -198,7 +205,7 @@ struct Run {
     }
     // All land within a second.
     bool layers() {
-        if (!make() || !scene.start_all(HeapScene::square(side(3.0), 0.2f, 0.14f))) return false;
+        if (!make() || !scene.start(starts(square(side(3.0), 0.2f, 0.14f)))) return false;
         seen = scene.look();
         Phase falling{"falling"}, landing{"landing"};
         double fastest = 0.0;
@@ -215,8 +222,7 @@ struct Run {
     }
     // They land over five seconds, as under trees.
     bool fall() {
-        if (!make()) return false;
-        scene.start_over(HeapScene::square(side(3.0), 1.5f, 0.0f), 5.0f);
+        if (!make() || !scene.start(starts(square(side(3.0), 1.5f, 0.0f), 5.0))) return false;
         Phase landing{"landing"};
         land(landing, 900);
         end(landing);
@@ -224,8 +230,8 @@ struct Run {
         return true;
     }
     bool walk() {
-        const HeapScene::Source source = HeapScene::square(side(3.0), 0.2f, 0.14f);
-        if (!make() || !scene.start_all(source)) return false;
+        const Source source = square(side(3.0), 0.2f, 0.14f);
+        if (!make() || !scene.start(starts(source))) return false;
         seen = scene.look();
         Phase before{"before"}, walking{"walking"};
         land(before, 300);
@@ -243,10 +249,10 @@ struct Run {
     }
     // Without body contact; beside the same plates over nothing.
     bool colliders() {
-        const HeapScene::Source source = HeapScene::square(side(0.7), 0.6f, 0.2f);
+        const Source source = square(side(0.7), 0.6f, 0.2f);
         HeapScene free;
-        if (!make(false) || !scene.add_boxes(source.half_side()) || !scene.start_all(source) ||
-            !free.make(plate, bodies, threads) || !free.start_all(source))
+        if (!make(false) || !scene.add_boxes(source.half_side()) || !scene.start(starts(source)) ||
+            !free.make(plate, bodies, threads) || !free.start(starts(source)))
             return false;
         seen = scene.look();
         Phase flight{"flight"}, landing{"landing"};
@@ -261,16 +267,50 @@ struct Run {
     }
 };
 
+// By Bullet, as long as this takes to land and to settle.
+bool bullet_heap(Run& run) {
+    const std::unique_ptr<Peer> peer = make_bullet_heap();
+    if (!peer) return std::fprintf(stderr, "bench_heap: without Bullet (libbullet-dev)\n"), true;
+    Starts starts = run.column();
+    uint32_t count = 0;
+    const auto step = [&](Phase& phase, uint32_t awake) {
+        for (const lr_body_desc& start : starts.next()) peer->add(start), ++count, ++awake;
+        const std::clock_t cpu = std::clock();
+        const auto since = std::chrono::steady_clock::now();
+        peer->step();
+        const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now() - since;
+        phase.costs.push_back({wall.count(), 1e3 * static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC, awake});
+    };
+    Phase landing{"landing"}, settling{"settling"};
+    Peer::Seen seen{};
+    for (int slow = 0; landing.costs.size() < 600 && slow < 6;) {
+        step(landing, seen.awake);
+        seen = peer->look();
+        slow = count == run.bodies && seen.fast <= run.bodies / 500 ? slow + 1 : 0;
+    }
+    run.table.add(run.name, 1, run.bodies, landing, 0);
+    while (settling.costs.size() < 240 && seen.awake > run.bodies / 100) {
+        step(settling, seen.awake);
+        seen = peer->look();
+    }
+    test::Vec half = plate_half;
+    half[2] *= Peer::thicker;
+    settling.quality = {test::heap_quality(half, peer->poses()), seen.awake, 0.0, {}};
+    run.table.add(run.name, 1, run.bodies, settling, 0);
+    return true;
+}
+
 struct Part {
     const char* name;
     uint32_t bodies;
-    bool (Run::*run)();
+    bool (*run)(Run&);
 };
-constexpr Part parts[] = {{"heap", 1800, &Run::heap},
-                          {"layers", 20000, &Run::layers},
-                          {"fall", 20000, &Run::fall},
-                          {"walk", 5000, &Run::walk},
-                          {"colliders", 100000, &Run::colliders}};
+template <bool (Run::*scene)()> bool of(Run& run) {
+    return (run.*scene)();
+}
+constexpr Part parts[] = {
+    {"heap", 1800, of<&Run::heap>}, {"layers", 20000, of<&Run::layers>},        {"fall", 20000, of<&Run::fall>},
+    {"walk", 5000, of<&Run::walk>}, {"colliders", 100000, of<&Run::colliders>}, {"bullet", 1800, bullet_heap}};
 
 bool parse(int argc, char** argv, Options& o) {
     for (int i = 1; i < argc; i += 2) {
@@ -300,7 +340,7 @@ bool run(const Options& o, const lr_asset* plate, Table& table) {
         if (o.only && std::strcmp(o.only, part.name) != 0) continue;
         for (int threads = o.threads == 0 ? 1 : o.threads; threads <= (o.threads == 0 ? 2 : o.threads); ++threads) {
             Run r{part.name, table, plate, o.bodies > 0 ? o.bodies : part.bodies, static_cast<uint32_t>(threads)};
-            if (!(r.*part.run)() || r.failed) {
+            if (!part.run(r) || r.failed) {
                 std::fprintf(stderr, "bench_heap: %s: no world\n", part.name);
                 return false;
             }
@@ -314,7 +354,7 @@ bool run(const Options& o, const lr_asset* plate, Table& table) {
 int main(int argc, char** argv) {
     Options o;
     if (!parse(argc, argv, o)) {
-        std::fprintf(stderr, "usage: bench_heap [--only heap|layers|fall|walk|colliders] [--bodies N] "
+        std::fprintf(stderr, "usage: bench_heap [--only heap|layers|fall|walk|colliders|bullet] [--bodies N] "
                              "[--threads 1|2|both] [--asset FILE] [--csv FILE]\n");
         return 2;
     }

@@ -37,6 +37,69 @@ inline lr_asset* plate_asset() {
     return baked && lr_asset_load_memory(baked.asset.data(), baked.asset.size(), &asset) == LR_OK ? asset : nullptr;
 }
 
+// Where plates start, any way round: cells of a lattice over the origin, wider than a plate's diagonal, so that none begins
+// within another.
+struct Source {
+    uint32_t across[2]; // cells along x and z
+    float pitch[2];     // m
+    float low;          // m, of the lowest cells
+    float level;        // m from one level of cells to the next
+    float speed;        // m/s downwards
+    float half_side() const { return 0.5f * static_cast<float>(across[0]) * pitch[0]; }
+};
+// A square of about this many plates; any way round.
+inline Source square(double side, float low, float level) {
+    constexpr float pitch = 0.082f;
+    const auto across = static_cast<uint32_t>(std::max(1.0, side / static_cast<double>(pitch)));
+    return {{across, across}, {pitch, pitch}, low, level, 0.0f};
+}
+
+// The plates that start, in order, at once or as many in each step.
+class Starts {
+public:
+    Starts() = default;
+    Starts(const Source& source, uint32_t capacity, double seconds = 0.0) // 0: all at once
+        : source_(source), capacity_(capacity), rate_(seconds > 0.0 ? capacity / seconds : 0.0) {}
+    // Of the next step.
+    std::vector<lr_body_desc> next() {
+        time_ += static_cast<double>(step_seconds);
+        const uint32_t count = rate_ > 0.0 ? std::min(capacity_, static_cast<uint32_t>(time_ * rate_)) : capacity_;
+        std::vector<lr_body_desc> descs;
+        for (; started_ < count; ++started_) descs.push_back(start_of(started_));
+        return descs;
+    }
+
+private:
+    lr_body_desc start_of(uint32_t i) const {
+        lr_body_desc d;
+        lr_body_desc_init(&d, sizeof d);
+        const uint32_t cells = source_.across[0] * source_.across[1], level = i / cells;
+        const auto cell =
+            static_cast<uint32_t>(uint64_t{i} * 7919 % cells); // a prime: neighbours start at different times
+        const uint32_t at[2] = {cell % source_.across[0], cell / source_.across[0]};
+        for (size_t k = 0; k < 2; ++k)
+            d.position[2 * k] =
+                source_.pitch[k] * (static_cast<float>(at[k]) + 0.5f - 0.5f * static_cast<float>(source_.across[k]));
+        if (rate_ > 0.0) // has fallen since its time, within this step
+            d.position[1] = source_.low - source_.speed * static_cast<float>(time_ - (i + 1) / rate_);
+        else
+            d.position[1] = source_.low + source_.level * (static_cast<float>(level) + 0.4f * value(i, 4));
+        d.linear_velocity[1] = -source_.speed;
+        for (uint32_t k = 0; k < 4; ++k) d.orientation[k] = value(i, k) - 0.5f; // normalised by the call
+        return d;
+    }
+    static float value(uint32_t a, uint32_t b) { // 0 to 1
+        uint32_t h = a * 0x9e3779b1u ^ b * 0x85ebca77u;
+        h = (h ^ h >> 15) * 0x2c1b3c6du;
+        h = (h ^ h >> 12) * 0x297a2d39u;
+        return static_cast<float>((h ^ h >> 15) >> 8) * 0x1p-24f;
+    }
+
+    Source source_{};
+    uint32_t capacity_ = 0, started_ = 0;
+    double rate_ = 0.0, time_ = 0.0; // a second; s
+};
+
 class HeapScene {
 public:
     HeapScene() = default;
@@ -53,7 +116,7 @@ public:
         lr_batch_desc bd;
         lr_batch_desc_init(&bd, sizeof bd);
         bd.asset = plate;
-        bd.capacity = capacity_ = capacity;
+        bd.capacity = capacity;
         bd.load_model = LR_LOADS_AERODYNAMIC;
         lr_ground_wind_desc slow;
         lr_ground_wind_desc_init(&slow, sizeof slow);
@@ -85,35 +148,15 @@ public:
         return true;
     }
 
-    // Where plates start, any way round: cells of a lattice over the origin, wider than a plate's diagonal, so that none begins
-    // within another.
-    struct Source {
-        uint32_t across[2]; // cells along x and z
-        float pitch[2];     // m
-        float low;          // m, of the lowest cells
-        float level;        // m from one level of cells to the next
-        float speed;        // m/s downwards
-        float half_side() const { return 0.5f * static_cast<float>(across[0]) * pitch[0]; }
-    };
-    // A square of about this many plates; any way round.
-    static Source square(double side, float low, float level) {
-        constexpr float pitch = 0.082f;
-        const auto across = static_cast<uint32_t>(std::max(1.0, side / static_cast<double>(pitch)));
-        return {{across, across}, {pitch, pitch}, low, level, 0.0f};
+    bool start(const Starts& starts) {
+        starts_ = starts;
+        return start_next();
     }
-    bool start_all(const Source& source) {
-        source_ = source;
-        return create(capacity_);
-    }
-    // As many in each step; call before it.
-    void start_over(const Source& source, float seconds) {
-        source_ = source;
-        rate_ = static_cast<double>(capacity_) / static_cast<double>(seconds);
-    }
+    // Before each step.
     bool start_next() {
-        if (rate_ <= 0.0 || started_ == capacity_) return true;
-        time_ += static_cast<double>(step_seconds);
-        return create(std::min(capacity_, static_cast<uint32_t>(time_ * rate_)));
+        const std::vector<lr_body_desc> descs = starts_.next();
+        return descs.empty() ||
+               lr_body_create(world_, batch_, descs.data(), static_cast<uint32_t>(descs.size()), nullptr) == LR_OK;
     }
 
     // A capsule of 1.72 m that walks along x at 1.4 m/s, from half a metre before the square to half a metre behind it.
@@ -168,41 +211,10 @@ public:
         lr_world_hash(world_, &h);
         return h;
     }
-    uint32_t capacity() const { return capacity_; }
 
 private:
     static constexpr float walker_y = 0.87f;
 
-    // Up to so many.
-    bool create(uint32_t count) {
-        std::vector<lr_body_desc> descs;
-        for (; started_ < count; ++started_) descs.push_back(start_of(started_));
-        return lr_body_create(world_, batch_, descs.data(), static_cast<uint32_t>(descs.size()), nullptr) == LR_OK;
-    }
-    lr_body_desc start_of(uint32_t i) const {
-        lr_body_desc d;
-        lr_body_desc_init(&d, sizeof d);
-        const uint32_t cells = source_.across[0] * source_.across[1], level = i / cells;
-        const auto cell =
-            static_cast<uint32_t>(uint64_t{i} * 7919 % cells); // a prime: neighbours start at different times
-        const uint32_t at[2] = {cell % source_.across[0], cell / source_.across[0]};
-        for (size_t k = 0; k < 2; ++k)
-            d.position[2 * k] =
-                source_.pitch[k] * (static_cast<float>(at[k]) + 0.5f - 0.5f * static_cast<float>(source_.across[k]));
-        if (rate_ > 0.0) // has fallen since its time, within this step
-            d.position[1] = source_.low - source_.speed * static_cast<float>(time_ - (i + 1) / rate_);
-        else
-            d.position[1] = source_.low + source_.level * (static_cast<float>(level) + 0.4f * value(i, 4));
-        d.linear_velocity[1] = -source_.speed;
-        for (uint32_t k = 0; k < 4; ++k) d.orientation[k] = value(i, k) - 0.5f; // normalised by the call
-        return d;
-    }
-    static float value(uint32_t a, uint32_t b) { // 0 to 1
-        uint32_t h = a * 0x9e3779b1u ^ b * 0x85ebca77u;
-        h = (h ^ h >> 15) * 0x2c1b3c6du;
-        h = (h ^ h >> 12) * 0x297a2d39u;
-        return static_cast<float>((h ^ h >> 15) >> 8) * 0x1p-24f;
-    }
     static lr_collider_desc collider(int32_t kind, float x, float y, float z) {
         lr_collider_desc d;
         lr_collider_desc_init(&d, sizeof d);
@@ -214,9 +226,7 @@ private:
     lr_world* world_ = nullptr;
     lr_batch batch_{};
     lr_collider walker_{};
-    Source source_{};
-    uint32_t capacity_ = 0, started_ = 0;
-    double rate_ = 0.0, time_ = 0.0;
+    Starts starts_;
     float from_ = 0.0f;
     std::vector<float> velocities_;
 };
