@@ -47,9 +47,8 @@ TEST_CASE("stacks of boxes stay, and come to rest") {
     for (uint32_t high : {2u, 5u, 10u})
         for (double size : {0.01, 0.1, 1.0})
             for (uint32_t substeps : {1u, 2u, 4u}) {
-                // Too few sweeps for the height: it leans, and can fall.
-                if (size < 0.05 && high > 2) continue;
-                if (high > 5 && size < 0.5 && substeps < 2) continue;
+                // g h^2 is a quarter of such a box: too few sweeps for the height in the first substep, and it leans.
+                if (high > 5 && size < 0.05 && substeps < 2) continue;
                 CAPTURE(high);
                 CAPTURE(size);
                 CAPTURE(substeps);
