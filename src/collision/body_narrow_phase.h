@@ -2,6 +2,7 @@
 #pragma once
 
 #include "collision/body_shape.h"
+#include "collision/broad_face.h"
 
 #include <cstdint>
 
@@ -26,6 +27,7 @@ struct PairHull {
     bool flat; // a plate: all z are 0
     // Of a plate: its corners in order, counter-clockwise about z.
     float ring_x[most_shape_points], ring_y[most_shape_points];
+    BroadFace face;
     Vector point(uint32_t i) const { return {x[i], y[i], z[i]}; }
     Vector face_normal(uint32_t f) const { return {face_x[f], face_y[f], face_z[f]}; }
 };

@@ -173,6 +173,7 @@ PairHull make_pair_hull(const BodyShape& shape) {
         out.ring_x[i] = out.x[corner];
         out.ring_y[i] = out.y[corner];
     }
+    out.face = make_broad_face(out);
     return out;
 }
 

@@ -225,15 +225,12 @@ bool hits_mesh(const MeshGeometry& mesh, const SharedGeometry& shared, const Ray
     bool any = false;
     for (size_t p = 0; p < shared.parts.size(); ++p) {
         const MeshPart& part = shared.parts[p];
-        if (!reaches_box(part.box, ray, most)) continue;
-        for (uint32_t i = part.part.first; i < part.part.first + part.part.count; ++i) {
-            RayHit other{};
-            if (!hits_triangle(mesh_triangle(mesh, i).corners, ray, most, true, other)) continue;
-            if (any && !(other.distance < hit.distance)) continue;
-            hit = other;
-            most = other.distance;
-            any = true;
-        }
+        RayHit other{};
+        if (!reaches_box(part.box, ray, most) || !ray_hits_part(mesh, part.part, ray, most, other)) continue;
+        if (any && !(other.distance < hit.distance)) continue;
+        hit = other;
+        most = other.distance;
+        any = true;
     }
     return any;
 }
@@ -290,6 +287,19 @@ bool hits_heightfield(const HeightfieldGeometry& field, const Ray& ray, double m
     }
 }
 } // namespace
+
+bool ray_hits_part(const MeshGeometry& mesh, const ColliderPart& part, const Ray& ray, double most, RayHit& hit) {
+    bool any = false;
+    for (uint32_t i = part.first; i < part.first + part.count; ++i) {
+        RayHit other{};
+        if (!hits_triangle(mesh_triangle(mesh, i).corners, ray, most, true, other)) continue;
+        if (any && !(other.distance < hit.distance)) continue;
+        hit = other;
+        most = other.distance;
+        any = true;
+    }
+    return any;
+}
 
 bool ray_hits_collider(const Geometry& g, const SharedGeometry* shared, const Ray& ray, double most, RayHit& hit) {
     switch (g.kind) {

@@ -23,5 +23,8 @@ bool ray_hits_body(const BodyShape& shape, float scale, const Pose& at, const Ra
 bool ray_hits_collider(const Geometry& geometry, const SharedGeometry* shared, const Ray& ray, double most,
                        RayHit& hit);
 
+// The first hit of a ray with a part of a mesh.
+bool ray_hits_part(const MeshGeometry& mesh, const ColliderPart& part, const Ray& ray, double most, RayHit& hit);
+
 Ray ray_in(const Pose& frame, const Ray& ray);
 } // namespace lr

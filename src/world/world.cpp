@@ -3,6 +3,7 @@
 #include "base/counter_random.h"
 #include "base/last_error.h"
 #include "world/batch/lifecycle.h"
+#include "world/sleep/shelter.h"
 #include "world/sleep/wake.h"
 #include "world/snapshot/snapshot_bytes.h"
 #include "world/step/step_in_wind.h"
@@ -124,6 +125,10 @@ lr_status lr_world::create_batch(const lr_asset& asset, uint32_t capacity, const
         Batch::destroy(slot.batch);
         return LR_ERROR_OUT_OF_MEMORY;
     }
+    slot.batch->on_waking({[](void* world, uint32_t batch, float reach, const Box& box) {
+                               uncover(*static_cast<lr_world*>(world), batch, reach, box);
+                           },
+                           this});
     batches[at] = slot;
     batch_slots = std::max(batch_slots, at + 1);
     out = pack(BatchHandle{at, slot.generation});

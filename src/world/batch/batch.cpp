@@ -182,17 +182,34 @@ void Batch::lie_down(uint32_t index) {
 }
 
 uint32_t Batch::wake(uint32_t index) {
-    sleeping_->leave(unpack(ids()[index]).slot);
+    const uint32_t slot = unpack(ids()[index]).slot;
+    const Box box = sleeping_->box(slot);
+    sleeping_->leave(slot);
+    if (waking_.tell)
+        waking_.tell(waking_.world, index_, asset_->pair_hull.shape.reach * arrays_.field[field_scale][index], box);
     sleeping_->age_of(index, arrays_.field[field_age][index], arrays_.field[field_age_remainder][index]);
     oldest_ = std::max(oldest_, static_cast<double>(arrays_.field[field_age][index]));
     columns_.clear(index, index + 1, column_birth, 1);
     columns_.clear(index, index + 1, column_gust, wake_fields); // see WakeByFlow
     columns_.clear(index, index + 1, column_still_time, 1);
     columns_.clear(index, index + 1, column_stay, stay_rows);
-    if (events_) events_->note(unpack(ids()[index]).slot, noted_waking);
+    if (events_) events_->note(slot, noted_waking);
     swap(index, awake_);
     ++revision_;
     return awake_++;
+}
+
+// A sleeping body needs no wake: its columns store the wind, and the first of the lag the shelter.
+void Batch::store_wind(uint32_t index, Vector wind, bool sheltered) {
+    put_in(arrays_.field, field_gust_x, index, wind);
+    arrays_.field[field_lag_x][index] = sheltered ? 1.0f : 0.0f;
+    if (sheltered) sleeping_->note_sheltered();
+}
+
+void Batch::forget_shelter(uint32_t index) {
+    if (!arrays_.field[field_lag_x] || arrays_.field[field_lag_x][index] == 0.0f) return;
+    store_wind(index, {0.0f, 0.0f, 0.0f}, false);
+    sleeping_->try_wind_again();
 }
 
 void Batch::wake_all() {

@@ -138,6 +138,15 @@ public:
         if (sleeping_->grid.visit(box, count_ - awake_, look_at)) return;
         for (uint32_t i = awake_; i < count_; ++i) look_at(unpack(ids()[i]).slot);
     }
+    // Called as a body wakes, with the contact box in which it lay. Null: nothing to do.
+    struct Waking {
+        void (*tell)(void* world, uint32_t batch, float reach, const Box& box) = nullptr;
+        void* world = nullptr;
+    };
+    void on_waking(const Waking& waking) { waking_ = waking; }
+    // The wind that a sleeping body has withstood (m/s; 0: none), and whether only since others sheltered it. See WakeByFlow.
+    void store_wind(uint32_t index, Vector wind, bool sheltered);
+    void forget_shelter(uint32_t index); // it has to withstand the wind again, if others sheltered it
     bool reserve_sleep();                                        // false when out of memory
     SleepingBodies* sleeping() const { return sleeping_.get(); } // null before reserve_sleep()
     // Updates the ages of sleeping bodies in the arrays.
@@ -231,6 +240,7 @@ private:
     float water_density_ = 0.0f, water_viscosity_ = 0.0f;
     TurbulenceSample stationary_{}; // of a table set by the user; u0 is 0 without one
     double oldest_ = 0.0;           // s, upper bound of the ages of awake bodies
+    Waking waking_;
     Owned<Lifecycle> lifecycle_;
     Owned<SleepingBodies> sleeping_;
     Owned<ContactEvents> events_;

@@ -65,6 +65,7 @@ bool SleepingBodies::allocate(Allocator& allocator, uint32_t capacity, double re
 void SleepingBodies::begin() {
     state_ = {};
     state_.steps = phase_;
+    sheltered_ = 0;
     earliest_ = never;
 }
 

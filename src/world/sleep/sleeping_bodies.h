@@ -46,6 +46,11 @@ public:
     bool in_question(float max_age) const;
     // For the uniform wind: true if all bodies have been tried in a similar one since the last fell asleep; else the next ones have their turn.
     bool withstood(const float (&wind)[3]);
+    // One of them has to be tried again.
+    void try_wind_again() { state_.tried = 0; }
+    // Whether one can have withstood a wind under the shelter of others: never false if one has. Noted by any thread.
+    bool any_sheltered() const { return sheltered_ != 0; }
+    void note_sheltered() { __atomic_store_n(&sheltered_, uint8_t{1}, __ATOMIC_RELAXED); }
     // Rules have checked all of them. Bodies [begin, end) sleep.
     void answered(uint32_t begin, uint32_t end, float max_age);
     void ask_again() { state_.unjudged = 1; }
@@ -65,11 +70,13 @@ public:
     static bool consistent(const State& state, double birth);
     // No body sleeps; boxes stay.
     void clear() { begin(), grid.clear(); }
-    void restore(const State& state) { state_ = state; } // after all have entered
+    // After all have entered.
+    void restore(const State& state) { state_ = state, sheltered_ = 1; }
 
 private:
     uint32_t phase_ = 0;
     State state_{};
+    uint8_t sheltered_ = 0;
     double earliest_ = 0.0; // s: no birth is before it
     double* births_ = nullptr;
     Buffer<Box> boxes_; // by slot; NaN for none

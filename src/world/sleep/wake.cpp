@@ -1,6 +1,7 @@
 #include "world/sleep/wake.h"
 
 #include "base/step_workers.h"
+#include "world/sleep/shelter.h"
 #include "world/world.h"
 
 #include <algorithm>
@@ -64,8 +65,10 @@ void WakeByFlow::run(const FloatMode& mode) {
         in.sqrt_h = std::sqrt(in.h);
         in.inverse_sqrt_h = 1.0f / in.sqrt_h;
     }
-    // All at the same moment: the field is prepared once.
-    if (world_->wind.active()) world_->wind.prepare(time_, world_->wind.uniform, 0, 1, world_->seed);
+    // All at the same moment: the field is prepared once. A uniform wind as it is at the end of the step; it is a field for sheltered bodies.
+    UniformWind uniform = world_->wind.uniform;
+    if (!world_->wind.active()) std::copy(uniform.wind, uniform.wind + 3, uniform.before);
+    world_->wind.prepare(time_, uniform, 0, 1, world_->seed);
     const uint64_t bodies = uint64_t{chunks_} * chunk_bodies / turns;
     const auto helpers =
         static_cast<uint32_t>(std::min<uint64_t>(world_->step_workers.helpers(), bodies / helper_cost));
@@ -114,7 +117,6 @@ void WakeByFlow::try_bodies(const StepItem& item, const uint32_t* index, uint32_
                                      static_cast<float>(time_.h), length(vector_of(world_->gravity)), arrays, 0,
                                      copies.padded, wet);
     }
-    // A sleeping body needs no wake velocity: its column stores the wind that it has withstood.
     uint32_t tried[most], tried_count = 0;
     Vector wind[most];
     for (uint32_t i = 0; i < count; ++i) {
@@ -124,35 +126,66 @@ void WakeByFlow::try_bodies(const StepItem& item, const uint32_t* index, uint32_
         tried[tried_count++] = index[i];
     }
     if (tried_count == 0) return;
-    copies.take(batch.arrays(), tried_count, [&](uint32_t i) { return tried[i]; });
+    const SleepingNeighbours neighbours(*world_, unpack(item.handle).index);
+    bool moves[most];
+    take_substep(item, neighbours, tried, tried_count, nullptr, moves);
+    // The wind would move them if they lay alone.
+    uint32_t sheltered[most], in_tried[most], sheltered_count = 0;
+    float felt[most];
+    for (uint32_t i = 0; i < tried_count; ++i) {
+        if (!moves[i]) {
+            if (remembers) batch.store_wind(tried[i], wind[i], false);
+            continue;
+        }
+        const float open = neighbours.any() ? open_to_wind(*world_, unpack(item.handle).index, tried[i]) : 1.0f;
+        if (open == 1.0f) {
+            batch.note_sleep(tried[i]);
+            continue;
+        }
+        felt[sheltered_count] = felt_wind(open);
+        in_tried[sheltered_count] = i;
+        sheltered[sheltered_count++] = tried[i];
+    }
+    if (sheltered_count == 0) return;
+    std::fill(felt + sheltered_count, felt + whole_blocks(sheltered_count), 1.0f); // lanes without a body
+    take_substep(item, neighbours, sheltered, sheltered_count, felt, moves);
+    for (uint32_t i = 0; i < sheltered_count; ++i) {
+        if (moves[i])
+            batch.note_sleep(sheltered[i]);
+        else if (remembers)
+            batch.store_wind(sheltered[i], wind[in_tried[i]], true);
+    }
+}
+
+void WakeByFlow::take_substep(const StepItem& item, const SleepingNeighbours& neighbours, const uint32_t* index,
+                              uint32_t count, const float* felt, bool* moves) {
+    Batch& batch = *item.batch;
+    BodyCopies<field_block> copies;
+    copies.take(batch.arrays(), count, [&](uint32_t i) { return index[i]; });
+    BatchArrays arrays = copies.arrays();
     const uint32_t padded = copies.padded;
     // In the arrays these values are outdated.
     for (uint32_t i = 0; i < padded; ++i)
-        batch.sleeping()->age_of(tried[std::min(i, tried_count - 1)], copies.field[field_age][i],
+        batch.sleeping()->age_of(index[std::min(i, count - 1)], copies.field[field_age][i],
                                  copies.field[field_age_remainder][i]);
     for (size_t f = field_gust_x; f < field_count; ++f) std::fill_n(copies.field[f], padded, 0.0f);
-    if (!remembers)
+    if (batch.step.loads != Loads::aerodynamic)
         for (size_t f = field_gust_x; f < field_count; ++f) arrays.field[f] = nullptr;
-    StepInput one = in;
+    StepInput one = batch.step;
     one.external.used = 0;
     const WaterStep* const surface = world_->surface.present() ? &surface_ : nullptr;
     ContactRun run = contact_run(*world_, batch, surface, time_, static_cast<float>(time_.h));
-    const SleepingNeighbours neighbours(*world_, unpack(item.handle).index);
     if (neighbours.any()) run.step.sleeping = &neighbours;
-    if (field)
-        step_in_field({world_->target, &world_->wind, time_, 0, 1, surface}, one, &run, arrays, item.handle,
-                      tried_count, 0, padded);
+    if (world_->wind.active() || felt)
+        step_in_field({world_->target, &world_->wind, time_, 0, 1, surface, felt}, one, &run, arrays, item.handle,
+                      count, 0, padded);
     else
-        step_near_colliders(run, one, arrays, item.handle, tried_count, 0, padded);
-    const float limit = going * run.step.gravity * in.h;
-    for (uint32_t i = 0; i < tried_count; ++i) {
+        step_near_colliders(run, one, arrays, item.handle, count, 0, padded);
+    const float limit = going * run.step.gravity * one.h;
+    for (uint32_t i = 0; i < count; ++i) {
         const auto size = [&](size_t f) { return length(vector_in(copies.field, f, i)); };
         const float reach = batch.asset().shape.reach * copies.field[field_scale][i];
-        if (size(field_vx) + reach * size(field_wx) > limit) {
-            batch.note_sleep(tried[i]);
-        } else if (remembers) {
-            put_in(batch.arrays().field, field_gust_x, tried[i], wind[i]);
-        }
+        moves[i] = size(field_vx) + reach * size(field_wx) > limit;
     }
 }
 

@@ -12,6 +12,8 @@ struct lr_world;
 
 namespace lr {
 
+class SleepingNeighbours;
+
 // Wakes bodies that are about to be hit in the coming step of dt (s), so that they take the blow as awake bodies.
 void wake_before_hit(lr_world& world, float dt, const FloatMode& mode);
 
@@ -30,6 +32,9 @@ public:
 private:
     void try_range(const StepItem& item, uint32_t begin, uint32_t end);
     void try_bodies(const StepItem& item, const uint32_t* index, uint32_t count);
+    // moves: whether each does. felt: the share of the wind's speed that each feels; null: all of it.
+    void take_substep(const StepItem& item, const SleepingNeighbours& neighbours, const uint32_t* index, uint32_t count,
+                      const float* felt, bool* moves);
 
     lr_world* world_;
     StepItem* items_;

@@ -51,6 +51,18 @@ void ask(WindField& field, double time, lr_batch batch, uint32_t count, FieldBlo
         block.reference[lane] += largest;
     }
 }
+
+// Everything that moves with the wind, for bodies that feel only a share of it.
+void weaken(const float* felt, uint32_t count, FieldBlock* blocks) {
+    for (uint32_t i = 0; i < count; ++i) {
+        FieldBlock& block = blocks[i / lane_block];
+        const size_t lane = i % lane_block;
+        for (size_t k = 0; k < 3; ++k)
+            for (auto* rows : {block.wind, block.change, block.rate}) rows[k][lane] *= felt[i];
+        for (auto& row : block.gradient) row[lane] *= felt[i];
+        block.reference[lane] *= felt[i];
+    }
+}
 } // namespace
 
 void step_in_field(const FieldSlice& slice, const StepInput& in, const ContactRun* contact, const BatchArrays& arrays,
@@ -58,9 +70,9 @@ void step_in_field(const FieldSlice& slice, const StepInput& in, const ContactRu
     const auto h = static_cast<float>(slice.time.h);
     const KernelTarget& target = *slice.target;
     FieldBlock blocks[field_block / lane_block];
-    const bool surface = slice.surface && in.water, asks = slice.field->callback();
+    const bool surface = slice.surface && in.water, asks = slice.field->callback(), weak = slice.felt != nullptr;
     const FieldInstant& instant = slice.field->instant(0);
-    WindAlong along{&instant, blocks, instant.source_count == 0 && !asks, asks || surface};
+    WindAlong along{&instant, blocks, instant.source_count == 0 && !asks && !weak, asks || surface || weak};
     BatchArrays bodies = arrays;
     bodies.wind = &along;
     StepInput part = in;
@@ -82,6 +94,7 @@ void step_in_field(const FieldSlice& slice, const StepInput& in, const ContactRu
             target.evaluate(*along.instant, last - at, blocks);
             const double time = slice.time.begin + (slice.first + i + 0.5) * slice.time.h;
             if (asks && at < live) ask(*slice.field, time, batch, std::min(last, live) - at, blocks);
+            if (weak) weaken(slice.felt + (at - begin), last - at, blocks);
         }
         const auto step = [&] {
             if (!surface) return target.step(part, bodies, at, last);

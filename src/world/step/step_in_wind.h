@@ -13,6 +13,8 @@ struct FieldSlice {
     StepTime time;
     uint32_t first, count;    // substeps of the step
     const WaterStep* surface; // null without water
+    // By body from `begin` on: the share of the wind's speed that it feels. Null: all of it.
+    const float* felt = nullptr;
 };
 
 // batch: handle, for the caller's own field. live: bodies of the batch; later lanes are empty. contact: null if there is nothing to touch.
