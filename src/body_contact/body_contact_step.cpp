@@ -94,13 +94,13 @@ void BodyContactStep::move_cut(const BodyContactBatch& member, uint32_t begin, u
 }
 
 void BodyContactStep::move_alone(uint32_t substep) {
-    if (world_->wind.active()) {
-        world_->lap(world_->timings.body_contact);
-        world_->wind.prepare(time_, items_[0].batch->pace.wind(world_->wind.uniform), substep, 1, world_->seed);
-        world_->lap(world_->timings.wind);
-    }
+    // For sheltered bodies, a uniform wind is a field too.
+    const bool field = world_->wind.active();
+    if (field) world_->lap(world_->timings.body_contact);
+    world_->wind.prepare(time_, items_[0].batch->pace.wind(world_->wind.uniform), substep, 1, world_->seed);
+    if (field) world_->lap(world_->timings.wind);
     each_cut([&](const BodyContactBatch& member, uint32_t begin, uint32_t end) {
-        move_awake(*member.item.batch, begin, end, [&] { move_cut(member, begin, end, substep); });
+        move_awake(*member.item.batch, begin, end, [&] { move_sheltered(member, begin, end, substep); });
     });
 }
 
@@ -108,7 +108,7 @@ void BodyContactStep::run() {
     for (uint32_t substep = 0; substep < time_.substeps; ++substep) {
         move_alone(substep);
         place_count_ = 0;
-        const bool found = find_pairs() && number_touching();
+        const bool found = find_pairs() && number_touching() && find_shelter(substep);
         if (!found) starved_ = true;
         hold(substep, Held::apart);
         const bool solved = place_count_ != 0 && solve();

@@ -79,6 +79,7 @@ struct BodyContactBuffers {
     Buffer<CachedPair> found;               // of each: the manifold that goes to the cache; count 0: none
     Buffer<const CachedPair*> cached;       // of each: from the substep before, or null
     Buffer<BodyContactPoint> pair_contacts; // block_contacts of each
+    Buffer<Hidden> hidden;                  // by body, of those whose shelter is found in this substep
     Buffer<uint32_t> place;                 // by body: its number among those that touch others, or UINT32_MAX
     Buffer<uint64_t> order;                 // noise seed and body
     // By place; padding is UINT32_MAX.
@@ -121,6 +122,11 @@ private:
     void keep_first(uint32_t* seen, uint32_t body) const;
     void meet(uint32_t begin, uint32_t end);
     bool number_touching();
+
+    // body_contact/body_contact_shelter.cpp
+    bool find_shelter(uint32_t substep);
+    bool in_question(const BodyContactBatch& member, uint32_t index, uint32_t substep) const;
+    void move_sheltered(const BodyContactBatch& member, uint32_t begin, uint32_t end, uint32_t substep) const;
 
     // body_contact/body_contact_manifolds.cpp
     bool in_order(const BodyContactBuffers::Pair& pair) const; // a has the lower key

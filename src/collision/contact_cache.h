@@ -15,6 +15,7 @@
 namespace lr {
 
 inline constexpr uint32_t most_touches = 4; // colliders of a body that count
+inline constexpr float lee_unknown = -1.0f; // of ContactCache::lee
 inline constexpr uint32_t stay_rows = 7;    // of ContactCache::stay
 
 // A touched thing is the slot of a collider + 1, or this value for any number of bodies; 0: nothing.
@@ -45,6 +46,8 @@ struct ContactCache {
     float* still_time = nullptr; // s, time it has lain still; null: nothing is recorded
     // Time it has stayed in place, s, and its way and turn since then: m, world frame; rad, body frame.
     float* stay[stay_rows] = {};
+    // The share of the wind's speed that others keep from it; lee_unknown, which counts as 0: not known since it woke.
+    float* lee = nullptr;
     uint32_t* touching[most_touches] = {}; // slots + 1 of colliders, touching_body; 0: none
     void (*falls_asleep)(void* batch, uint32_t index) = nullptr;
     void* batch = nullptr;
@@ -153,6 +156,7 @@ void enter_body(const ContactCache& book, const BodyAfter& body, bool may_sleep,
     book.still_time[at] = share > 0.0f ? book.still_time[at] + share * seconds : 0.0f;
     const bool stayed = stays(book, body, seconds) && body.touches;
     if (last && may_sleep && (stayed || book.still_time[at] >= time_to_sleep)) book.falls_asleep(book.batch, at);
+    if (body.now[0] == 0) book.lee[at] = 0.0f;
     if (!last && body.now[0] == 0) return; // the contact can return within the step
     if (book.notes.noted) note_touches(book, body, touch_with);
     for (size_t k = 0; k < most_touches; ++k) book.touching[k][at] = body.now[k];

@@ -125,8 +125,8 @@ lr_status lr_world::create_batch(const lr_asset& asset, uint32_t capacity, const
         Batch::destroy(slot.batch);
         return LR_ERROR_OUT_OF_MEMORY;
     }
-    slot.batch->on_waking({[](void* world, uint32_t batch, float reach, const Box& box) {
-                               uncover(*static_cast<lr_world*>(world), batch, reach, box);
+    slot.batch->on_waking({[](void* world, Batch& batch, uint32_t index, const Box& box) {
+                               uncover(*static_cast<lr_world*>(world), batch, index, box);
                            },
                            this});
     batches[at] = slot;

@@ -2,6 +2,7 @@
 #include "support/body_contact.h"
 
 #include <algorithm>
+#include <cstring>
 
 using namespace test;
 
@@ -116,21 +117,91 @@ TEST_CASE("when its cover leaves, a plate that has withstood the wind is tried a
     }
 }
 
-TEST_CASE("a wind takes a stack of plates from the top") {
+TEST_CASE("without body contact nothing is sheltered, and an open body keeps its bits beside a stack") {
+    for (const bool body_contact : {false, true}) {
+        CAPTURE(body_contact);
+        lr_body_state states[2];
+        for (int crowded = 0; crowded < 2; ++crowded) {
+            Ground g(body_contact);
+            const lr_body plate = add_body(g.world, g.lying, at_rest_at({0.0, 0.5 * thick, 0.0}));
+            for (int i = 0; i < 3 && crowded == 1; ++i)
+                add_body(g.world, g.lying, at_rest_at({0.0, 0.5 * thick + 1.05 * thick * i, 0.5}));
+            g.step(120);
+            if (crowded == 1 && !body_contact) g.cover(0.0, 0.002);
+            set_wind(g.world, 9.0f, 0.0f, 0.0f);
+            g.step(40);
+            states[crowded] = state_of(g.world, plate);
+        }
+        CHECK(std::memcmp(states[0].position, states[1].position, sizeof states[0].position) == 0);
+        CHECK(std::memcmp(states[0].orientation, states[1].orientation, sizeof states[0].orientation) == 0);
+        CHECK(states[0].position[0] > 0.05f);
+    }
+}
+
+namespace {
+
+// The steps after which plates have gone, from the lowest to the highest. wind: uniform, or a field.
+std::vector<int> take_away(bool field) {
     Ground g;
     std::vector<lr_body> stack;
     for (int i = 0; i < 5; ++i)
         stack.push_back(add_body(g.world, g.lying, at_rest_at({0.002 * i, 0.5 * thick + 1.05 * thick * i, 0.001 * i})));
     g.step(240);
     for (lr_body b : stack) REQUIRE(rests(g.world, b));
-    std::vector<int> gone(stack.size(), 0), woken(stack.size(), 0);
-    set_wind(g.world, 7.0f, 0.0f, 0.0f);
-    for (int n = 1; n <= 600; ++n) {
-        g.step(1);
-        for (size_t i = 0; i < stack.size(); ++i) {
-            if (gone[i] == 0 && g.x_of(stack[i]) > 0.1) gone[i] = n;
-            if (woken[i] == 0 && !rests(g.world, stack[i])) woken[i] = n;
-        }
+    if (field) {
+        lr_ground_wind_desc slow = initialised(lr_ground_wind_desc_init);
+        slow.position[1] = -100.0f;
+        slow.roughness_length = 1e-3f;
+        REQUIRE(lr_world_add_ground_wind(g.world.get(), &slow, nullptr) == LR_OK);
     }
-    for (size_t i = 0; i < stack.size(); ++i) MESSAGE("plate " << i << " woke in step " << woken[i] << ", gone in step " << gone[i]);
+    set_wind(g.world, 7.0f, 0.0f, 0.0f);
+    std::vector<int> gone(stack.size(), 0);
+    for (int n = 1; n <= 300; ++n) {
+        g.step(1);
+        for (size_t i = 0; i < stack.size(); ++i)
+            if (gone[i] == 0 && g.x_of(stack[i]) > 0.1) gone[i] = n;
+    }
+    return gone;
+}
+
+// A heap of plates in a wind that takes some of them.
+struct Heap : Ground {
+    explicit Heap(uint32_t workers, bool backwards = false) : Ground(true, workers) {
+        for (uint32_t i = 0; i < 60; ++i) {
+            const uint32_t n = backwards ? 59 - i : i;
+            lr_body_desc d = at_rest_at({0.012 * (n % 5), 0.001 + 0.0012 * n, 0.009 * (n % 7)});
+            d.noise_seed = 100 + n;
+            add_body(world, n % 3 == 0 ? over : lying, d);
+        }
+        step(150);
+        set_wind(world, 8.0f, 0.0f, 1.0f);
+    }
+};
+
+} // namespace
+
+TEST_CASE("a wind takes a stack of plates from the top") {
+    for (bool field : {false, true}) {
+        const std::vector<int> gone = take_away(field);
+        CAPTURE(field);
+        MESSAGE("gone after steps, from the lowest: " << gone[0] << " " << gone[1] << " " << gone[2] << " " << gone[3]
+                                                      << " " << gone[4]);
+        for (size_t i = 0; i < 5; ++i) CHECK(gone[i] > 0);
+        for (size_t i = 1; i < 5; ++i) CHECK(gone[i] + 5 < gone[i - 1]);
+    }
+}
+
+TEST_CASE("a heap in wind has the same bits with workers, in another order of slots, and from a snapshot") {
+    const Heap one(0), two(2), turned(0, true), later(0);
+    for (const Heap* h : {&one, &two, &turned}) h->step(30);
+    const std::vector<unsigned char> half = snapshot_of(one.world);
+    REQUIRE(lr_world_snapshot_restore(later.world.get(), half.data(), half.size()) == LR_OK);
+    CHECK(hash_of(later.world) == hash_of(one.world));
+    for (const Heap* h : {&one, &two, &turned, &later}) h->step(60);
+    const uint32_t left = view_of(one.world, one.lying).count;
+    REQUIRE(left == 40);
+    CHECK(view_of(one.world, one.lying).awake_count > 0);
+    CHECK(hash_of(two.world) == hash_of(one.world));
+    CHECK(hash_of(turned.world) == hash_of(one.world));
+    CHECK(hash_of(later.world) == hash_of(one.world));
 }

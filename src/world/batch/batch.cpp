@@ -169,6 +169,7 @@ uint32_t Batch::fall_asleep(uint32_t index) {
         sleeping_->birth_of(arrays_.field[field_age][to], arrays_.field[field_age_remainder][to]);
     columns_.clear(to, to + 1, field_vx, 6);
     columns_.clear(to, to + 1, column_force, force_components);
+    columns_.clear(to, to + 1, column_lee, 1);
     lie_down(to);
     return to;
 }
@@ -185,8 +186,7 @@ uint32_t Batch::wake(uint32_t index) {
     const uint32_t slot = unpack(ids()[index]).slot;
     const Box box = sleeping_->box(slot);
     sleeping_->leave(slot);
-    if (waking_.tell)
-        waking_.tell(waking_.world, index_, asset_->pair_hull.shape.reach * arrays_.field[field_scale][index], box);
+    if (waking_.tell) waking_.tell(waking_.world, *this, index, box);
     sleeping_->age_of(index, arrays_.field[field_age][index], arrays_.field[field_age_remainder][index]);
     oldest_ = std::max(oldest_, static_cast<double>(arrays_.field[field_age][index]));
     columns_.clear(index, index + 1, column_birth, 1);
@@ -284,6 +284,7 @@ void Batch::forget_touched_bodies() {
         for (const uint32_t* touching : book.touching)
             if (touching[i] != touching_body) book.touching[kept++][i] = touching[i];
         for (; kept < most_touches; ++kept) book.touching[kept][i] = 0;
+        book.lee[i] = 0.0f;
     }
 }
 
@@ -295,6 +296,7 @@ void Batch::make_ages_exact() {
 ContactCache Batch::contact_cache() {
     ContactCache book;
     book.still_time = columns_.row<float>(column_still_time);
+    book.lee = columns_.row<float>(column_lee);
     for (size_t k = 0; k < stay_rows; ++k) book.stay[k] = columns_.row<float>(column_stay + k);
     for (size_t k = 0; k < most_touches; ++k) book.touching[k] = columns_.row<uint32_t>(column_touching + k);
     book.falls_asleep = [](void* batch, uint32_t index) { static_cast<Batch*>(batch)->note_sleep(index); };

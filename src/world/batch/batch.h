@@ -140,14 +140,15 @@ public:
     }
     // Called as a body wakes, with the contact box in which it lay. Null: nothing to do.
     struct Waking {
-        void (*tell)(void* world, uint32_t batch, float reach, const Box& box) = nullptr;
+        void (*tell)(void* world, Batch& batch, uint32_t index, const Box& box) = nullptr;
         void* world = nullptr;
     };
     void on_waking(const Waking& waking) { waking_ = waking; }
     // The wind that a sleeping body has withstood (m/s; 0: none), and whether only since others sheltered it. See WakeByFlow.
     void store_wind(uint32_t index, Vector wind, bool sheltered);
+    void set_lee(uint32_t index, float lee) { columns_.row<float>(column_lee)[index] = lee; }
     void forget_shelter(uint32_t index); // it has to withstand the wind again, if others sheltered it
-    bool reserve_sleep();                                        // false when out of memory
+    bool reserve_sleep();                // false when out of memory
     SleepingBodies* sleeping() const { return sleeping_.get(); } // null before reserve_sleep()
     // Updates the ages of sleeping bodies in the arrays.
     void make_ages_exact();

@@ -31,13 +31,11 @@ void hide_by_colliders(const lr_world& world, uint32_t layers, const PairHull& h
 }
 } // namespace
 
-float open_to_wind(const lr_world& world, uint32_t slot, uint32_t index) {
+float open_to_wind(const lr_world& world, uint32_t slot, uint32_t index, const Pose& at, Hidden hidden) {
     const Batch& own = *world.batches[slot].batch;
     const PairHull& hull = own.asset().pair_hull;
     const float scale = own.arrays().field[field_scale][index];
-    const Pose at = pose_of(own.arrays(), index);
     const Box near = grown(bounds(hull, scale, at), covering_gap * scale * hull.shape.reach);
-    Hidden hidden;
     world.pairs.visit_partners(slot, [&](uint32_t other) {
         const Batch& batch = *world.batches[other].batch;
         const BatchArrays& arrays = batch.arrays();
@@ -52,8 +50,11 @@ float open_to_wind(const lr_world& world, uint32_t slot, uint32_t index) {
     return open_share(hull.face, hidden);
 }
 
-void uncover(lr_world& world, uint32_t slot, float reach, const Box& box) {
+void uncover(lr_world& world, Batch& woken, uint32_t index, const Box& box) {
+    const uint32_t slot = unpack(woken.ids()[index]).batch;
+    const float reach = woken.asset().pair_hull.shape.reach * woken.arrays().field[field_scale][index];
     const Box near = grown(box, covering_gap * reach);
+    if (world.pairs.has_contact(slot) && woken.columns().has(part_contact)) woken.set_lee(index, lee_unknown);
     world.pairs.visit_partners(slot, [&](uint32_t other) {
         Batch& batch = *world.batches[other].batch;
         if (!batch.sleeping() || !batch.sleeping()->any_sheltered()) return;

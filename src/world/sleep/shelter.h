@@ -10,16 +10,18 @@ struct lr_world;
 
 namespace lr {
 
+class Batch;
+
 // Forces of the wind grow with the square of its speed and with the surface that it meets: a body of which a share lies open feels them
 // at this share of the speed.
 inline float felt_wind(float open) {
     return std::sqrt(open);
 }
 
-// The share of a body's surface that lies open: bodies that sleep cover it, and colliders where a body covers the other side. 1 if no
-// body covers it. batch: slot. at: a pose of the body. Any thread, while no body falls asleep or wakes.
-float open_to_wind(const lr_world& world, uint32_t batch, uint32_t index);
+// The share of a body's surface that lies open: sleeping bodies cover it, others as in `hidden`, and colliders where a body covers the
+// other side. 1 if no body covers it. batch: slot. at: a pose of the body. Any thread, while no body falls asleep or wakes.
+float open_to_wind(const lr_world& world, uint32_t batch, uint32_t index, const Pose& at, Hidden hidden);
 
-// A body that has lain in this box wakes: bodies that it has sheltered try the wind again.
-void uncover(lr_world& world, uint32_t batch, float reach, const Box& box);
+// A body wakes that has lain in this box: others that it has sheltered try the wind again, and its own shelter is to be found.
+void uncover(lr_world& world, Batch& batch, uint32_t index, const Box& box);
 } // namespace lr

@@ -137,7 +137,9 @@ void WakeByFlow::try_bodies(const StepItem& item, const uint32_t* index, uint32_
             if (remembers) batch.store_wind(tried[i], wind[i], false);
             continue;
         }
-        const float open = neighbours.any() ? open_to_wind(*world_, unpack(item.handle).index, tried[i]) : 1.0f;
+        const float open = neighbours.any() ? open_to_wind(*world_, unpack(item.handle).index, tried[i],
+                                                           pose_of(batch.arrays(), tried[i]), {})
+                                            : 1.0f;
         if (open == 1.0f) {
             batch.note_sleep(tried[i]);
             continue;
