@@ -12,7 +12,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace lr::LR_KERNEL_NAMESPACE {
 
-constexpr uint32_t contact_sweeps = 16;
+// All bodies; those at rest, which would creep with less. On a slope near the angle of friction convergence is slow.
+constexpr uint32_t contact_sweeps = 16, resting_sweeps = 28;
 
 // A contact in the body frame, in kernel units. An impulse p at the arm r is the twist impulse (p, r x p/(d s)). Directions: normal, two tangents.
 struct Row {
@@ -109,13 +110,33 @@ HWY_INLINE Vec3 hold_spin(Vec3& rolled, Vec3 spin, VF spin_hold, VF most, VF dus
     return step;
 }
 
+// Largest speed of a point as far out as the reach; reach: over d s.
+HWY_INLINE VF speed_of(const Twist& t, VF reach) {
+    return hn::Sqrt(dot(t.v, t.v)) + reach * hn::Sqrt(dot(t.u, t.u));
+}
+
+// Which bodies are swept on after contact_sweeps: those that were still and would now be faster than `creep` against the floor, whose static lock
+// would otherwise open for a residual of the sweeps.
+struct Patience {
+    hn::Mask<DF> still;
+    Vec3 floor; // velocity (or displacement) of the surface
+    VF lever, creep;
+};
+
 // Sweeps forward and backward over the contacts until none changes the twist by more than `dust`.
 template <bool kFull, class C>
-HWY_INLINE void project(const C& c, Row* rows, uint32_t count, VF rolling, VF spin_hold, VF dust, Twist& t) {
+HWY_INLINE void project(const C& c, Row* rows, uint32_t count, VF rolling, VF spin_hold, VF dust,
+                        const Patience& patience, Twist& t) {
     const VF zero = hn::Zero(DF());
     const bool rolls = !hn::AllTrue(DF(), hn::Eq(rolling, zero));
     Vec3 rolled = zero3(); // impulse couple against rolling and spinning
-    for (uint32_t sweep = 0; sweep < contact_sweeps; ++sweep) {
+    for (uint32_t sweep = 0; sweep < resting_sweeps; ++sweep) {
+        if (sweep == contact_sweeps) {
+            const VF speed = speed_of({t.v - patience.floor, t.u}, patience.lever);
+            const auto creeps = hn::And(patience.still, speed > patience.creep);
+            if (hn::AllFalse(DF(), creeps)) break;
+            dust = hn::IfThenElse(creeps, dust, constant(1e30f)); // nothing changes the others
+        }
         VF change = zero, load = zero;
         // Over-relaxed from the second sweep on: the first solves a single contact exactly.
         const VF relaxed = constant(sweep == 0 ? 1.0f : 1.3f);
@@ -196,11 +217,6 @@ HWY_INLINE VF small_part(Vec3 u, VF inverse) {
     return hn::Min(half / hn::Max(large, half), constant(1.0f));
 }
 
-// Largest speed of a point as far out as the reach; reach: over d s.
-HWY_INLINE VF speed_of(const Twist& t, VF reach) {
-    return hn::Sqrt(dot(t.v, t.v)) + reach * hn::Sqrt(dot(t.u, t.u));
-}
-
 template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, ContactSlots& slots) {
     const BodyConstants& c = *b.body;
     const VF zero = hn::Zero(DF()), one = constant(1.0f), half = constant(0.5f), h = constant(b.h);
@@ -229,6 +245,8 @@ template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, C
 
         Vec3 over[contact_slots]; // arms over d s
         VF gap[contact_slots], before[contact_slots], bounce[contact_slots], depth = zero;
+        Vec3 floor = zero3(); // velocity of the first surface
+        auto above_any = reach < zero;
         VF left[contact_slots]; // overlap left for later substeps
         for (uint32_t k = 0; k < count; ++k) {
             const ContactSlots::Slot& s = slots.slot[used[k]];
@@ -240,6 +258,8 @@ template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, C
             gap[k] = load1(s.gap, at);
             const auto empty_slot = gap[k] >= empty;
             depth = hn::Max(depth, hn::IfThenElse(empty_slot, zero, -gap[k]));
+            floor = select(hn::Or(above_any, empty_slot), floor, surface);
+            above_any = hn::Or(above_any, hn::Not(empty_slot));
             r.inverse = hn::IfThenElse(empty_slot, zero, r.inverse);
             const Vec3 path = load3(s.lag, at) + h * surface;
             set_surface(r, to_body(q, path));
@@ -263,8 +283,12 @@ template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, C
         }
         const VF rolling = constant(b.rolling) * (reach * inverse);
         const VF spin_hold = constant(1.0f / most_turned<kFull>(c));
+        const VF lever = reach * inverse, creep = constant(0.01f * b.gravity * b.h);
+        const auto still = speed_of({began.v - to_body(q0, floor), began.u}, lever) < constant(5.0f) * creep;
+        const Vec3 under = to_body(q, floor);
         Twist moved = way;
-        project<kFull>(c, rows, count, rolling, spin_hold, constant(1e-2f) * slop, moved);
+        project<kFull>(c, rows, count, rolling, spin_hold, constant(1e-2f) * slop, {still, h * under, lever, h * creep},
+                       moved);
         Twist correction = moved - way;
         const VF less = small_part(correction.u, inverse);
         correction = less * correction;
@@ -332,7 +356,7 @@ template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, C
             t = t + r.pressed * r.response[0] + r.dragged[0] * r.response[1] + r.dragged[1] * r.response[2];
             shallow = hn::Min(shallow, hn::IfThenElse(touches, before[k], zero));
         }
-        project<kFull>(c, rows, count, rolling, spin_hold, constant(1e-3f) * slow, t);
+        project<kFull>(c, rows, count, rolling, spin_hold, constant(1e-3f) * slow, {still, under, lever, creep}, t);
         // In the frame of the surface, which has no energy to give: restitution and friction together could add some (Kane 1984).
         const Vec3 base = to_body(q, carried);
         const Twist came{met.v - base, met.u};
@@ -341,7 +365,6 @@ template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, C
             const Twist p = momentum<kFull>(c, of);
             return dot(p.v, of.v) + dot(p.u, of.u);
         };
-        const VF creep = constant(0.01f * b.gravity * b.h);
         const auto one_surface = apart <= creep;
         const VF had = energy(came), has = energy(goes);
         const auto gained = hn::And(has > had, one_surface);
@@ -350,7 +373,6 @@ template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, C
 
         // The sweeps' residual would make still bodies creep. A body that was and is still keeps its pose to the bit: less than 1/100 of gravity,
         // half a degree of slope, does not move it.
-        const VF lever = reach * inverse;
         const Twist first{began.v - to_body(q0, carried), began.u};
         auto stays = hn::And(speed_of(first, lever) < creep, speed_of(goes, lever) < creep);
         stays = hn::And(hn::And(stays, any_touch), hn::And(one_surface, shallow > -(slop + slop)));
