@@ -148,10 +148,11 @@ HWY_INLINE void project(const C& c, Row* rows, uint32_t count, VF rolling, VF sp
             VF step_x, step_y;
             drag(r, x, y, dust, step_x, step_y);
             t = t + more * r.response[0] + step_x * r.response[1] + step_y * r.response[2];
-            load += r.pressed;
             change = hn::Max(hn::Max(change, hn::Abs(more)), hn::Max(hn::Abs(step_x), hn::Abs(step_y)));
         }
         if (rolls) {
+            // In the same order in each sweep: a sum that changes by rounding would move bodies that are done.
+            for (uint32_t i = 0; i < count; ++i) load += rows[i].pressed;
             const Vec3 step = hold_spin(rolled, t.u, spin_hold, rolling * load, dust);
             t += turned_by<kFull>(c, step);
             change = hn::Max(change, greatest(step));
