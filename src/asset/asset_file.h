@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace lr {
@@ -20,6 +21,15 @@ bool read_asset(const void* bytes, size_t size, AssetData& out, Faults& faults);
 bool check_asset(const AssetData& data, Faults& faults);
 // More checks for files: lengths, volume, hull and inertia must fit each other. For data that passed check_asset.
 bool check_plausible(const AssetData& data, Faults& faults);
+
+// The first edge of a hull that is open or concave; for valid indices and finite vertices. A neighbour can rise over a face by 1e-4 of `length`.
+// Flat hulls, without volume, cannot face inward.
+struct HullFlaw {
+    size_t triangle;
+    FaultId id;
+    const char* what;
+};
+std::optional<HullFlaw> find_hull_flaw(const HullData& hull, double length);
 
 // Hash of everything that affects motion and contact, without names and provenance.
 uint64_t content_hash(const AssetData& data);

@@ -143,13 +143,14 @@ bool before(const Edge& a, const Edge& b) {
     return a.from != b.from ? a.from < b.from : a.to < b.to;
 }
 
-// For valid indices and finite vertices. A neighbour can rise over a face by 1e-4 of `length`. Flat hulls, without volume, cannot face inward.
-void check_convex(const HullData& hull, double length, Checker& check) {
-    const auto flaw = [&](size_t triangle, FaultId id, const char* what) {
-        check.fail(id, "hull.triangles[" + std::to_string(3 * triangle) + "]", what);
-    };
+} // namespace
+
+std::optional<HullFlaw> find_hull_flaw(const HullData& hull, double length) {
+    using Result = std::optional<HullFlaw>;
+    const auto flaw = [&](size_t triangle, FaultId id, const char* what) { return Result({triangle, id, what}); };
     const auto open = [&](size_t triangle) {
-        flaw(triangle, FaultId::asset_open_hull, "An edge does not have exactly two triangles, one on each side.");
+        return flaw(triangle, FaultId::asset_open_hull,
+                    "An edge does not have exactly two triangles, one on each side.");
     };
     const auto vertex = [&](uint32_t i) {
         const float* const v = hull.vertices.data() + 3 * size_t{i};
@@ -182,8 +183,10 @@ void check_convex(const HullData& hull, double length, Checker& check) {
         if (size > 1e-6 * length * length && dot(normal, minus(vertex(found->opposite), a)) > 1e-4 * length * size)
             return flaw(edge.triangle, FaultId::asset_hull_not_convex, "The hull is not convex here.");
     }
+    return {};
 }
 
+namespace {
 void check_hull(const AssetData& d, Checker& check) {
     const HullData& h = d.hull;
     if (h.vertices.empty() && h.triangles.empty()) return;
@@ -206,7 +209,8 @@ void check_hull(const AssetData& d, Checker& check) {
                        "The index is past the last vertex.");
             return;
         }
-    check_convex(h, d.length_d, check);
+    if (const auto flaw = find_hull_flaw(h, d.length_d))
+        check.fail(flaw->id, "hull.triangles[" + std::to_string(3 * flaw->triangle) + "]", flaw->what);
 }
 
 template <class Loads> struct Coefficient {

@@ -218,11 +218,9 @@ private:
                 return fail(faults_, FaultId::parameter_out_of_range, "center of mass",
                             "It is outside the convex hull of the body.",
                             "Give it in the unit and the frame of the mesh.");
-            for (const uint32_t i : f) out_.hull.triangles.push_back(i);
             hull_volume_ += normal.dot(a) / 6.0;
         }
-        for (const Eigen::Vector3d& v : hull.vertices)
-            for (const double x : v) out_.hull.vertices.push_back(static_cast<float>(x));
+        out_.hull = store_hull(hull, solid_.extents.maxCoeff());
         return true;
     }
 

@@ -11,7 +11,7 @@ namespace {
 // exact: no tolerance decides topology, so flat, thin and regular input cannot break it.
 constexpr int grid_bits = 24;
 // A point at most this many grid steps outside counts as on the hull: rounding must not turn flat faces into bumps.
-constexpr double skin = 4.0;
+constexpr double usual_skin = 4.0;
 constexpr int max_passes = 8;
 constexpr uint32_t none = UINT32_MAX;
 
@@ -21,7 +21,7 @@ Point subtract(const Point& a, const Point& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-// Coordinates have 24 bits, differences 25, each component here 52.
+// Coordinates have 25 bits with their sign, differences 26, each component here 52.
 Point cross(const Point& a, const Point& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
@@ -62,7 +62,8 @@ struct HullFace {
 
 class Quickhull {
 public:
-    explicit Quickhull(std::vector<Point> points) : points_(std::move(points)), starts_(points_.size(), none) {}
+    explicit Quickhull(std::vector<Point> points, double skin = usual_skin)
+        : points_(std::move(points)), skin_(skin), starts_(points_.size(), none) {}
 
     // Dimension of the input: 3 once the first tetrahedron is found, else 0, 1 or 2.
     int find_simplex() {
@@ -71,13 +72,13 @@ public:
         if (b == none) return 0;
         const Point ab = subtract(points_[b], points_[a]);
         const uint32_t c =
-            furthest([&](uint32_t i) { return norm(cross(ab, subtract(points_[i], points_[a]))); }, skin * norm(ab));
+            furthest([&](uint32_t i) { return norm(cross(ab, subtract(points_[i], points_[a]))); }, skin_ * norm(ab));
         if (c == none) return 1;
         plane_origin_ = points_[a];
         plane_normal_ = cross(ab, subtract(points_[c], points_[a]));
         const uint32_t d =
             furthest([&](uint32_t i) { return std::abs(dot(plane_normal_, subtract(points_[i], points_[a])).value()); },
-                     skin * norm(plane_normal_));
+                     skin_ * norm(plane_normal_));
         if (d == none) return 2;
         const bool below = dot(plane_normal_, subtract(points_[d], points_[a])).sign() < 0;
         start(below ? a : b, below ? b : a, c, d);
@@ -87,7 +88,7 @@ public:
     bool is_outside(const Point& point) const {
         for (const HullFace& face : faces_)
             if (face.alive &&
-                dot(face.normal, subtract(point, points_[face.vertex[0]])).value() > skin * face.normal_length)
+                dot(face.normal, subtract(point, points_[face.vertex[0]])).value() > skin_ * face.normal_length)
                 return true;
         return false;
     }
@@ -136,7 +137,7 @@ private:
 
     void assign(uint32_t point, uint32_t first_face) {
         for (uint32_t f = first_face; f < faces_.size(); ++f)
-            if (height(faces_[f], point).value() > skin * faces_[f].normal_length) {
+            if (height(faces_[f], point).value() > skin_ * faces_[f].normal_length) {
                 faces_[f].outside.push_back(point);
                 return;
             }
@@ -213,6 +214,7 @@ private:
     }
 
     std::vector<Point> points_;
+    double skin_;
     std::vector<uint32_t> starts_; // new face whose horizon edge starts at a vertex
     std::vector<HullFace> faces_;
     Point plane_origin_{}, plane_normal_{};
@@ -225,7 +227,7 @@ bool is_redundant(const std::vector<Point>& neighbours, const Point& point) {
     if (dimension < 2) return false;
     if (dimension == 2) {
         const Point normal = ring.plane_normal();
-        return std::abs(dot(normal, subtract(point, neighbours[0])).value()) <= skin * norm(normal);
+        return std::abs(dot(normal, subtract(point, neighbours[0])).value()) <= usual_skin * norm(normal);
     }
     return ring.run() && !ring.is_outside(point);
 }
@@ -250,7 +252,7 @@ std::vector<char> redundant_vertices(const std::vector<Point>& points, const std
 }
 
 // Two-sided convex polygon of points in one plane (monotone chain, Andrew 1979).
-std::vector<HullTriangle> flat_hull(const std::vector<Point>& points, const Point& normal) {
+std::vector<HullTriangle> flat_hull(const std::vector<Point>& points, const Point& normal, double skin = usual_skin) {
     std::size_t drop = 0; // project along the largest component: exact, no new coordinates
     for (std::size_t k = 1; k < 3; ++k)
         if (std::abs(normal[k]) > std::abs(normal[drop])) drop = k;
@@ -284,6 +286,20 @@ std::vector<HullTriangle> flat_hull(const std::vector<Point>& points, const Poin
         faces.push_back({ring[0], ring[i + 1], ring[i]});
     }
     return faces;
+}
+
+// Triangles of input points become triangles of corners.
+void number_corners(std::size_t count, ConvexHull& out) {
+    std::vector<uint32_t> renumbered(count, none);
+    for (const HullTriangle& face : out.triangles)
+        for (const uint32_t i : face) renumbered[i] = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (renumbered[i] == none) continue;
+        renumbered[i] = static_cast<uint32_t>(out.points.size());
+        out.points.push_back(static_cast<uint32_t>(i));
+    }
+    for (HullTriangle& face : out.triangles)
+        for (uint32_t& i : face) i = renumbered[i];
 }
 } // namespace
 
@@ -340,17 +356,38 @@ HullOutcome convex_hull(const std::vector<HullPoint>& points, ConvexHull& out) {
     for (HullTriangle& face : out.triangles)
         for (uint32_t& i : face) i = names[i];
 
-    std::vector<uint32_t> renumbered(points.size(), none);
-    for (const HullTriangle& face : out.triangles)
-        for (const uint32_t i : face) renumbered[i] = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (renumbered[i] == none) continue;
-        renumbered[i] = static_cast<uint32_t>(out.points.size());
-        out.points.push_back(static_cast<uint32_t>(i));
-    }
-    for (HullTriangle& face : out.triangles)
-        for (uint32_t& i : face) i = renumbered[i];
-    out.slack = (skin * (1.0 + passes) + 2.0) * step; // skin of each pass, and the rounding of point and face
+    number_corners(points.size(), out);
+    out.slack = (usual_skin * (1.0 + passes) + 2.0) * step; // skin of each pass, and the rounding of point and face
+    return HullOutcome::done;
+}
+
+HullOutcome exact_hull(std::vector<HullPoint>& points, ConvexHull& out) {
+    out = {};
+    double largest = 0.0;
+    for (const HullPoint& p : points)
+        for (const double x : p) {
+            if (!std::isfinite(x)) return HullOutcome::not_finite;
+            largest = std::max(largest, std::abs(x));
+        }
+    if (points.size() < 3 || points.size() >= none) return HullOutcome::too_few;
+    if (!(largest > 0.0)) return HullOutcome::one_point;
+    int exponent = 0;
+    std::frexp(largest, &exponent);
+    const double step = std::ldexp(1.0, exponent - grid_bits); // multiples of it up to `largest` are floats
+    std::vector<Point> grid(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        for (std::size_t k = 0; k < 3; ++k) {
+            grid[i][k] = std::llround(points[i][k] / step);
+            points[i][k] = static_cast<double>(grid[i][k]) * step;
+        }
+    Quickhull hull(grid, 0.0);
+    const int dimension = hull.find_simplex();
+    if (dimension < 2) return HullOutcome::one_line;
+    if (dimension == 3 && !hull.run()) return HullOutcome::not_closed;
+    out.triangles = dimension == 3 ? hull.result() : flat_hull(grid, hull.plane_normal(), 0.0);
+    out.flat = dimension == 2;
+    if (out.triangles.empty()) return HullOutcome::one_line;
+    number_corners(points.size(), out);
     return HullOutcome::done;
 }
 } // namespace lr::shape

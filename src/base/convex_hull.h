@@ -19,4 +19,9 @@ struct ConvexHull {
 enum class HullOutcome { done, not_finite, too_few, one_point, one_line, not_closed };
 
 HullOutcome convex_hull(const std::vector<HullPoint>& points, ConvexHull& out);
+
+// Rounds the points to floats of one spacing, a half unit in the last place of the largest coordinate at most, and takes the hull of the rounded
+// points, convex without a tolerance: the rounding of stored corners tilts slivers, which can make them concave. Rounding also turns flat faces
+// into bumps, so the points should be corners.
+HullOutcome exact_hull(std::vector<HullPoint>& points, ConvexHull& out);
 } // namespace lr::shape

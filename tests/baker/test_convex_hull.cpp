@@ -1,3 +1,4 @@
+#include "asset/asset_file.h"
 #include "baker/mesh/convex_hull.h"
 #include "baker/mesh/mass_properties.h"
 #include "baker/mesh/mesh_check.h"
@@ -149,4 +150,55 @@ TEST_CASE("points without a hull are refused by number") {
     CHECK(refused({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}}) == FaultId::mesh_zero_volume);
     CHECK(refused({{0, 0, 0}, {1, 0, 0}, {0, std::numeric_limits<double>::quiet_NaN(), 0}}) ==
           FaultId::mesh_not_finite);
+}
+
+TEST_CASE("stored hulls are convex by the asset's rules: slivers, thin sheets, clusters, far from the origin, large "
+          "and small") {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+    const auto any = [&] { return Eigen::Vector3d(uniform(random), uniform(random), uniform(random)); };
+    std::size_t rounded = 0; // hulls whose floats need the exact one
+    for (int trial = 0; trial < 300; ++trial) {
+        std::vector<Eigen::Vector3d> points;
+        const double size = std::pow(10.0, 4.0 * uniform(random)),
+                     spread = std::pow(10.0, -2.0 + 2.0 * uniform(random));
+        const double near = std::pow(10.0, -5.0 + uniform(random));
+        const Eigen::Vector3d offset = (trial % 4 == 0 ? 3.0 : 0.0) * size * any();
+        for (int i = 0; i < 80; ++i) {
+            Eigen::Vector3d p = any();
+            if (trial % 3 == 0) p.normalize();
+            if (trial % 3 == 1) p = {p[0], p[1], spread * p[2]};
+            if (trial % 3 == 2) p = {p[0], spread * p[1], spread * spread * p[2]};
+            for (int twin = 0; twin < 4; ++twin)
+                points.push_back(size * (test::some_rotation() * (p + near * any())) + offset);
+        }
+        ConvexHull hull;
+        Faults faults;
+        REQUIRE(compute_convex_hull(points, hull, faults));
+        double length = 0.0;
+        for (const Eigen::Vector3d& p : points)
+            for (const Eigen::Vector3d& q : points) length = std::max(length, (p - q).norm());
+        const HullData stored = store_hull(hull, length);
+        CHECK(!find_hull_flaw(stored, length));
+        HullData plain;
+        for (const Eigen::Vector3d& p : hull.vertices)
+            for (const double x : p) plain.vertices.push_back(static_cast<float>(x));
+        for (const Face& f : hull.faces) plain.triangles.insert(plain.triangles.end(), f.begin(), f.end());
+        rounded += find_hull_flaw(plain, length).has_value();
+        // no point is farther outside than the slack and the rounding of a corner
+        for (std::size_t t = 0; t < stored.triangles.size(); t += 3) {
+            std::array<Eigen::Vector3d, 3> c;
+            for (std::size_t k = 0; k < 3; ++k)
+                for (Eigen::Index x = 0; x < 3; ++x)
+                    c[k][x] =
+                        static_cast<double>(stored.vertices[3 * stored.triangles[t + k] + static_cast<std::size_t>(x)]);
+            const Eigen::Vector3d normal = (c[1] - c[0]).cross(c[2] - c[0]);
+            if (normal.norm() < 0.01 * length * length) continue;
+            double highest = 0.0;
+            for (const Eigen::Vector3d& p : points) highest = std::max(highest, normal.normalized().dot(p - c[0]));
+            CHECK(highest < 1e-4 * length);
+        }
+    }
+    MESSAGE(rounded, " of 300 hulls need the exact one");
+    CHECK(rounded > 0);
 }

@@ -1,5 +1,6 @@
 #include "baker/mesh/convex_hull.h"
 
+#include "asset/asset_file.h"
 #include "base/convex_hull.h"
 
 namespace lr::baker {
@@ -32,5 +33,24 @@ bool compute_convex_hull(const std::vector<Eigen::Vector3d>& points, ConvexHull&
     out.faces = std::move(hull.triangles);
     out.slack = hull.slack;
     return true;
+}
+
+HullData store_hull(const ConvexHull& hull, double length) {
+    const auto store = [](const auto& points, const auto& triangles) {
+        HullData out;
+        for (const auto& p : points)
+            for (const double x : p) out.vertices.push_back(static_cast<float>(x));
+        for (const auto& t : triangles) out.triangles.insert(out.triangles.end(), t.begin(), t.end());
+        return out;
+    };
+    HullData stored = store(hull.vertices, hull.faces);
+    if (!find_hull_flaw(stored, length)) return stored;
+    std::vector<shape::HullPoint> points;
+    for (const Eigen::Vector3d& p : hull.vertices) points.push_back({p.x(), p.y(), p.z()});
+    shape::ConvexHull exact;
+    if (shape::exact_hull(points, exact) != shape::HullOutcome::done) return stored;
+    std::vector<shape::HullPoint> corners;
+    for (const uint32_t i : exact.points) corners.push_back(points[i]);
+    return store(corners, exact.triangles);
 }
 } // namespace lr::baker

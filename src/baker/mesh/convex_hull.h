@@ -1,6 +1,7 @@
 // Convex hull of points.
 #pragma once
 
+#include "asset/asset_data.h"
 #include "baker/mesh/mesh.h"
 
 namespace lr::baker {
@@ -14,4 +15,8 @@ struct ConvexHull {
 // Flat input (a sheet) gives a two-sided polygon. Faults: fewer than three points, points on one line, points that are not
 // finite.
 bool compute_convex_hull(const std::vector<Eigen::Vector3d>& points, ConvexHull& out, Faults& faults);
+
+// In the asset's floats. Where their rounding makes slivers concave by the asset's rules for a body of that length, the corners are rounded to one spacing
+// and get the exact hull of it.
+HullData store_hull(const ConvexHull& hull, double length);
 } // namespace lr::baker
