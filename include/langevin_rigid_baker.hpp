@@ -38,7 +38,7 @@ enum class UpAxis : std::int32_t { x, y, z, minus_x, minus_y, minus_z };
 
 // Treats the mesh as the middle surface of a sheet. It may be open or closed; winding does not matter.
 struct BakeSheet {
-    double thickness = 0.0;              // in `unit`
+    double thickness = 0.0;              // in `unit`; 0: 0.3 % of its typical length
     std::optional<double> areal_density; // kg/m^2; default: density times thickness
 };
 
@@ -81,6 +81,8 @@ struct BakeOptions {
     bool wake = false;              // puts the body into the stream of the turbulence table
     std::optional<BakeMass> mass;   // for meshes; not with center_of_mass
     std::uint32_t stations = 8;     // at most; 1: loads as one plate, twice as fast
+    bool strict = false;            // refuses meshes that are not closed, sound and one body, instead of repairing them
+    double thickness = 0.0;         // of open parts without `sheet`, in `unit`; 0: 0.3 % of their typical length
 };
 
 struct BakeFault {

@@ -31,9 +31,12 @@ struct MeshArrays {
 
 // The mesh is the middle surface of a sheet.
 struct SheetOptions {
-    double thickness = 0.0;              // in `unit`
+    double thickness = 0.0;              // in `unit`; 0: default_thickness of a typical extent of its parts
     std::optional<double> areal_density; // kg/m^2; without it, `density` times the thickness
 };
+
+// A leaf of 8 cm then has 0.24 mm.
+constexpr double default_thickness = 0.003;
 
 // A second mesh that gives the mass. For a sheet: its layers, each face with the thickness and density of the sheet, also where
 // several coincide. Otherwise: the solid parts, of `density`.
@@ -50,6 +53,8 @@ struct BakeOptions {
     UpAxis up = UpAxis::z;                     // axis of the mesh that becomes +z
     std::optional<std::string> mesh;           // bake only the objects of this name
     std::optional<SheetOptions> sheet;         // the mesh is a sheet, not the boundary of a solid
+    std::optional<double> thickness;           // of open parts, without `sheet`, in `unit`; by default as in SheetOptions
+    bool strict = false;                       // refuse what is not one clean solid, instead of repairing it (find_parts)
     std::optional<CardOptions> card;           // the sheet is a card: mesh_path is an image, its width in `unit`
     double density = 800.0;                    // kg/m^3; leaf, paper
     double fluid_density = 1.2;                // kg/m^3; air
