@@ -9,10 +9,10 @@
 #include "baker/aerodynamics/stations.h"
 #include "baker/bake_input.h"
 #include "baker/file_faults.h"
+#include "baker/mesh/body_parts.h"
 #include "baker/mesh/convex_hull.h"
 #include "baker/mesh/ellipsoid_mesh.h"
 #include "baker/mesh/mass_properties.h"
-#include "baker/mesh/body_parts.h"
 #include "baker/mesh/mesh_check.h"
 #include "baker/mesh/solid_region.h"
 #include "baker/printable_text.h"
@@ -143,8 +143,7 @@ private:
     }
 
     bool make_mesh_body() {
-        return phase("reading", [&] { return read(); }) &&
-               phase("checking", [&] { return check(); }) &&
+        return phase("reading", [&] { return read(); }) && phase("checking", [&] { return check(); }) &&
                phase("mass", [&] { return make_mass(); }) && phase("hull", [&] { return make_hull(); }) &&
                phase("aerodynamics", [&] { return make_aerodynamics(); }) &&
                phase("added mass", [&] { return make_added_mass(); });
@@ -169,8 +168,9 @@ private:
         if (as_modelled(checked, found) || std::none_of(found.begin(), found.end(), repairable)) {
             mesh_ = std::move(checked);
             faults_.insert(faults_.end(), found.begin(), found.end());
-            return !std::any_of(found.begin(), found.end(), [](const Fault& f) { return f.severity == Severity::error; }) &&
-                   (!is_sheet() || choose_thickness(mesh_, mesh_.faces));
+            return !std::any_of(found.begin(), found.end(), [](const Fault& f) {
+                return f.severity == Severity::error;
+            }) && (!is_sheet() || choose_thickness(mesh_, mesh_.faces));
         }
         if (!find_parts(mesh_, parts_, faults_)) return false;
         if (is_sheet()) parts_.solid_faces = 0;
@@ -197,9 +197,10 @@ private:
     bool choose_thickness(const Mesh& mesh, const std::vector<Face>& sheets) {
         if (thickness_ == 0.0) {
             thickness_ = default_thickness * sheet_length(mesh, sheets);
-            faults_.push_back({FaultId::mesh_open_edge, Severity::warning, "mesh",
-                               "Open parts are sheets " + two_digits(thickness_) + " m thick: 0.3 % of their typical length.",
-                               "Give --thickness if it is known."});
+            faults_.push_back(
+                {FaultId::mesh_open_edge, Severity::warning, "mesh",
+                 "Open parts are sheets " + two_digits(thickness_) + " m thick: 0.3 % of their typical length.",
+                 "Give --thickness if it is known."});
         }
         if (options_.sheet && options_.sheet->areal_density) density_ = *options_.sheet->areal_density / thickness_;
         return true;
@@ -207,7 +208,8 @@ private:
 
     static std::string two_digits(double x) {
         std::array<char, 32> text{};
-        return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, 2).ptr};
+        return {text.data(),
+                std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, 2).ptr};
     }
 
     // Of the union of the solids, and of the sheets outside them.
@@ -220,7 +222,8 @@ private:
                                "Solids cross or lie in each other: they were taken as one body; " +
                                    two_digits(100.0 * (1.0 - m.volume / m.counted)) +
                                    " % of their volume was covered more than once and counts once.",
-                               "None needed. Unite them (boolean union) in the modelling program for the most exact added mass; --strict "
+                               "None needed. Unite them (boolean union) in the modelling program for the most exact "
+                               "added mass; --strict "
                                "refuses such parts."});
         part.faces = parts_.sheets();
         if (!part.faces.empty()) {
@@ -318,8 +321,9 @@ private:
                 inertia[i] = solid_.inertia(static_cast<Eigen::Index>(i / 3), static_cast<Eigen::Index>(i % 3));
         const std::array<double, 9> axes = shape::principal_axes(inertia);
         const Eigen::Vector3d centre = solid_.centroid - center_;
-        shape::AerodynamicGeometry geometry =
-            is_sheet() || mixed_ ? sheet_geometry(mesh_, thickness_, axes, centre, solid_faces_) : mesh_geometry(mesh_, axes, centre);
+        shape::AerodynamicGeometry geometry = is_sheet() || mixed_
+                                                  ? sheet_geometry(mesh_, thickness_, axes, centre, solid_faces_)
+                                                  : mesh_geometry(mesh_, axes, centre);
         geometry.volume = solid_.volume;
         out_.aerodynamics = shape::default_aerodynamics(geometry);
         make_stations();

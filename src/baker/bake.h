@@ -49,16 +49,16 @@ struct BakeOptions {
     // A mesh file, or an ellipsoid if semi_axes is set.
     std::string mesh_path;                          // UTF-8
     std::optional<std::array<double, 3>> semi_axes; // in `unit`
-    Unit unit = Unit::file;                    // of the mesh and of all lengths here; with `file` the lengths are in m
-    UpAxis up = UpAxis::z;                     // axis of the mesh that becomes +z
-    std::optional<std::string> mesh;           // bake only the objects of this name
-    std::optional<SheetOptions> sheet;         // the mesh is a sheet, not the boundary of a solid
-    std::optional<double> thickness;           // of open parts, without `sheet`, in `unit`; by default as in SheetOptions
-    bool strict = false;                       // refuse what is not one clean solid, instead of repairing it (find_parts)
-    std::optional<CardOptions> card;           // the sheet is a card: mesh_path is an image, its width in `unit`
-    double density = 800.0;                    // kg/m^3; leaf, paper
-    double fluid_density = 1.2;                // kg/m^3; air
-    double fluid_viscosity = 1.5e-5;           // m^2/s
+    Unit unit = Unit::file;            // of the mesh and of all lengths here; with `file` the lengths are in m
+    UpAxis up = UpAxis::z;             // axis of the mesh that becomes +z
+    std::optional<std::string> mesh;   // bake only the objects of this name
+    std::optional<SheetOptions> sheet; // the mesh is a sheet, not the boundary of a solid
+    std::optional<double> thickness;   // of open parts, without `sheet`, in `unit`; by default as in SheetOptions
+    bool strict = false;               // refuse what is not one clean solid, instead of repairing it (find_parts)
+    std::optional<CardOptions> card;   // the sheet is a card: mesh_path is an image, its width in `unit`
+    double density = 800.0;            // kg/m^3; leaf, paper
+    double fluid_density = 1.2;        // kg/m^3; air
+    double fluid_viscosity = 1.5e-5;   // m^2/s
     std::array<uint32_t, 3> cells{32, 32, 16}; // of the turbulence grid
     double intensity = 1.0;                    // of the turbulence in k0 = 3/2 (I U0)^2
     bool wake = false;                         // put the body into the stream of the turbulence table

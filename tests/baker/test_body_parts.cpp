@@ -156,13 +156,17 @@ TEST_CASE("region: solids that cross count once, in volume, centroid and inertia
 }
 
 TEST_CASE("region: the fluid in a cube and in a rod that turn") {
-    // Torsion of a square prism: I - I_fluid = 0.1406 a^4 of the torsion constant J; a fluid that turns with it has (a^4/6) - J.
+    // A fluid in a square prism that turns about its axis has a^4/6 less the torsion constant, 0.1406 a^4, per length.
+    const auto trapped = [](const Mesh& mesh) {
+        return trapped_fluid_inertia(SolidRegion(mesh, mesh.faces), Vector::Zero(),
+                                     compute_mass_properties(mesh).inertia);
+    };
     const Mesh rod = box({-0.5, -0.5, -5}, {0.5, 0.5, 5}, 2);
-    const Eigen::Matrix3d inertia = trapped_fluid_inertia(SolidRegion(rod, rod.faces), Vector::Zero());
+    const Eigen::Matrix3d inertia = trapped(rod);
     CHECK(inertia(0, 0) == doctest::Approx(10.0 * (100.0 / 12.0)).epsilon(0.05)); // about a cross axis: nearly frozen
     CHECK(inertia(2, 2) < 0.05 * inertia(0, 0));
     const Mesh prism = box({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}, 2);
-    const Eigen::Matrix3d cube = trapped_fluid_inertia(SolidRegion(prism, prism.faces), Vector::Zero());
+    const Eigen::Matrix3d cube = trapped(prism);
     CHECK(cube(2, 2) == doctest::Approx(1.0 / 6.0 - 0.1406).epsilon(0.03)); // each layer as in the prism
 }
 

@@ -15,9 +15,10 @@ namespace {
 constexpr std::size_t most_faces[] = {5000, 2500, 1000, 400};
 // With the strips that refine its free rims: what a dense matrix holds.
 constexpr std::size_t most_panels = 8000;
-constexpr double needle = 1e-4;        // height over longest side, of a face that coarser meshes do without
-constexpr double trapped_error = 0.05; // of the trapped fluid's inertia: a box of 48 cells has 1 to 2 %, thin walls more
-constexpr double coarse_error = 2.0;   // relative, times the size of the cubes over that of the body
+constexpr double needle = 1e-4; // height over longest side, of a face that coarser meshes do without
+constexpr double trapped_error =
+    0.05;                            // of the trapped fluid's inertia: a box of 48 cells has 1 to 2 %, thin walls more
+constexpr double coarse_error = 2.0; // relative, times the size of the cubes over that of the body
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
@@ -71,7 +72,9 @@ Matrix6 trapped_fluid(const BodyParts& parts, const Eigen::Vector3d& centre, Mat
     const RegionMoments moments = region.moments(compute_mass_properties(solids));
     if (!(moments.volume > 1e-9 * size * size * size) || !moments.first.allFinite()) return m;
     const Eigen::Vector3d centroid = moments.first / moments.volume, arm = centroid - centre;
-    const Eigen::Matrix3d own = trapped_fluid_inertia(region, centroid);
+    const Eigen::Matrix3d spread = moments.second - moments.volume * centroid * centroid.transpose();
+    const Eigen::Matrix3d own =
+        trapped_fluid_inertia(region, centroid, spread.trace() * Eigen::Matrix3d::Identity() - spread);
     Eigen::Matrix3d across;
     across << 0, -arm.z(), arm.y(), arm.z(), 0, -arm.x(), -arm.y(), arm.x(), 0;
     m.topLeftCorner<3, 3>() = moments.volume * Eigen::Matrix3d::Identity();
@@ -136,7 +139,8 @@ bool compute_mixed_added_mass(const BodyParts& parts, const Eigen::Vector3d& cen
         const Shell shell = make_shell(parts, most_faces[round], round > 0);
         if (shell.skin.faces.empty()) break;
         Refinement refinement;
-        while (refinement.strips > 1 && refine_sheet(shell.skin, refinement).faces.size() > most_panels) --refinement.strips;
+        while (refinement.strips > 1 && refine_sheet(shell.skin, refinement).faces.size() > most_panels)
+            --refinement.strips;
         found.clear();
         if (!compute_sheet_added_mass(shell.skin, centre, refinement, out, found, progress, options)) continue;
         Matrix6 error;
@@ -151,7 +155,8 @@ bool compute_mixed_added_mass(const BodyParts& parts, const Eigen::Vector3d& cen
                                   shortest(std::round(1000.0 * shell.cube / size) / 10.0) +
                                   " % of the size joined: the mesh has " + std::to_string(parts.mesh.faces.size()) +
                                   " faces, or layers and needles too close to each other.",
-                              "None needed: mass and hull are of all faces, and the report has the error. A simpler mesh is more exact."});
+                              "None needed: mass and hull are of all faces, and the report has the error. A simpler "
+                              "mesh is more exact."});
         return true;
     }
     faults.insert(faults.end(), found.begin(), found.end());

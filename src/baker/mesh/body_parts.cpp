@@ -65,8 +65,9 @@ private:
 
     std::size_t drop_flat() {
         const std::size_t before = mesh_.faces.size();
-        mesh_.faces.erase(std::remove_if(mesh_.faces.begin(), mesh_.faces.end(), [&](const Face& f) { return is_flat(f); }),
-                          mesh_.faces.end());
+        mesh_.faces.erase(
+            std::remove_if(mesh_.faces.begin(), mesh_.faces.end(), [&](const Face& f) { return is_flat(f); }),
+            mesh_.faces.end());
         return before - mesh_.faces.size();
     }
 
@@ -323,28 +324,29 @@ private:
 
     void report() {
         const auto warn = [&](FaultId id, std::size_t count, const char* what, const char* remedy) {
-            if (count > 0)
-                faults_.push_back({id, Severity::warning, "mesh", std::to_string(count) + what, remedy});
+            if (count > 0) faults_.push_back({id, Severity::warning, "mesh", std::to_string(count) + what, remedy});
         };
         const char* none = "None needed; --strict refuses such a mesh.";
         warn(FaultId::mesh_degenerate_face, without_area_, " faces without area were left out.", none);
-        warn(FaultId::mesh_merged_vertices, joined_, " vertices were joined: they are closer than 1e-5 of the size, or lie on an edge.",
-             none);
+        warn(FaultId::mesh_merged_vertices, joined_,
+             " vertices were joined: they are closer than 1e-5 of the size, or lie on an edge.", none);
         warn(FaultId::mesh_duplicate_face, copies_, " faces lie on another face and were left out.", none);
         warn(FaultId::mesh_open_edge, filled_, " small holes were closed.", none);
         warn(FaultId::mesh_inconsistent_winding, turned_, " faces were turned so that all look outward.", none);
         if (sheet_parts_ > 0)
-            faults_.push_back({FaultId::mesh_open_edge, Severity::warning, "mesh",
-                               std::to_string(solid_parts_) + " parts are closed and were taken as solid, " +
-                                   std::to_string(sheet_parts_) + " are open and were taken as sheets.",
-                               "To make a part solid, close its holes in the modelling program (fill, cap) or give it a thickness "
-                               "(solidify); --strict refuses open parts."});
+            faults_.push_back(
+                {FaultId::mesh_open_edge, Severity::warning, "mesh",
+                 std::to_string(solid_parts_) + " parts are closed and were taken as solid, " +
+                     std::to_string(sheet_parts_) + " are open and were taken as sheets.",
+                 "To make a part solid, close its holes in the modelling program (fill, cap) or give it a thickness "
+                 "(solidify); --strict refuses open parts."});
     }
 
     Mesh& mesh_;
     Faults& faults_;
     std::vector<char> wall_;
-    std::size_t without_area_ = 0, joined_ = 0, copies_ = 0, filled_ = 0, turned_ = 0, solid_parts_ = 0, sheet_parts_ = 0;
+    std::size_t without_area_ = 0, joined_ = 0, copies_ = 0, filled_ = 0, turned_ = 0, solid_parts_ = 0,
+                sheet_parts_ = 0;
 };
 
 } // namespace
@@ -355,8 +357,9 @@ bool find_parts(Mesh& mesh, BodyParts& out, Faults& faults) {
     Mesh solids = out.mesh;
     solids.faces.resize(out.solid_faces);
     Faults found;
-    out.clean = check_and_repair(solids, found) &&
-                std::none_of(found.begin(), found.end(), [](const Fault& f) { return f.id == FaultId::mesh_self_intersection; });
+    out.clean = check_and_repair(solids, found) && std::none_of(found.begin(), found.end(), [](const Fault& f) {
+                    return f.id == FaultId::mesh_self_intersection;
+                });
     if (out.clean && !out.has_sheets()) {
         out.mesh = std::move(solids);
         out.solid_faces = out.mesh.faces.size();

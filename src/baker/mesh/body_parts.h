@@ -10,9 +10,9 @@ namespace lr::baker {
 
 // The faces of `mesh` come in two kinds; corners are shared.
 struct BodyParts {
-    Mesh mesh;               // the vertices, and all faces: those of the solids, then those of the sheets
+    Mesh mesh; // the vertices, and all faces: those of the solids, then those of the sheets
     std::size_t solid_faces = 0;
-    bool clean = false;      // the solids pass check_and_repair: they neither cross nor touch each other
+    bool clean = false; // the solids pass check_and_repair: they neither cross nor touch each other
 
     bool has_sheets() const { return mesh.faces.size() > solid_faces; }
     std::vector<Face> solids() const {

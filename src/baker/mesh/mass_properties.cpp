@@ -152,8 +152,8 @@ MassProperties compute_sheet_mass_properties(const Mesh& mesh, double thickness)
     return result;
 }
 
-MassProperties combined_mass_properties(const Mesh& mesh, std::size_t solid_faces, double volume, const Eigen::Vector3d& first,
-                                        const Eigen::Matrix3d& second) {
+MassProperties combined_mass_properties(const Mesh& mesh, std::size_t solid_faces, double volume,
+                                        const Eigen::Vector3d& first, const Eigen::Matrix3d& second) {
     const double size = UnitFrame(mesh).size;
     MassProperties result;
     result.volume = volume;

@@ -26,6 +26,6 @@ MassProperties compute_mass_properties(const Mesh& mesh);
 MassProperties compute_sheet_mass_properties(const Mesh& mesh, double thickness);
 
 // Of a body whose first `solid_faces` faces bound solids and whose others are sheets, from its moments about the origin of the mesh.
-MassProperties combined_mass_properties(const Mesh& mesh, std::size_t solid_faces, double volume, const Eigen::Vector3d& first,
-                                        const Eigen::Matrix3d& second);
+MassProperties combined_mass_properties(const Mesh& mesh, std::size_t solid_faces, double volume,
+                                        const Eigen::Vector3d& first, const Eigen::Matrix3d& second);
 } // namespace lr::baker

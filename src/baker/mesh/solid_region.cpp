@@ -80,8 +80,8 @@ void SolidRegion::cross(std::size_t axis, double p, double q, Crossings& out) co
         if (one != two || two != three) continue;
         const double area = cross2(v - u, w - u);
         const double x = cross2(at - u, w - u), y = cross2(v - u, at - u);
-        const double depth = area != 0.0 ? t[0][along] + (x * (t[1] - t[0])[along] + y * (t[2] - t[0])[along]) / area
-                                         : t[0][along];
+        const double depth =
+            area != 0.0 ? t[0][along] + (x * (t[1] - t[0])[along] + y * (t[2] - t[0])[along]) / area : t[0][along];
         out.emplace_back(depth, one ? -1 : 1); // a normal along the line leaves the region
     }
     std::sort(out.begin(), out.end());
@@ -157,7 +157,8 @@ SolidRegion::Grid SolidRegion::grid(std::size_t longest) const {
     Crossings crossings;
     for (std::size_t k = 0; k < fine[2]; ++k)
         for (std::size_t j = 0; j < fine[1]; ++j) {
-            cross(0, g.low[1] + (static_cast<double>(j) + 0.5) * h, g.low[2] + (static_cast<double>(k) + 0.5) * h, crossings);
+            cross(0, g.low[1] + (static_cast<double>(j) + 0.5) * h, g.low[2] + (static_cast<double>(k) + 0.5) * h,
+                  crossings);
             if (crossings.empty()) continue;
             int winding = 0;
             std::size_t next = 0;
@@ -177,7 +178,8 @@ SolidRegion::Grid SolidRegion::grid(std::size_t longest) const {
     return g;
 }
 
-Eigen::Matrix3d trapped_fluid_inertia(const SolidRegion& region, const Eigen::Vector3d& centroid) {
+Eigen::Matrix3d trapped_fluid_inertia(const SolidRegion& region, const Eigen::Vector3d& centroid,
+                                      const Eigen::Matrix3d& frozen) {
     const SolidRegion::Grid g = region.grid(trapped_cells);
     const std::size_t count = g.cells[0] * g.cells[1] * g.cells[2];
     const std::array<std::size_t, 3> stride{1, g.cells[0], g.cells[0] * g.cells[1]};
@@ -197,7 +199,8 @@ Eigen::Matrix3d trapped_fluid_inertia(const SolidRegion& region, const Eigen::Ve
                     const double weight = g.inside[d][cell];
                     if (!(weight > 0.0) || at[d] == 0) continue;
                     Eigen::Vector3d middle(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
-                    middle += Eigen::Vector3d::Constant(0.5) - 0.5 * Eigen::Vector3d::Unit(static_cast<Eigen::Index>(d));
+                    middle +=
+                        Eigen::Vector3d::Constant(0.5) - 0.5 * Eigen::Vector3d::Unit(static_cast<Eigen::Index>(d));
                     const Eigen::Vector3d arm = g.low + g.step * middle - centroid;
                     // (e_m x arm) . e_d = e_m . (arm x e_d)
                     links.push_back({static_cast<uint32_t>(cell - stride[d]), static_cast<uint32_t>(cell), weight,
@@ -238,6 +241,11 @@ Eigen::Matrix3d trapped_fluid_inertia(const SolidRegion& region, const Eigen::Ve
         }
         for (const Link& l : links) energy.col(m) += l.weight * (x[l.high] - x[l.low]) * l.wall;
     }
-    return 0.5 * std::pow(g.step, 3) * (energy + energy.transpose());
+    Eigen::Vector3d on_grid = Eigen::Vector3d::Zero();
+    for (const Link& l : links) on_grid += l.weight * l.wall.cwiseAbs2();
+    on_grid *= std::pow(g.step, 3);
+    const Eigen::Vector3d scale_of = (frozen.diagonal().cwiseMax(0.0).array() / on_grid.array().max(1e-300)).sqrt();
+    const Eigen::Matrix3d inertia = 0.5 * std::pow(g.step, 3) * (energy + energy.transpose());
+    return scale_of.asDiagonal() * inertia * scale_of.asDiagonal();
 }
 } // namespace lr::baker

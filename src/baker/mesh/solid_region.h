@@ -1,8 +1,8 @@
 // The region that closed surfaces enclose together: their union, whether they cross, touch or lie in each other.
 #pragma once
 
-#include "baker/mesh/mesh.h"
 #include "baker/mesh/mass_properties.h"
+#include "baker/mesh/mesh.h"
 
 #include <array>
 #include <cstddef>
@@ -57,5 +57,7 @@ private:
 
 // Inertia of a fluid that fills the region when the region turns about its centroid, for density 1: the least energy of a flow that the walls
 // force, from the potential on a grid (Batty, Bertails and Bridson 2007: faces weighted by the space around them that is inside).
-Eigen::Matrix3d trapped_fluid_inertia(const SolidRegion& region, const Eigen::Vector3d& centroid);
+// frozen: the inertia of the region about its centroid, which corrects that of the grid.
+Eigen::Matrix3d trapped_fluid_inertia(const SolidRegion& region, const Eigen::Vector3d& centroid,
+                                      const Eigen::Matrix3d& frozen);
 } // namespace lr::baker
