@@ -38,7 +38,7 @@ enum class UpAxis : std::int32_t { x, y, z, minus_x, minus_y, minus_z };
 
 // Treats the mesh as the middle surface of a sheet. It may be open or closed; winding does not matter.
 struct BakeSheet {
-    double thickness = 0.0;              // in `unit`; 0: 0.3 % of its typical length
+    double thickness = 0.0;              // in `unit`
     std::optional<double> areal_density; // kg/m^2; default: density times thickness
 };
 

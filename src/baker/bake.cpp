@@ -46,12 +46,12 @@ bool in_range(double value, double low, double high, const char* where, const ch
 // The turbulence solver has the same limits, but would report them only after minutes of work on the added mass.
 bool check_options(const BakeOptions& o, Faults& faults) {
     bool good = in_range(o.density, 1e-3, 1e6, "density", " kg/m^3", faults);
-    if (o.card && !(o.sheet && o.sheet->thickness > 0.0))
+    if (o.card && (!o.sheet || o.sheet->thickness == choose_thickness))
         good = fail(faults, FaultId::parameter_out_of_range, "thickness", "A card has no thickness of its own.",
                     "Give --thickness.");
     if (o.thickness)
         good = in_range(*o.thickness / units_per_metre(o.unit), 1e-8, 10.0, "thickness", " m", faults) && good;
-    if (o.sheet && o.sheet->thickness != 0.0) {
+    if (o.sheet && o.sheet->thickness != choose_thickness) {
         const double thickness = o.sheet->thickness / units_per_metre(o.unit);
         good = in_range(thickness, 1e-8, 10.0, "thickness", " m", faults) && good;
         if (good && o.sheet->areal_density)
@@ -99,7 +99,8 @@ public:
         : options_(options), out_(out), faults_(faults), timings_(timings), progress_(progress), hooks_(hooks),
           density_(options.density), sheet_(options.sheet.has_value()) {
         if (options.thickness) thickness_ = *options.thickness / units_per_metre(options.unit);
-        if (options.sheet) thickness_ = options.sheet->thickness / units_per_metre(options.unit);
+        if (options.sheet && options.sheet->thickness != choose_thickness)
+            thickness_ = options.sheet->thickness / units_per_metre(options.unit);
     }
 
     bool run() {
@@ -159,7 +160,8 @@ private:
         const auto as_modelled = [&](Mesh& mesh, Faults& faults) {
             return is_sheet() ? check_sheet(mesh, faults) : check_and_repair(mesh, faults);
         };
-        if (options_.strict || options_.card) return as_modelled(mesh_, faults_);
+        if (options_.strict || options_.card)
+            return as_modelled(mesh_, faults_) && (!is_sheet() || set_thickness(mesh_, mesh_.faces));
         Mesh checked = mesh_;
         Faults found;
         const auto repairable = [](const Fault& f) {
@@ -170,7 +172,7 @@ private:
             faults_.insert(faults_.end(), found.begin(), found.end());
             return !std::any_of(found.begin(), found.end(), [](const Fault& f) {
                 return f.severity == Severity::error;
-            }) && (!is_sheet() || choose_thickness(mesh_, mesh_.faces));
+            }) && (!is_sheet() || set_thickness(mesh_, mesh_.faces));
         }
         if (!find_parts(mesh_, parts_, faults_)) return false;
         if (is_sheet()) parts_.solid_faces = 0;
@@ -179,7 +181,7 @@ private:
             sheet_ = true;
             found.clear();
             if (!check_sheet(mesh_, faults_)) return false;
-            return choose_thickness(mesh_, mesh_.faces);
+            return set_thickness(mesh_, mesh_.faces);
         }
         mixed_ = !parts_.clean || parts_.has_sheets();
         if (!mixed_) return true;
@@ -191,10 +193,10 @@ private:
         mesh_ = skin.mesh;
         drop_unused_vertices(mesh_);
         solid_faces_ = skin.solid_faces;
-        return sheets.empty() || choose_thickness(parts_.mesh, sheets);
+        return sheets.empty() || set_thickness(parts_.mesh, sheets);
     }
 
-    bool choose_thickness(const Mesh& mesh, const std::vector<Face>& sheets) {
+    bool set_thickness(const Mesh& mesh, const std::vector<Face>& sheets) {
         if (thickness_ == 0.0) {
             thickness_ = default_thickness * sheet_length(mesh, sheets);
             faults_.push_back(
@@ -591,7 +593,7 @@ std::string canonical_options(const BakeOptions& o) {
     }
     if (!o.semi_axes && o.strict) text += " --strict";
     if (!o.semi_axes && o.thickness) add_one(" --thickness", *o.thickness);
-    if (!o.semi_axes && o.sheet && o.sheet->thickness == 0.0)
+    if (!o.semi_axes && o.sheet && o.sheet->thickness == choose_thickness)
         text += " --sheet";
     else if (!o.semi_axes && o.sheet)
         add_one(o.card ? " --thickness" : " --sheet --thickness", o.sheet->thickness);

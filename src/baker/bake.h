@@ -29,9 +29,12 @@ struct MeshArrays {
     std::span<const uint32_t> indices;
 };
 
+// Of a sheet: default_thickness times a typical extent of its parts.
+constexpr double choose_thickness = -1.0;
+
 // The mesh is the middle surface of a sheet.
 struct SheetOptions {
-    double thickness = 0.0;              // in `unit`; 0: default_thickness of a typical extent of its parts
+    double thickness = choose_thickness; // in `unit`
     std::optional<double> areal_density; // kg/m^2; without it, `density` times the thickness
 };
 
