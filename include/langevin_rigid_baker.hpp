@@ -81,6 +81,8 @@ struct BakeOptions {
     bool wake = false;              // puts the body into the stream of the turbulence table
     std::optional<BakeMass> mass;   // for meshes; not with center_of_mass
     std::uint32_t stations = 8;     // at most; 1: loads as one plate, twice as fast
+    bool strict = false;            // refuses meshes that are not closed, sound and one body, instead of repairing them
+    double thickness = 0.0;         // of open parts without `sheet`, in `unit`; 0: 0.3 % of their typical length
 };
 
 struct BakeFault {

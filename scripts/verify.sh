@@ -23,6 +23,7 @@ steps=( # name, minutes on two cores, title
     "valgrind      6 Valgrind over the API's tests"
     "tsan         10 ThreadSanitizer"
     "asan         12 AddressSanitizer and UndefinedBehaviorSanitizer: long tests, and the baker"
+    "corpus       45 Models that Debian packages: how many bake"
     "fuzz          9 Fuzzers: assets 20 s, API, meshes and cards 60 s each"
     "clang         6 Held hashes: clang"
     "levels       15 Held hashes: GCC and clang at -O1, -O2 and -O3"
@@ -78,6 +79,10 @@ step_asan() { # the part that ./test.sh omits
     cmake --build build/asan
     run_ctest build/asan -L 'long|corpus' -LE exact
     run_ctest build/asan -R '^tests_(baker|core|contact|determinism|drop)|lr_replay' -LE 'long|exact'
+}
+step_corpus() { # needs the package mirrors once
+    release
+    nice scripts/bake_corpus.py --most 60 --seconds 60
 }
 step_fuzz() {
     need clang++-14 test

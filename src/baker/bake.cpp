@@ -3,15 +3,18 @@
 #include "asset/asset_file.h"
 #include "asset/closed_forms/ellipsoid_asset.h"
 #include "baker/added_mass/added_mass.h"
+#include "baker/added_mass/mixed_added_mass.h"
 #include "baker/aerodynamics/mesh_geometry.h"
 #include "baker/aerodynamics/principal_axes.h"
 #include "baker/aerodynamics/stations.h"
 #include "baker/bake_input.h"
 #include "baker/file_faults.h"
+#include "baker/mesh/body_parts.h"
 #include "baker/mesh/convex_hull.h"
 #include "baker/mesh/ellipsoid_mesh.h"
 #include "baker/mesh/mass_properties.h"
 #include "baker/mesh/mesh_check.h"
+#include "baker/mesh/solid_region.h"
 #include "baker/printable_text.h"
 #include "baker/turbulence/stream_body.h"
 #include "baker/turbulence/turbulence.h"
@@ -19,6 +22,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <new>
@@ -29,6 +33,8 @@ namespace {
 constexpr std::size_t max_name_bytes = 4096; // limit of check_asset
 // Largest thickness over length of a sheet: in a thicker sheet the edges matter, which the zero-thickness formulation omits.
 constexpr double max_thickness_share = 0.2;
+// Sheets of more faces are solved on coarser ones unless --strict: 30,000 take most of a minute.
+constexpr std::size_t most_sheet_faces = 12000;
 
 bool in_range(double value, double low, double high, const char* where, const char* unit, Faults& faults) {
     if (value >= low && value <= high) return true; // false for NaN
@@ -40,10 +46,12 @@ bool in_range(double value, double low, double high, const char* where, const ch
 // The turbulence solver has the same limits, but would report them only after minutes of work on the added mass.
 bool check_options(const BakeOptions& o, Faults& faults) {
     bool good = in_range(o.density, 1e-3, 1e6, "density", " kg/m^3", faults);
-    if (o.card && !o.sheet)
+    if (o.card && (!o.sheet || o.sheet->thickness == choose_thickness))
         good = fail(faults, FaultId::parameter_out_of_range, "thickness", "A card has no thickness of its own.",
                     "Give --thickness.");
-    if (o.sheet) {
+    if (o.thickness)
+        good = in_range(*o.thickness / units_per_metre(o.unit), 1e-8, 10.0, "thickness", " m", faults) && good;
+    if (o.sheet && o.sheet->thickness != choose_thickness) {
         const double thickness = o.sheet->thickness / units_per_metre(o.unit);
         good = in_range(thickness, 1e-8, 10.0, "thickness", " m", faults) && good;
         if (good && o.sheet->areal_density)
@@ -89,10 +97,10 @@ public:
     Pipeline(const BakeOptions& options, AssetData& out, Faults& faults, BakeTimings* timings,
              const BakeProgress& progress, const BakeHooks& hooks)
         : options_(options), out_(out), faults_(faults), timings_(timings), progress_(progress), hooks_(hooks),
-          density_(options.density) {
-        if (!options.sheet) return;
-        thickness_ = options.sheet->thickness / units_per_metre(options.unit);
-        if (options.sheet->areal_density) density_ = *options.sheet->areal_density / thickness_;
+          density_(options.density), sheet_(options.sheet.has_value()) {
+        if (options.thickness) thickness_ = *options.thickness / units_per_metre(options.unit);
+        if (options.sheet && options.sheet->thickness != choose_thickness)
+            thickness_ = options.sheet->thickness / units_per_metre(options.unit);
     }
 
     bool run() {
@@ -136,9 +144,7 @@ private:
     }
 
     bool make_mesh_body() {
-        return phase("reading", [&] { return read(); }) &&
-               phase("checking",
-                     [&] { return is_sheet() ? check_sheet(mesh_, faults_) : check_and_repair(mesh_, faults_); }) &&
+        return phase("reading", [&] { return read(); }) && phase("checking", [&] { return check(); }) &&
                phase("mass", [&] { return make_mass(); }) && phase("hull", [&] { return make_hull(); }) &&
                phase("aerodynamics", [&] { return make_aerodynamics(); }) &&
                phase("added mass", [&] { return make_added_mass(); });
@@ -148,6 +154,88 @@ private:
         if (!read_input(options_, mesh_, input_, faults_)) return false;
         out_.provenance.source = source_name(options_);
         return true;
+    }
+
+    bool check() {
+        const auto as_modelled = [&](Mesh& mesh, Faults& faults) {
+            return is_sheet() ? check_sheet(mesh, faults) : check_and_repair(mesh, faults);
+        };
+        if (options_.strict || options_.card)
+            return as_modelled(mesh_, faults_) && (!is_sheet() || set_thickness(mesh_, mesh_.faces));
+        Mesh checked = mesh_;
+        Faults found;
+        const auto repairable = [](const Fault& f) {
+            return f.severity == Severity::error && f.id != FaultId::mesh_not_finite && f.id != FaultId::mesh_bad_index;
+        };
+        if (as_modelled(checked, found) || std::none_of(found.begin(), found.end(), repairable)) {
+            mesh_ = std::move(checked);
+            faults_.insert(faults_.end(), found.begin(), found.end());
+            return !std::any_of(found.begin(), found.end(), [](const Fault& f) {
+                return f.severity == Severity::error;
+            }) && (!is_sheet() || set_thickness(mesh_, mesh_.faces));
+        }
+        if (!find_parts(mesh_, parts_, faults_)) return false;
+        if (is_sheet()) parts_.solid_faces = 0;
+        mesh_ = parts_.mesh;
+        if (parts_.solid_faces == 0) {
+            sheet_ = true;
+            found.clear();
+            if (!check_sheet(mesh_, faults_)) return false;
+            return set_thickness(mesh_, mesh_.faces);
+        }
+        mixed_ = !parts_.clean || parts_.has_sheets();
+        if (!mixed_) return true;
+        const BodyParts skin = outer_skin(parts_);
+        const std::vector<Face> sheets = skin.sheets();
+        std::vector<Face> all = parts_.solids();
+        all.insert(all.end(), sheets.begin(), sheets.end());
+        parts_.mesh.faces = std::move(all);
+        mesh_ = skin.mesh;
+        drop_unused_vertices(mesh_);
+        solid_faces_ = skin.solid_faces;
+        return sheets.empty() || set_thickness(parts_.mesh, sheets);
+    }
+
+    bool set_thickness(const Mesh& mesh, const std::vector<Face>& sheets) {
+        if (thickness_ == 0.0) {
+            thickness_ = default_thickness * sheet_length(mesh, sheets);
+            faults_.push_back(
+                {FaultId::mesh_open_edge, Severity::warning, "mesh",
+                 "Open parts are sheets " + two_digits(thickness_) + " m thick: 0.3 % of their typical length.",
+                 "Give --thickness if it is known."});
+        }
+        if (options_.sheet && options_.sheet->areal_density) density_ = *options_.sheet->areal_density / thickness_;
+        return true;
+    }
+
+    static std::string two_digits(double x) {
+        std::array<char, 32> text{};
+        return {text.data(),
+                std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, 2).ptr};
+    }
+
+    // Of the union of the solids, and of the sheets outside them.
+    MassProperties mixed_properties() {
+        Mesh part{parts_.mesh.vertices, parts_.solids(), {}};
+        const SolidRegion region(part, part.faces);
+        RegionMoments m = region.moments(compute_mass_properties(part));
+        if (m.counted - m.volume > 1e-4 * m.counted)
+            faults_.push_back({FaultId::mesh_several_components, Severity::warning, "mesh",
+                               "Solids cross or lie in each other: they were taken as one body; " +
+                                   two_digits(100.0 * (1.0 - m.volume / m.counted)) +
+                                   " % of their volume was covered more than once and counts once.",
+                               "None needed. Unite them (boolean union) in the modelling program for the most exact "
+                               "added mass; --strict "
+                               "refuses such parts."});
+        part.faces = parts_.sheets();
+        if (!part.faces.empty()) {
+            const MassProperties s = compute_sheet_mass_properties(part, thickness_);
+            m.volume += s.volume;
+            m.first += s.volume * s.centroid;
+            m.second += 0.5 * s.inertia.trace() * Eigen::Matrix3d::Identity() - s.inertia +
+                        s.volume * s.centroid * s.centroid.transpose();
+        }
+        return combined_mass_properties(mesh_, solid_faces_, m.volume, m.first, m.second);
     }
 
     MassProperties properties_of(const Mesh& mesh) const {
@@ -169,7 +257,7 @@ private:
     }
 
     bool make_mass() {
-        solid_ = properties_of(mesh_);
+        solid_ = mixed_ ? mixed_properties() : properties_of(mesh_);
         MassProperties weighed;
         if (!read_mass(weighed)) return false;
         // The layers lie on each other and displace their own volume: the sheet's mean thickness is that of all layers.
@@ -183,7 +271,7 @@ private:
             return fail(faults_, FaultId::parameter_out_of_range, "unit",
                         "The body is " + shortest(size) + " m long; the limits are 1e-6 and 1000 m.",
                         "Check --unit against the unit that the mesh was exported in.");
-        if (thickness_ > max_thickness_share * size)
+        if (is_sheet() && thickness_ > max_thickness_share * size)
             return fail(faults_, FaultId::parameter_out_of_range, "thickness",
                         "A sheet " + shortest(thickness_) + " m thick and " + shortest(size) + " m long is too thick.",
                         "Model it as a solid, or check --thickness and --unit.");
@@ -204,13 +292,14 @@ private:
         out_.provenance.faces = static_cast<uint32_t>(mesh_.faces.size());
         out_.provenance.vertices = static_cast<uint32_t>(mesh_.vertices.size());
         for (Eigen::Vector3d& v : mesh_.vertices) v -= center_; // now in the body frame
+        for (Eigen::Vector3d& v : parts_.mesh.vertices) v -= center_;
         if (hooks_.body) *hooks_.body = mesh_;
         return true;
     }
 
     bool make_hull() {
         ConvexHull hull;
-        if (!compute_convex_hull(is_sheet() ? both_sides() : mesh_.vertices, hull, faults_)) return false;
+        if (!compute_convex_hull(thickness_ > 0.0 ? both_sides() : mesh_.vertices, hull, faults_)) return false;
         for (const Face& f : hull.faces) {
             const Eigen::Vector3d& a = hull.vertices[f[0]];
             const Eigen::Vector3d normal = (hull.vertices[f[1]] - a).cross(hull.vertices[f[2]] - a);
@@ -232,8 +321,9 @@ private:
                 inertia[i] = solid_.inertia(static_cast<Eigen::Index>(i / 3), static_cast<Eigen::Index>(i % 3));
         const std::array<double, 9> axes = shape::principal_axes(inertia);
         const Eigen::Vector3d centre = solid_.centroid - center_;
-        shape::AerodynamicGeometry geometry =
-            is_sheet() ? sheet_geometry(mesh_, thickness_, axes, centre) : mesh_geometry(mesh_, axes, centre);
+        shape::AerodynamicGeometry geometry = is_sheet() || mixed_
+                                                  ? sheet_geometry(mesh_, thickness_, axes, centre, solid_faces_)
+                                                  : mesh_geometry(mesh_, axes, centre);
         geometry.volume = solid_.volume;
         out_.aerodynamics = shape::default_aerodynamics(geometry);
         make_stations();
@@ -244,7 +334,9 @@ private:
         if (options_.stations == 1) return;
         StationOptions how;
         how.most = options_.stations;
-        how.thickness = is_sheet() ? thickness_ : 0.0;
+        // A body of both is judged as what most of its surface is.
+        how.thickness = is_sheet() || (mixed_ && 2 * solid_faces_ < mesh_.faces.size()) ? thickness_ : 0.0;
+        how.solid_faces = solid_faces_;
         how.volume = solid_.volume;
         how.hull_volume = hull_volume_;
         how.length = solid_.extents.maxCoeff();
@@ -275,12 +367,15 @@ private:
                 "Take its fall as a rough likeness.");
     }
 
-    bool is_sheet() const { return options_.sheet.has_value(); }
+    bool is_sheet() const { return sheet_; }
 
     std::vector<Eigen::Vector3d> both_sides() const {
         std::vector<Eigen::Vector3d> points;
         points.reserve(6 * mesh_.faces.size());
-        for (const Face& f : mesh_.faces) {
+        for (std::size_t i = 0; i < solid_faces_; ++i)
+            for (const uint32_t v : mesh_.faces[i]) points.push_back(mesh_.vertices[v]);
+        for (std::size_t i = solid_faces_; i < mesh_.faces.size(); ++i) {
+            const Face& f = mesh_.faces[i];
             const Eigen::Vector3d& a = mesh_.vertices[f[0]];
             const Eigen::Vector3d normal = (mesh_.vertices[f[1]] - a).cross(mesh_.vertices[f[2]] - a).normalized();
             for (const uint32_t v : f)
@@ -295,8 +390,23 @@ private:
         const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
         AddedMassOptions how;
         how.threads = hooks_.threads;
-        return is_sheet() ? compute_sheet_added_mass(mesh_, origin, Refinement{}, added, faults_, report, how)
-                          : compute_added_mass(mesh_, origin, added, faults_, report, how);
+        if (mixed_) return compute_mixed_added_mass(parts_, origin, added, faults_, report, how);
+        if (options_.strict || options_.card) return solve_as_modelled(origin, added, faults_, report, how);
+        Faults found;
+        const bool too_dense = is_sheet() && mesh_.faces.size() > most_sheet_faces;
+        if (!too_dense && solve_as_modelled(origin, added, found, report, how)) {
+            faults_.insert(faults_.end(), found.begin(), found.end());
+            return true;
+        }
+        parts_.mesh = mesh_;
+        parts_.solid_faces = is_sheet() ? 0 : mesh_.faces.size();
+        return compute_mixed_added_mass(parts_, origin, added, faults_, report, how);
+    }
+
+    bool solve_as_modelled(const Eigen::Vector3d& origin, AddedMass& added, Faults& faults, const Progress& report,
+                           const AddedMassOptions& how) const {
+        return is_sheet() ? compute_sheet_added_mass(mesh_, origin, Refinement{}, added, faults, report, how)
+                          : compute_added_mass(mesh_, origin, added, faults, report, how);
     }
 
     bool make_added_mass() {
@@ -431,6 +541,9 @@ private:
     const BakeHooks& hooks_;
     InputFiles input_;
     double density_, thickness_ = 0.0; // kg/m^3, m
+    bool sheet_, mixed_ = false;       // mixed: solids and sheets, or solids that cross
+    BodyParts parts_;                  // mixed: all faces of the solids, also within other solids
+    std::size_t solid_faces_ = 0;      // mixed: of mesh_, which has only outer faces
     double hull_volume_ = 0.0;         // m^3
     Stations stations_;
     Mesh mesh_;
@@ -476,7 +589,12 @@ std::string canonical_options(const BakeOptions& o) {
         if (o.card->piece) text += " --piece " + std::to_string(*o.card->piece);
         add_one(" --speck", o.card->speck);
     }
-    if (!o.semi_axes && o.sheet) add_one(o.card ? " --thickness" : " --sheet --thickness", o.sheet->thickness);
+    if (!o.semi_axes && o.strict) text += " --strict";
+    if (!o.semi_axes && o.thickness) add_one(" --thickness", *o.thickness);
+    if (!o.semi_axes && o.sheet && o.sheet->thickness == choose_thickness)
+        text += " --sheet";
+    else if (!o.semi_axes && o.sheet)
+        add_one(o.card ? " --thickness" : " --sheet --thickness", o.sheet->thickness);
     if (!o.semi_axes && o.sheet && o.sheet->areal_density)
         add_one(" --areal-density", *o.sheet->areal_density);
     else

@@ -29,11 +29,17 @@ struct MeshArrays {
     std::span<const uint32_t> indices;
 };
 
+// Of a sheet: default_thickness times a typical extent of its parts.
+constexpr double choose_thickness = -1.0;
+
 // The mesh is the middle surface of a sheet.
 struct SheetOptions {
-    double thickness = 0.0;              // in `unit`
+    double thickness = choose_thickness; // in `unit`
     std::optional<double> areal_density; // kg/m^2; without it, `density` times the thickness
 };
+
+// A leaf of 8 cm then has 0.24 mm.
+constexpr double default_thickness = 0.003;
 
 // A second mesh that gives the mass. For a sheet: its layers, each face with the thickness and density of the sheet, also where
 // several coincide. Otherwise: the solid parts, of `density`.
@@ -46,14 +52,16 @@ struct BakeOptions {
     // A mesh file, or an ellipsoid if semi_axes is set.
     std::string mesh_path;                          // UTF-8
     std::optional<std::array<double, 3>> semi_axes; // in `unit`
-    Unit unit = Unit::file;                    // of the mesh and of all lengths here; with `file` the lengths are in m
-    UpAxis up = UpAxis::z;                     // axis of the mesh that becomes +z
-    std::optional<std::string> mesh;           // bake only the objects of this name
-    std::optional<SheetOptions> sheet;         // the mesh is a sheet, not the boundary of a solid
-    std::optional<CardOptions> card;           // the sheet is a card: mesh_path is an image, its width in `unit`
-    double density = 800.0;                    // kg/m^3; leaf, paper
-    double fluid_density = 1.2;                // kg/m^3; air
-    double fluid_viscosity = 1.5e-5;           // m^2/s
+    Unit unit = Unit::file;            // of the mesh and of all lengths here; with `file` the lengths are in m
+    UpAxis up = UpAxis::z;             // axis of the mesh that becomes +z
+    std::optional<std::string> mesh;   // bake only the objects of this name
+    std::optional<SheetOptions> sheet; // the mesh is a sheet, not the boundary of a solid
+    std::optional<double> thickness;   // of open parts, without `sheet`, in `unit`; by default as in SheetOptions
+    bool strict = false;               // refuse what is not one clean solid, instead of repairing it (find_parts)
+    std::optional<CardOptions> card;   // the sheet is a card: mesh_path is an image, its width in `unit`
+    double density = 800.0;            // kg/m^3; leaf, paper
+    double fluid_density = 1.2;        // kg/m^3; air
+    double fluid_viscosity = 1.5e-5;   // m^2/s
     std::array<uint32_t, 3> cells{32, 32, 16}; // of the turbulence grid
     double intensity = 1.0;                    // of the turbulence in k0 = 3/2 (I U0)^2
     bool wake = false;                         // put the body into the stream of the turbulence table

@@ -78,6 +78,8 @@ core::BakeOptions to_core(const BakeOptions& o) {
     if (o.sheet) options.sheet = core::SheetOptions{o.sheet->thickness, o.sheet->areal_density};
     options.wake = o.wake;
     options.stations = o.stations;
+    options.strict = o.strict;
+    if (o.thickness != 0.0) options.thickness = o.thickness;
     if (o.mass) {
         core::MassOptions& mass = options.mass.emplace();
         mass.path = o.mass->path;

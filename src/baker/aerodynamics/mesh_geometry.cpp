@@ -43,12 +43,12 @@ std::vector<Skin> faces_of(const Mesh& mesh, double sides) {
 }
 
 // Adds the side faces along free edges, as high as the sheet is thick.
-void add_rim(const Mesh& mesh, double thickness, std::vector<Skin>& skin) {
+void add_rim(const Mesh& mesh, std::size_t solid_faces, double thickness, std::vector<Skin>& skin) {
     const std::vector<HalfEdge> halves = sorted_half_edges(mesh);
     for (std::size_t i = 0; i < halves.size();) {
         std::size_t end = i + 1;
         while (end < halves.size() && same_edge(halves[i], halves[end])) ++end;
-        if (end - i == 1) {
+        if (end - i == 1 && halves[i].face >= solid_faces) {
             const Face& f = mesh.faces[halves[i].face];
             const Eigen::Vector3d& a = mesh.vertices[f[0]];
             const Eigen::Vector3d normal = (mesh.vertices[f[1]] - a).cross(mesh.vertices[f[2]] - a).normalized();
@@ -139,9 +139,10 @@ shape::AerodynamicGeometry mesh_geometry(const Mesh& mesh, const std::array<doub
 }
 
 shape::AerodynamicGeometry sheet_geometry(const Mesh& mesh, double thickness, const std::array<double, 9>& axes,
-                                          const Eigen::Vector3d& centre) {
+                                          const Eigen::Vector3d& centre, std::size_t solid_faces) {
     std::vector<Skin> skin = faces_of(mesh, 2.0);
-    add_rim(mesh, thickness, skin);
+    for (std::size_t i = 0; i < solid_faces; ++i) skin[i].sides = 1.0;
+    add_rim(mesh, solid_faces, thickness, skin);
     return measure(skin, largest_extent(mesh), axes, centre);
 }
 } // namespace lr::baker

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cstddef>
 
 namespace lr::baker {
 
@@ -15,7 +16,7 @@ namespace lr::baker {
 shape::AerodynamicGeometry mesh_geometry(const Mesh& mesh, const std::array<double, 9>& axes,
                                          const Eigen::Vector3d& centre);
 
-// For a sheet of this thickness: both sides of the faces, and a rim along free edges.
+// For a sheet of this thickness: both sides of the faces, and a rim along free edges. The first `solid_faces` faces bound solids: one side.
 shape::AerodynamicGeometry sheet_geometry(const Mesh& mesh, double thickness, const std::array<double, 9>& axes,
-                                          const Eigen::Vector3d& centre);
+                                          const Eigen::Vector3d& centre, std::size_t solid_faces = 0);
 } // namespace lr::baker

@@ -365,7 +365,7 @@ double share_hidden(const Part& part, const AerodynamicData& loads) {
 Stations make_stations(const Mesh& mesh, const AerodynamicData& loads, const Vector3d& center,
                        const StationOptions& options) {
     Stations out;
-    const Part all = part_of(mesh, options.thickness > 0.0 ? 2.0 : 1.0);
+    const Part all = part_of(mesh, options.thickness > 0.0 ? 2.0 : 1.0, options.solid_faces);
     const PartMoments m = moments_of(all);
     double size = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -11,10 +11,11 @@
 namespace lr::baker {
 
 struct StationOptions {
-    double thickness = 0.0;   // m, of a sheet; 0: the mesh bounds a solid
-    double volume = 0.0;      // m^3, of the body
-    double hull_volume = 0.0; // m^3
-    double length = 1.0;      // m, of the Reynolds number
+    double thickness = 0.0;      // m, of a sheet; 0: the mesh bounds a solid
+    std::size_t solid_faces = 0; // of a sheet with solids: the first faces of the mesh, which bound them
+    double volume = 0.0;         // m^3, of the body
+    double hull_volume = 0.0;    // m^3
+    double length = 1.0;         // m, of the Reynolds number
     double viscosity = 1.5e-5;
     std::size_t most = most_stations;
 };

@@ -228,9 +228,11 @@ Line best_line(const std::vector<Dot>& dots) {
 }
 } // namespace
 
-Part part_of(const Mesh& mesh, double sides) {
+Part part_of(const Mesh& mesh, double sides_of_sheets, std::size_t solid_faces) {
     Part out;
-    for (const Face& f : mesh.faces) {
+    for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+        const Face& f = mesh.faces[i];
+        const double sides = i < solid_faces ? 1.0 : sides_of_sheets;
         const Vector3d &a = mesh.vertices[f[0]], &b = mesh.vertices[f[1]], &c = mesh.vertices[f[2]];
         const Vector3d across = (b - a).cross(c - a);
         const double twice = across.norm();

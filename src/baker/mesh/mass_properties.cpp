@@ -91,13 +91,15 @@ void set_inertia(const Eigen::Matrix3d& covariance, double size, MassProperties&
     fix_axes(solver.eigenvalues(), result.axes);
 }
 
-// sides: how often the surface covers its projection; 2 for closed surfaces.
-void set_extents(const Mesh& mesh, double sides, MassProperties& result) {
+// The first `solid_faces` faces cover their projection twice, as a closed surface, the others once.
+void set_extents(const Mesh& mesh, std::size_t solid_faces, MassProperties& result) {
     Bounds bounds;
     for (const Eigen::Vector3d& v : mesh.vertices) bounds.extend(result.axes.transpose() * (v - result.centroid));
     result.extents = bounds.high - bounds.low;
     result.projected_areas.setZero();
-    for (const Face& face : mesh.faces) {
+    for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+        const Face& face = mesh.faces[i];
+        const double sides = i < solid_faces ? 2.0 : 1.0;
         const Eigen::Vector3d& a = mesh.vertices[face[0]];
         const Eigen::Vector3d twice_area = (mesh.vertices[face[1]] - a).cross(mesh.vertices[face[2]] - a);
         result.projected_areas += 0.5 / sides * (result.axes.transpose() * twice_area).cwiseAbs();
@@ -121,7 +123,7 @@ MassProperties compute_mass_properties(const Mesh& mesh) {
     result.area = area * frame.size * frame.size;
     result.centroid = frame.origin + frame.size * centroid;
     set_inertia(moments.second - moments.volume * centroid * centroid.transpose(), frame.size, result);
-    set_extents(mesh, 2.0, result);
+    set_extents(mesh, mesh.faces.size(), result);
     return result;
 }
 
@@ -146,7 +148,22 @@ MassProperties compute_sheet_mass_properties(const Mesh& mesh, double thickness)
     result.volume = result.area * thickness;
     result.centroid = frame.origin + frame.size * centroid;
     set_inertia(t * (second - area * centroid * centroid.transpose()), frame.size, result);
-    set_extents(mesh, 1.0, result);
+    set_extents(mesh, 0, result);
+    return result;
+}
+
+MassProperties combined_mass_properties(const Mesh& mesh, std::size_t solid_faces, double volume,
+                                        const Eigen::Vector3d& first, const Eigen::Matrix3d& second) {
+    const double size = UnitFrame(mesh).size;
+    MassProperties result;
+    result.volume = volume;
+    result.centroid = first / volume;
+    for (const Face& f : mesh.faces) {
+        const Eigen::Vector3d& a = mesh.vertices[f[0]];
+        result.area += 0.5 * (mesh.vertices[f[1]] - a).cross(mesh.vertices[f[2]] - a).norm();
+    }
+    set_inertia((second - volume * result.centroid * result.centroid.transpose()) / std::pow(size, 5), size, result);
+    set_extents(mesh, solid_faces, result);
     return result;
 }
 } // namespace lr::baker

@@ -24,4 +24,8 @@ MassProperties compute_mass_properties(const Mesh& mesh);
 // Each triangle is a plate of this thickness about its plane. `area` is that of one side; the projected areas are exact
 // if no part of the sheet hides another; the extents are those of the middle surface.
 MassProperties compute_sheet_mass_properties(const Mesh& mesh, double thickness);
+
+// Of a body whose first `solid_faces` faces bound solids and whose others are sheets, from its moments about the origin of the mesh.
+MassProperties combined_mass_properties(const Mesh& mesh, std::size_t solid_faces, double volume,
+                                        const Eigen::Vector3d& first, const Eigen::Matrix3d& second);
 } // namespace lr::baker

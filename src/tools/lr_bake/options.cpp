@@ -46,10 +46,14 @@ void add_mesh_options(CLI::App& command, Texts& texts) {
         ->type_name("MESH");
 }
 
-void add_sheet_options(CLI::App& command, Texts& texts) {
+void add_sheet_options(CLI::App& command, Texts& texts, CommandLine& line) {
+    command.add_flag("--strict", line.bake.strict,
+                     "refuse meshes that are not closed, sound and one body, instead of repairing them");
     const std::string help = "the mesh is the middle surface of a sheet: open or closed, with faces wound in any way";
     CLI::Option* sheet = command.add_flag("--sheet", help);
-    command.add_option("--thickness", texts.thickness, "of the sheet, in the unit")->needs(sheet)->type_name("T");
+    command.add_option("--thickness", texts.thickness, "of the sheet, or of open parts, in the unit")
+        ->default_str("0.3 % of their length")
+        ->type_name("T");
     command
         .add_option("--areal-density", texts.areal_density,
                     "mass of the sheet per area, kg/m^2, instead of --density (paper: 0.08)")
@@ -191,14 +195,21 @@ void read_thickness(const CLI::App& command, const Texts& texts, BakeOptions& o)
     if (command.count("--areal-density") > 0 && command.count("--density") > 0)
         throw CLI::ValidationError("--areal-density", "give either this or --density");
     o.sheet.emplace();
-    o.sheet->thickness = parse_number<double>(texts.thickness, "--thickness");
+    if (command.count("--thickness") > 0) o.sheet->thickness = parse_number<double>(texts.thickness, "--thickness");
     if (command.count("--areal-density") > 0)
         o.sheet->areal_density = parse_number<double>(texts.areal_density, "--areal-density");
 }
 
 void read_sheet_options(const CLI::App& command, const Texts& texts, BakeOptions& o) {
-    if (command.count("--sheet") == 0) return;
-    if (command.count("--thickness") == 0) throw CLI::ValidationError("--sheet", "a sheet needs --thickness");
+    const bool thick = command.count("--thickness") > 0;
+    if (command.count("--sheet") == 0) {
+        if (thick) o.thickness = parse_number<double>(texts.thickness, "--thickness");
+        return;
+    }
+    if (!thick && command.count("--areal-density") == 0) {
+        o.sheet.emplace();
+        return;
+    }
     read_thickness(command, texts, o);
 }
 
@@ -256,7 +267,7 @@ std::optional<CommandLine> parse_command_line(int argc, char** argv, int& exit_c
         "mesh", "bake triangle meshes (OBJ, PLY, STL, glTF, GLB, FBX, Collada, ...), closed or sheets");
     add_batch_options(*mesh, texts, line);
     add_mesh_options(*mesh, texts);
-    add_sheet_options(*mesh, texts);
+    add_sheet_options(*mesh, texts, line);
     add_bake_options(*mesh, texts, line);
 
     CLI::App* card = app.add_subcommand("card", "bake flat leaves from the alpha channels of PNG images");

@@ -146,11 +146,11 @@ TEST_CASE("lr_bake: the last line says how the body falls, in the fluid of the b
     CHECK(last_line({"--density", "300", "--fluid", "60,1e-5"}).starts_with("  in its fluid    falls at "));
 }
 
-TEST_CASE("lr_bake: an open mesh is refused as a solid and baked as a sheet") {
+TEST_CASE("lr_bake: an open mesh is refused with --strict and baked as a sheet") {
     const Scratch scratch;
     const std::string mesh = scratch.write("card.obj", "v 0 0 0\nv 8 0 0\nv 8 4 0\nv 0 4 0\nf 1 2 3 4\n");
     const std::string out = scratch.path("card.lrb"), report = scratch.path("card.json");
-    const Outcome solid = lr_bake({"mesh", mesh, "-o", out});
+    const Outcome solid = lr_bake({"mesh", mesh, "-o", out, "--strict"});
     check_fault(solid, mesh, 206);
     CHECK(contains(solid.err, "--sheet"));
     CHECK(lr_bake({"mesh", mesh, "-o", out, "--report", report, "--unit", "cm", "--sheet", "--thickness", "0.01",
@@ -264,7 +264,7 @@ TEST_CASE("lr_bake: bad input is a numbered fault and leaves the old asset alone
     refused(scratch.write("nothing.stl", "solid nothing"), 202);
     refused(scratch.write("nan.obj", "v nan 0 0\n" + small_mesh()), 203);
     const std::string text = small_mesh();
-    refused(scratch.write("open.obj", text.substr(0, text.rfind("f "))), 206);
+    refused(scratch.write("open.obj", text.substr(0, text.rfind("f "))), 206, {"--strict"});
     refused(scratch.write("asset.lrb", before), 201); // not a mesh
     refused(out, 301);                                // its own output
     for (const char* bad : {"0", "-800", "nan", "inf", "-inf", "1e9"}) refused(mesh, 301, {"--density", bad});

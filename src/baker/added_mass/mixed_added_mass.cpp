@@ -1,0 +1,165 @@
+#include "baker/added_mass/mixed_added_mass.h"
+
+#include "baker/mesh/solid_region.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lr::baker {
+namespace {
+
+// Faces of the surface that is solved. Fewer, if the equations are singular: near-coincident layers and needles.
+constexpr std::size_t most_faces[] = {5000, 2500, 1000, 400};
+// With the strips that refine its free rims: what a dense matrix holds.
+constexpr std::size_t most_panels = 8000;
+constexpr double needle = 1e-4; // height over longest side, of a face that coarser meshes do without
+constexpr double trapped_error =
+    0.05;                            // of the trapped fluid's inertia: a box of 48 cells has 1 to 2 %, thin walls more
+constexpr double coarse_error = 2.0; // relative, times the size of the cubes over that of the body
+
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+
+Eigen::Vector3d normal_of(const Mesh& mesh, const Face& f) {
+    const Eigen::Vector3d& a = mesh.vertices[f[0]];
+    return (mesh.vertices[f[1]] - a).cross(mesh.vertices[f[2]] - a).normalized();
+}
+
+bool is_needle(const Mesh& mesh, const Face& f) {
+    if (f[0] == f[1] || f[1] == f[2] || f[2] == f[0]) return true;
+    const Eigen::Vector3d a = mesh.vertices[f[1]] - mesh.vertices[f[0]], b = mesh.vertices[f[2]] - mesh.vertices[f[0]];
+    const double longest = std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()});
+    return !(a.cross(b).norm() > needle * longest);
+}
+
+// The surface to solve.
+struct Shell {
+    BodyParts parts; // copies and needles included: they bound the region
+    Mesh skin;
+    double cube = 0.0;
+};
+
+Shell make_shell(const BodyParts& parts, std::size_t most, bool coarsen) {
+    Shell shell{parts, {}, 0.0};
+    Mesh& mesh = shell.parts.mesh;
+    if (coarsen || mesh.faces.size() > most) shell.cube = cluster(mesh, std::min(most, mesh.faces.size() * 3 / 4 + 1));
+    shell.skin = outer_skin(shell.parts).mesh;
+    if (shell.cube > 0.0)
+        shell.skin.faces.erase(std::remove_if(shell.skin.faces.begin(), shell.skin.faces.end(),
+                                              [&](const Face& f) { return is_needle(shell.skin, f); }),
+                               shell.skin.faces.end());
+    shell.skin.faces = without_copies(shell.skin.faces);
+    drop_unused_vertices(shell.skin);
+    return shell;
+}
+
+double size_of(const Mesh& mesh) {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& v : mesh.vertices) box.extend(v);
+    return box.sizes().maxCoeff();
+}
+
+// About the centre: translation carries the fluid as if frozen.
+Matrix6 trapped_fluid(const BodyParts& parts, const Eigen::Vector3d& centre, Matrix6& error) {
+    Matrix6 m = Matrix6::Zero();
+    error.setZero();
+    Mesh solids{parts.mesh.vertices, parts.solids(), {}};
+    if (solids.faces.empty()) return m;
+    const double size = size_of(solids);
+    const SolidRegion region(solids, solids.faces);
+    const RegionMoments moments = region.moments(compute_mass_properties(solids));
+    if (!(moments.volume > 1e-9 * size * size * size) || !moments.first.allFinite()) return m;
+    const Eigen::Vector3d centroid = moments.first / moments.volume, arm = centroid - centre;
+    const Eigen::Matrix3d spread = moments.second - moments.volume * centroid * centroid.transpose();
+    const Eigen::Matrix3d own =
+        trapped_fluid_inertia(region, centroid, spread.trace() * Eigen::Matrix3d::Identity() - spread);
+    Eigen::Matrix3d across;
+    across << 0, -arm.z(), arm.y(), arm.z(), 0, -arm.x(), -arm.y(), arm.x(), 0;
+    m.topLeftCorner<3, 3>() = moments.volume * Eigen::Matrix3d::Identity();
+    m.topRightCorner<3, 3>() = -moments.volume * across;
+    m.bottomLeftCorner<3, 3>() = m.topRightCorner<3, 3>().transpose();
+    m.bottomRightCorner<3, 3>() = own - moments.volume * across * across;
+    error.bottomRightCorner<3, 3>() = trapped_error * own.cwiseAbs();
+    const double twice = std::abs(moments.counted - moments.volume);
+    error.topLeftCorner<3, 3>().diagonal().setConstant(0.05 * twice);
+    return m;
+}
+
+// Rounding and coarseness can leave less than nothing in a direction in which the body hardly moves fluid.
+void make_positive(Matrix6& m, double size) {
+    Eigen::Matrix<double, 6, 1> scale;
+    scale.head<3>().setOnes();
+    scale.tail<3>().setConstant(1.0 / size);
+    const Matrix6 scaled = scale.asDiagonal() * m * scale.asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Matrix6> solver(scaled);
+    const Eigen::Matrix<double, 6, 1> values = solver.eigenvalues().cwiseMax(1e-3 * solver.eigenvalues().maxCoeff());
+    if (values == solver.eigenvalues()) return;
+    const Eigen::Matrix<double, 6, 1> back = scale.cwiseInverse();
+    const Matrix6 vectors = solver.eigenvectors();
+    const Matrix6 good = back.asDiagonal() * (vectors * values.asDiagonal() * vectors.transpose()) * back.asDiagonal();
+    m = 0.5 * (good + good.transpose());
+}
+} // namespace
+
+BodyParts outer_skin(const BodyParts& parts) {
+    BodyParts out = parts;
+    if (parts.solid_faces == 0) return out;
+    const SolidRegion region(parts.mesh, parts.solids());
+    const double away = 1e-6 * size_of(parts.mesh);
+    const auto inside = [&](const Face& f, double off) {
+        const Mesh& mesh = parts.mesh;
+        const Eigen::Vector3d middle = (mesh.vertices[f[0]] + mesh.vertices[f[1]] + mesh.vertices[f[2]]) / 3.0;
+        const Eigen::Vector3d out_of = off * normal_of(mesh, f);
+        if (!region.contains(middle + out_of)) return false;
+        for (const uint32_t v : f)
+            if (!region.contains(0.1 * middle + 0.9 * mesh.vertices[v] + out_of)) return false;
+        return true;
+    };
+    std::vector<Face> kept[2]; // of solids, of sheets
+    for (std::size_t i = 0; i < parts.mesh.faces.size(); ++i) {
+        const Face& f = parts.mesh.faces[i];
+        if (f[0] == f[1] || f[1] == f[2] || f[2] == f[0]) continue;
+        const bool sheet = i >= parts.solid_faces;
+        if (inside(f, away) && (!sheet || inside(f, -away))) continue;
+        kept[sheet].push_back(f);
+    }
+    out.solid_faces = kept[0].size();
+    out.mesh.faces = std::move(kept[0]);
+    out.mesh.faces.insert(out.mesh.faces.end(), kept[1].begin(), kept[1].end());
+    return out;
+}
+
+bool compute_mixed_added_mass(const BodyParts& parts, const Eigen::Vector3d& centre, AddedMass& out, Faults& faults,
+                              const Progress& progress, const AddedMassOptions& options) {
+    const double size = size_of(parts.mesh);
+    Faults found;
+    for (std::size_t round = 0; round < std::size(most_faces); ++round) {
+        const Shell shell = make_shell(parts, most_faces[round], round > 0);
+        if (shell.skin.faces.empty()) break;
+        Refinement refinement;
+        while (refinement.strips > 1 && refine_sheet(shell.skin, refinement).faces.size() > most_panels)
+            --refinement.strips;
+        found.clear();
+        if (!compute_sheet_added_mass(shell.skin, centre, refinement, out, found, progress, options)) continue;
+        Matrix6 error;
+        const Matrix6 trapped = trapped_fluid(shell.parts, centre, error);
+        out.value -= trapped;
+        out.error += error + std::min(0.5, coarse_error * shell.cube / size) * out.value.cwiseAbs();
+        make_positive(out.value, size);
+        if (shell.cube > 0.0)
+            faults.push_back({FaultId::mesh_ill_conditioned, Severity::warning, "mesh",
+                              "The added mass was solved on a coarser surface of " +
+                                  std::to_string(shell.skin.faces.size()) + " faces, with details below " +
+                                  shortest(std::round(1000.0 * shell.cube / size) / 10.0) +
+                                  " % of the size joined: the mesh has " + std::to_string(parts.mesh.faces.size()) +
+                                  " faces, or layers and needles too close to each other.",
+                              "None needed: mass and hull are of all faces, and the report has the error. A simpler "
+                              "mesh is more exact."});
+        return true;
+    }
+    faults.insert(faults.end(), found.begin(), found.end());
+    return false;
+}
+} // namespace lr::baker

@@ -1,0 +1,44 @@
+// Takes a mesh as artists make it: decides for each connected part whether it is a solid or a sheet, and repairs both.
+#pragma once
+
+#include "baker/mesh/mesh.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace lr::baker {
+
+// The faces of `mesh` come in two kinds; corners are shared.
+struct BodyParts {
+    Mesh mesh; // the vertices, and all faces: those of the solids, then those of the sheets
+    std::size_t solid_faces = 0;
+    bool clean = false; // the solids pass check_and_repair: they neither cross nor touch each other
+
+    bool has_sheets() const { return mesh.faces.size() > solid_faces; }
+    std::vector<Face> solids() const {
+        return {mesh.faces.begin(), mesh.faces.begin() + static_cast<std::ptrdiff_t>(solid_faces)};
+    }
+    std::vector<Face> sheets() const {
+        return {mesh.faces.begin() + static_cast<std::ptrdiff_t>(solid_faces), mesh.faces.end()};
+    }
+};
+
+// A part is connected by edges. Joins cracks, removes faces without area and second copies, closes holes of a hundredth of a part's area, and
+// winds each solid outward. A part that is closed then is a solid; flaps without a back that hang on a solid, and all else, are sheets. Each change
+// is one warning with its number of faces. False only if nothing is left.
+bool find_parts(Mesh& mesh, BodyParts& out, Faults& faults);
+
+// A typical length of sheets: the mean extent of connected parts, weighted by their area.
+double sheet_length(const Mesh& mesh, const std::vector<Face>& sheets);
+
+// Joins vertices in cubes of a grid, and removes faces that collapse. The finest grid that leaves no more than `most` faces. Returns the size
+// of the cubes; 0: the faces were few enough. Faces can coincide afterwards.
+double cluster(Mesh& mesh, std::size_t most);
+double cluster_to(Mesh& mesh, double cube);
+
+// The faces with each set of corners once.
+std::vector<Face> without_copies(const std::vector<Face>& faces);
+
+// Renumbers, without vertices that no face uses.
+void drop_unused_vertices(Mesh& mesh);
+} // namespace lr::baker

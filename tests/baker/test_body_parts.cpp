@@ -1,0 +1,210 @@
+// Meshes as artists make them: parts told apart and repaired, and bodies of solids and sheets against closed forms.
+#include "baker/added_mass/mixed_added_mass.h"
+#include "baker/bake.h"
+#include "baker/mesh/body_parts.h"
+#include "baker/mesh/solid_region.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace lr;
+using namespace lr::baker;
+
+namespace {
+
+using Vector = Eigen::Vector3d;
+
+// A box of n squares along each edge, outward.
+Mesh box(const Vector& low, const Vector& high, int n = 1) {
+    Mesh mesh;
+    const auto square = [&](int axis, double side) {
+        const auto first = static_cast<uint32_t>(mesh.vertices.size());
+        const int a = (axis + 1) % 3, b = (axis + 2) % 3;
+        for (int j = 0; j <= n; ++j)
+            for (int i = 0; i <= n; ++i) {
+                Vector v;
+                v[axis] = side > 0.0 ? high[axis] : low[axis];
+                v[a] = low[a] + (high[a] - low[a]) * i / n;
+                v[b] = low[b] + (high[b] - low[b]) * j / n;
+                mesh.vertices.push_back(v);
+            }
+        for (int j = 0; j < n; ++j)
+            for (int i = 0; i < n; ++i) {
+                const auto p = first + static_cast<uint32_t>(j * (n + 1) + i), q = p + static_cast<uint32_t>(n) + 1;
+                mesh.faces.push_back({p, p + 1, q + 1});
+                mesh.faces.push_back({p, q + 1, q});
+                if (side < 0.0)
+                    for (std::size_t k = 1; k <= 2; ++k)
+                        std::swap(mesh.faces[mesh.faces.size() - k][1], mesh.faces[mesh.faces.size() - k][2]);
+            }
+    };
+    for (const int axis : {0, 1, 2})
+        for (const double side : {-1.0, 1.0}) square(axis, side);
+    join_identical_vertices(mesh);
+    return mesh;
+}
+
+void add(Mesh& to, const Mesh& from) {
+    const auto first = static_cast<uint32_t>(to.vertices.size());
+    to.vertices.insert(to.vertices.end(), from.vertices.begin(), from.vertices.end());
+    for (const Face& f : from.faces) to.faces.push_back({f[0] + first, f[1] + first, f[2] + first});
+}
+
+// In the plane x = 0, from (y0, z0) to (y1, z1).
+Mesh fin(double y0, double z0, double y1, double z1, int n = 1) {
+    Mesh mesh;
+    for (int j = 0; j <= n; ++j)
+        for (int i = 0; i <= n; ++i) mesh.vertices.emplace_back(0.0, y0 + (y1 - y0) * i / n, z0 + (z1 - z0) * j / n);
+    for (int j = 0; j < n; ++j)
+        for (int i = 0; i < n; ++i) {
+            const auto p = static_cast<uint32_t>(j * (n + 1) + i), q = p + static_cast<uint32_t>(n) + 1;
+            mesh.faces.push_back({p, p + 1, q + 1});
+            mesh.faces.push_back({p, q + 1, q});
+        }
+    return mesh;
+}
+
+BodyParts parts_of(Mesh mesh, Faults& faults) {
+    BodyParts parts;
+    REQUIRE(find_parts(mesh, parts, faults));
+    return parts;
+}
+
+double volume_of(const BodyParts& parts) {
+    return compute_mass_properties({parts.mesh.vertices, parts.solids(), {}}).volume;
+}
+
+bool baked(const Mesh& mesh, AssetData& out, bool strict = false) {
+    std::vector<double> positions;
+    std::vector<uint32_t> indices;
+    for (const Vector& v : mesh.vertices) positions.insert(positions.end(), v.data(), v.data() + 3);
+    for (const Face& f : mesh.faces) indices.insert(indices.end(), f.begin(), f.end());
+    BakeOptions options;
+    options.mesh_path = "mesh";
+    options.mesh_arrays = MeshArrays{positions, indices};
+    options.cells = {8, 8, 8};
+    options.stations = 1;
+    options.strict = strict;
+    Faults faults;
+    const bool good = bake(options, out, faults);
+    for (const Fault& f : faults) INFO(f.what);
+    return good;
+}
+} // namespace
+
+TEST_CASE("parts: mixed winding, a face without area and second copies leave a solid of the same volume") {
+    Mesh mesh = box({0, 0, 0}, {1, 2, 3}, 3);
+    for (std::size_t i = 0; i < mesh.faces.size(); i += 3) std::swap(mesh.faces[i][1], mesh.faces[i][2]);
+    mesh.faces.push_back(mesh.faces[5]);
+    mesh.faces.push_back({0, 1, 2}); // on one line
+    Faults faults;
+    const BodyParts parts = parts_of(mesh, faults);
+    CHECK(parts.clean);
+    CHECK_FALSE(parts.has_sheets());
+    CHECK(volume_of(parts) == doctest::Approx(6.0));
+    const auto has = [&](FaultId id) {
+        return std::any_of(faults.begin(), faults.end(), [&](const Fault& f) { return f.id == id; });
+    };
+    CHECK(has(FaultId::mesh_degenerate_face));
+    CHECK(has(FaultId::mesh_duplicate_face));
+    CHECK(has(FaultId::mesh_inconsistent_winding));
+}
+
+TEST_CASE("parts: a small hole is closed, a missing side is not") {
+    Faults faults;
+    Mesh small = box({0, 0, 0}, {1, 1, 1}, 10);
+    small.faces.erase(small.faces.begin() + 40, small.faces.begin() + 42);
+    const BodyParts closed = parts_of(small, faults);
+    CHECK_FALSE(closed.has_sheets());
+    CHECK(volume_of(closed) == doctest::Approx(1.0));
+    Mesh crate = box({0, 0, 0}, {1, 1, 1}, 1);
+    crate.faces.resize(10);
+    const BodyParts open = parts_of(crate, faults);
+    CHECK(open.solid_faces == 0);
+    CHECK(open.mesh.faces.size() == 10);
+}
+
+TEST_CASE("parts: a fin that hangs on a box, a wall between boxes") {
+    Faults faults;
+    Mesh mesh = box({-1, -1, -1}, {1, 1, 1}, 2);
+    add(mesh, fin(1, -1, 3, 1, 2)); // along the line of vertices x = 0 on the side y = 1
+    join_identical_vertices(mesh);
+    const BodyParts finned = parts_of(mesh, faults);
+    CHECK(finned.solid_faces == 48);
+    CHECK(finned.sheets().size() == 8);
+    Mesh two = box({0, 0, 0}, {1, 1, 1});
+    add(two, box({1, 0, 0}, {2, 1, 1}));
+    join_identical_vertices(two);
+    const BodyParts joined = parts_of(two, faults);
+    CHECK(volume_of(joined) == doctest::Approx(2.0));
+}
+
+TEST_CASE("region: solids that cross count once, in volume, centroid and inertia") {
+    Mesh mesh = box({0, 0, 0}, {2, 1, 1});
+    add(mesh, box({1, 0.2, 0.2}, {3, 0.8, 0.8}));
+    const SolidRegion region(mesh, mesh.faces);
+    const RegionMoments m = region.moments(compute_mass_properties(mesh));
+    const double volume = 2.0 + 0.36;
+    CHECK(m.volume == doctest::Approx(volume).epsilon(0.005));
+    CHECK(m.first.x() == doctest::Approx(2.0 * 1.0 + 0.36 * 2.5).epsilon(0.005));
+    CHECK(m.second(0, 0) == doctest::Approx(8.0 / 3.0 + 0.36 * (27.0 - 8.0) / 3.0).epsilon(0.005));
+    CHECK(region.contains({2.5, 0.5, 0.5}));
+    CHECK(region.contains({1.5, 0.5, 0.5}));
+    CHECK_FALSE(region.contains({2.5, 0.1, 0.5}));
+}
+
+TEST_CASE("region: the fluid in a cube and in a rod that turn") {
+    // A fluid in a square prism that turns about its axis has a^4/6 less the torsion constant, 0.1406 a^4, per length.
+    const auto trapped = [](const Mesh& mesh) {
+        return trapped_fluid_inertia(SolidRegion(mesh, mesh.faces), Vector::Zero(),
+                                     compute_mass_properties(mesh).inertia);
+    };
+    const Mesh rod = box({-0.5, -0.5, -5}, {0.5, 0.5, 5}, 2);
+    const Eigen::Matrix3d inertia = trapped(rod);
+    CHECK(inertia(0, 0) == doctest::Approx(10.0 * (100.0 / 12.0)).epsilon(0.05)); // about a cross axis: nearly frozen
+    CHECK(inertia(2, 2) < 0.05 * inertia(0, 0));
+    const Mesh prism = box({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}, 2);
+    const Eigen::Matrix3d cube = trapped(prism);
+    CHECK(cube(2, 2) == doctest::Approx(1.0 / 6.0 - 0.1406).epsilon(0.03)); // each layer as in the prism
+}
+
+TEST_CASE("mixed added mass: a cube solved as a shell is the cube") {
+    const Mesh mesh = box({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}, 8);
+    Faults faults;
+    const BodyParts parts = parts_of(mesh, faults);
+    AddedMass shell, solid;
+    REQUIRE(compute_mixed_added_mass(parts, Vector::Zero(), shell, faults));
+    REQUIRE(compute_added_mass(mesh, Vector::Zero(), solid, faults));
+    for (Eigen::Index k = 0; k < 6; ++k)
+        CHECK(shell.value(k, k) == doctest::Approx(solid.value(k, k)).epsilon(k < 3 ? 0.02 : 0.15));
+}
+
+TEST_CASE("bake: a box with an open fin has the mass and inertia of both, and added mass near that of a solid fin") {
+    Mesh mesh = box({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}, 4), thick = mesh;
+    add(mesh, fin(0.11, -0.1, 0.31, 0.1, 4));
+    add(thick, box({-0.002, 0.11, -0.1}, {0.002, 0.31, 0.1}, 4));
+    AssetData sheet, solid, refused;
+    CHECK_FALSE(baked(mesh, refused, true));
+    REQUIRE(baked(mesh, sheet));
+    REQUIRE(baked(thick, solid));
+    const double t = default_thickness * 0.2, fin_volume = 0.04 * t;
+    CHECK(sheet.volume == doctest::Approx(0.008 + fin_volume).epsilon(1e-6));
+    CHECK(sheet.center_of_mass[1] == doctest::Approx(fin_volume * 0.21 / sheet.volume).epsilon(1e-6));
+    const double own = 0.008 * 0.04 / 6.0 + fin_volume * (0.04 / 6.0), arm = 0.21;
+    CHECK(sheet.inertia[0] ==
+          doctest::Approx(800.0 * (own + fin_volume * 0.008 / sheet.volume * arm * arm)).epsilon(1e-4));
+    for (std::size_t k = 0; k < 3; ++k)
+        CHECK(sheet.added_mass[7 * k] == doctest::Approx(solid.added_mass[7 * k]).epsilon(0.06));
+}
+
+TEST_CASE("bake: boxes that cross bake as their union") {
+    Mesh cross = box({-0.3, -0.1, -0.1}, {0.3, 0.1, 0.1}, 6);
+    add(cross, box({-0.11, -0.3, -0.11}, {0.11, 0.3, 0.11}, 6));
+    AssetData asset, refused;
+    CHECK_FALSE(baked(cross, refused, true));
+    REQUIRE(baked(cross, asset));
+    const double common = 0.22 * 0.2 * 0.2, volume = 0.6 * 0.04 + 0.6 * 0.22 * 0.22 - common;
+    CHECK(asset.volume == doctest::Approx(volume).epsilon(0.005));
+}
