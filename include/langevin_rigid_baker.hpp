@@ -83,6 +83,9 @@ struct BakeOptions {
     std::uint32_t stations = 8;     // at most; 1: loads as one plate, twice as fast
     bool strict = false;            // refuses meshes that are not closed, sound and one body, instead of repairing them
     double thickness = 0.0;         // of open parts without `sheet`, in `unit`; 0: 0.3 % of their typical length
+    // Of a mesh: the largest side of its bounding box, in m. Scales the mesh, `mass` and center_of_mass from whatever unit
+    // they are in; `unit` then only counts for the thickness of a sheet.
+    std::optional<double> size;
 };
 
 struct BakeFault {

@@ -17,6 +17,7 @@ enum class FaultId : uint32_t {
     file_read = 102,
     file_write = 103,
     file_too_large = 104,
+    file_outside = 105,
     // 2xx: the mesh
     mesh_unreadable = 201,
     mesh_empty = 202,
@@ -48,6 +49,7 @@ enum class FaultId : uint32_t {
     parameter_out_of_range = 301,
     parameter_unknown = 302,
     parameter_not_denser = 303,
+    parameter_implausible = 304,
     wake_unsettled = 310,
     loads_uncertain = 311,
     // 4xx: the asset file

@@ -25,6 +25,7 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <new>
 
 namespace lr::baker {
@@ -58,6 +59,10 @@ bool check_options(const BakeOptions& o, Faults& faults) {
             good = in_range(*o.sheet->areal_density, 1e-3 * thickness, 1e6 * thickness, "areal density", " kg/m^2",
                             faults);
     }
+    if (o.size) good = in_range(*o.size, 1e-6, 1e3, "size", " m", faults) && good;
+    if (o.size && (o.semi_axes || o.card))
+        good = fail(faults, FaultId::parameter_out_of_range, "size", "Only a mesh has a --size.",
+                    "Give the semi-axes of an ellipsoid, or the --width of a card.");
     good = in_range(o.fluid_density, 1e-3, 1e6, "fluid density", " kg/m^3", faults) && good;
     good = in_range(o.fluid_viscosity, 1e-9, 1e3, "fluid viscosity", " m^2/s", faults) && good;
     good = in_range(o.intensity, 1e-6, 10.0, "intensity", "", faults) && good;
@@ -131,6 +136,70 @@ private:
         return {lengths[0] / n, lengths[1] / n, lengths[2] / n};
     }
 
+    static Eigen::Vector3d box_of(const Mesh& mesh) {
+        Eigen::AlignedBox3d box;
+        for (const Face& f : mesh.faces)
+            for (const uint32_t i : f) box.extend(mesh.vertices[i]);
+        return box.isEmpty() ? Eigen::Vector3d(0.0, 0.0, 0.0) : Eigen::Vector3d(box.sizes());
+    }
+
+    // Makes the largest side of the bounding box as long as options.size.
+    bool resize() {
+        if (!options_.size) return true;
+        const double side = box_of(mesh_).maxCoeff();
+        size_scale_ = *options_.size / side;
+        if (!(side > 0.0) || !std::isfinite(size_scale_) || !(size_scale_ > 0.0))
+            return fail(faults_, FaultId::mesh_degenerate_face, options_.mesh_path,
+                        "All of the mesh lies in one point.", "Export the mesh again.");
+        for (Eigen::Vector3d& v : mesh_.vertices) v *= size_scale_;
+        return true;
+    }
+
+    // A body of 60 m that was modelled in centimetres falls like a house, not like a leaf.
+    void warn_of_size() {
+        if (options_.semi_axes || options_.card) return;
+        const double size = solid_.extents.maxCoeff();
+        const bool far_off = !(size >= 1e-3 && size <= 2.0);
+        const bool odd = out_.mass > 1e3 || out_.mass < 1e-10 || out_.u0 > 150.0;
+        if (!far_off && !odd) return;
+        const auto round3 = [](double x) {
+            char text[32];
+            std::snprintf(text, sizeof text, "%.3g", x);
+            return std::string(text);
+        };
+        const auto length = [&](double metres) {
+            const bool long_one = metres >= 1.0, middle = metres >= 0.01;
+            return round3(metres * (long_one ? 1.0
+                                    : middle ? 100.0
+                                             : 1000.0)) +
+                   (long_one ? "m"
+                    : middle ? "cm"
+                             : "mm");
+        };
+        const double side = options_.size ? *options_.size : side_;
+        std::string remedy;
+        const auto offer = [&](double factor, const char* cause) {
+            const double other = side * factor;
+            if (other < 2e-3 || other > 2.0) return;
+            remedy += (remedy.empty() ? "Give --size " : ", --size ") + length(other) + " if " + cause;
+        };
+        if (!options_.size && size > 0.1) {
+            offer(0.01, "it was modelled in centimetres");
+            offer(0.001, "in millimetres");
+            offer(0.0254, "in inches");
+        } else if (!options_.size) {
+            offer(1000.0, "its lengths were divided by a thousand");
+            offer(100.0, "by a hundred");
+        }
+        remedy += remedy.empty()
+                      ? "Give its true length, as in --size 20cm, or another --density; nothing if it is right."
+                      : "; nothing if it is right.";
+        faults_.push_back({FaultId::parameter_implausible, Severity::warning, "size",
+                           "The body is " + length(side) + " long, weighs " + round3(out_.mass) +
+                               " kg and falls at about " + round3(out_.u0) + " m/s.",
+                           remedy});
+    }
+
     bool make_ellipsoid() {
         shape::EllipsoidSpec spec;
         spec.semi_axes = in_metres(*options_.semi_axes);
@@ -151,7 +220,8 @@ private:
     }
 
     bool read() {
-        if (!read_input(options_, mesh_, input_, faults_)) return false;
+        if (!read_input(options_, mesh_, input_, faults_) || !resize()) return false;
+        side_ = box_of(mesh_).maxCoeff();
         out_.provenance.source = source_name(options_);
         return true;
     }
@@ -250,6 +320,7 @@ private:
         const std::size_t before = faults_.size();
         const bool good = read_mass_input(options_, mesh, input_, faults_) &&
                           (is_sheet() ? check_layers(mesh, faults_) : check_and_repair(mesh, faults_));
+        for (Eigen::Vector3d& v : mesh.vertices) v *= size_scale_;
         for (std::size_t i = before; i < faults_.size(); ++i)
             if (static_cast<uint32_t>(faults_[i].id) >= 200) faults_[i].where = "mass, " + faults_[i].where;
         if (good) weighed = properties_of(mesh);
@@ -270,7 +341,7 @@ private:
         if (!(size >= 1e-6 && size <= 1e3))
             return fail(faults_, FaultId::parameter_out_of_range, "unit",
                         "The body is " + shortest(size) + " m long; the limits are 1e-6 and 1000 m.",
-                        "Check --unit against the unit that the mesh was exported in.");
+                        "Give its true length, as in --size 20cm, or the --unit that it was modelled in.");
         if (is_sheet() && thickness_ > max_thickness_share * size)
             return fail(faults_, FaultId::parameter_out_of_range, "thickness",
                         "A sheet " + shortest(thickness_) + " m thick and " + shortest(size) + " m long is too thick.",
@@ -278,7 +349,7 @@ private:
         center_ = weighed.centroid;
         if (options_.center_of_mass) {
             const std::array<double, 3> given = in_metres(*options_.center_of_mass);
-            center_ = {given[0], given[1], given[2]};
+            center_ = size_scale_ * Eigen::Vector3d(given[0], given[1], given[2]);
         }
         out_.volume = solid_.volume;
         out_.mass = density_ * weighed.volume;
@@ -517,6 +588,7 @@ private:
             faults_.push_back({FaultId::parameter_not_denser, Severity::warning, "density",
                                "The body is as dense as its fluid: it has no fall speed, which scales the turbulence.",
                                "None needed if it shall float; else check --density and --fluid."});
+        warn_of_size();
         // Replaces -0 by 0, for readers of the report.
         for (double& c : out_.center_of_buoyancy) c += 0.0;
         for (double& c : out_.added_mass) c += 0.0;
@@ -540,11 +612,12 @@ private:
     const char* phase_ = "";
     const BakeHooks& hooks_;
     InputFiles input_;
-    double density_, thickness_ = 0.0; // kg/m^3, m
-    bool sheet_, mixed_ = false;       // mixed: solids and sheets, or solids that cross
-    BodyParts parts_;                  // mixed: all faces of the solids, also within other solids
-    std::size_t solid_faces_ = 0;      // mixed: of mesh_, which has only outer faces
-    double hull_volume_ = 0.0;         // m^3
+    double density_, thickness_ = 0.0;     // kg/m^3, m
+    bool sheet_, mixed_ = false;           // mixed: solids and sheets, or solids that cross
+    BodyParts parts_;                      // mixed: all faces of the solids, also within other solids
+    std::size_t solid_faces_ = 0;          // mixed: of mesh_, which has only outer faces
+    double side_ = 0.0, size_scale_ = 1.0; // of the bounding box, m; of options.size
+    double hull_volume_ = 0.0;             // m^3
     Stations stations_;
     Mesh mesh_;
     MassProperties solid_;
@@ -582,7 +655,15 @@ std::string canonical_options(const BakeOptions& o) {
     if (!o.semi_axes && o.mesh) text += " --mesh " + valid_utf8(*o.mesh);
     if (!o.semi_axes && o.card) {
         add_one(" --width", o.card->width);
-        if (o.card->channel == MaskChannel::luminance) text += " --mask luminance";
+        if (!o.card->mask_path.empty())
+            text += " --mask FILE";
+        else if (o.card->channel == MaskChannel::luminance)
+            text += " --mask luminance";
+        if (o.card->channel == MaskChannel::key) {
+            text += " --key #";
+            for (const uint8_t part : o.card->key)
+                for (const int digit : {part / 16, part % 16}) text += "0123456789abcdef"[digit];
+        }
         add_one(" --alpha", o.card->alpha);
         add_one(" --triangles", static_cast<double>(o.card->triangles));
         if (o.card->all_pieces) text += " --piece all";
@@ -604,6 +685,7 @@ std::string canonical_options(const BakeOptions& o) {
     add_one(" --intensity", o.intensity);
     if (o.wake) text += " --wake";
     if (o.stations != most_stations) add_one(" --stations", o.stations);
+    if (o.size) text += " --size " + shortest(*o.size) + "m";
     if (o.center_of_mass) add(" --center-of-mass", *o.center_of_mass);
     if (o.mass) text += " --mass-from " + mass_name(o);
     if (o.name) {

@@ -52,7 +52,9 @@ struct BakeOptions {
     // A mesh file, or an ellipsoid if semi_axes is set.
     std::string mesh_path;                          // UTF-8
     std::optional<std::array<double, 3>> semi_axes; // in `unit`
-    Unit unit = Unit::file;            // of the mesh and of all lengths here; with `file` the lengths are in m
+    Unit unit = Unit::file; // of the mesh and of all lengths here; with `file` the lengths are in m
+    // Of a mesh: the largest side of its bounding box, in m. Scales the mesh, the mass mesh and center_of_mass; not the thickness.
+    std::optional<double> size;
     UpAxis up = UpAxis::z;             // axis of the mesh that becomes +z
     std::optional<std::string> mesh;   // bake only the objects of this name
     std::optional<SheetOptions> sheet; // the mesh is a sheet, not the boundary of a solid

@@ -55,7 +55,8 @@ bool trace_card(const BakeOptions& o, Mesh& mesh, InputFiles& input, Faults& fau
     CardReport unused;
     if (o.mesh_bytes)
         return read_card_memory(o.mesh_bytes->data(), o.mesh_bytes->size(), how, o.mesh_path, mesh, unused, faults);
-    const std::shared_ptr<const InputFiles::Bytes> image = input.read(o.mesh_path, &faults);
+    std::shared_ptr<const InputFiles::Bytes> image = input.read(o.mesh_path, &faults);
+    if (image && !how.mask_path.empty()) image = input.read(how.mask_path, &faults);
     const bool good = image && read_card_memory(image->data(), image->size(), how, o.mesh_path, mesh, unused, faults);
     input.forget_bytes();
     return good;
@@ -108,6 +109,9 @@ std::optional<uint64_t> find_input_hash(const BakeOptions& options) {
             add_memory(options, input);
         } else if (!options.semi_axes) {
             Mesh mesh;
+            if (options.card && !options.card->mask_path.empty() &&
+                (!input.read(options.mesh_path, &ignored) || !input.read(options.card->mask_path, &ignored)))
+                return {};
             const bool read = options.card || stands_alone(options.mesh_path)
                                   ? input.read(options.mesh_path, &ignored) != nullptr
                                   : read_input(options, mesh, input, ignored);

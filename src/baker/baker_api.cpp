@@ -80,6 +80,7 @@ core::BakeOptions to_core(const BakeOptions& o) {
     options.stations = o.stations;
     options.strict = o.strict;
     if (o.thickness != 0.0) options.thickness = o.thickness;
+    options.size = o.size;
     if (o.mass) {
         core::MassOptions& mass = options.mass.emplace();
         mass.path = o.mass->path;

@@ -500,7 +500,7 @@ TEST_CASE("lr_bake card: a disc has the added mass of a disc") {
                                                {"--thickness", "1e-4"},
                                                {"--width", "wide", "--thickness", "1e-4"},
                                                {"--width", "1", "--thickness", "1e-4", "--unit", "file"},
-                                               {"--width", "1", "--thickness", "1e-4", "--mask", "red"},
+                                               {"--width", "1", "--thickness", "1e-4", "--key", "red"},
                                                {"--width", "1", "--thickness", "1e-4", "--piece", "two"},
                                                {"--width", "1", "--thickness", "1e-4", "--triangles", "-5"},
                                                {"--width", "1", "--thickness", "1e-4", "--sheet"}})
@@ -542,4 +542,50 @@ TEST_CASE("card: pieces far apart add up") {
     CHECK(both.added_mass[14] == doctest::Approx(2 * one.added_mass[14]).epsilon(5e-3));
     CHECK(one.center_of_mass[0] == doctest::Approx(-0.175).epsilon(1e-3));
     CHECK(std::abs(both.center_of_mass[0]) < 1e-5);
+}
+
+TEST_CASE("card: the colour around a leaf stands in for transparency") {
+    // A dark disc on white, without an alpha channel.
+    Opacity white = disc(64, 24.0);
+    for (double& v : white.value) v = 1.0 - v;
+    test::PngKind grey;
+    grey.color = PNG_COLOR_TYPE_GRAY;
+    const std::string png = test::png_file(white, grey);
+    CardOptions options = in_pixels(white, 500);
+    const Card refused = read(png, options);
+    CHECK_FALSE(refused.good);
+    CHECK(only(refused).id == FaultId::image_no_outline);
+    CHECK(only(refused).remedy.find("--key white") != std::string::npos);
+    options.channel = MaskChannel::key;
+    options.key = {255, 255, 255};
+    const Card card = read(png, options);
+    check_sound(card);
+    CHECK(card.report.area == doctest::Approx(pi * 24.0 * 24.0).epsilon(0.03));
+}
+
+TEST_CASE("card: an outline that the triangles cannot follow is smoothed, at its area") {
+    // A comb of teeth of one pixel, around a square.
+    Opacity comb{160, 160, std::vector<double>(160 * 160, 0.0)};
+    for (std::size_t y = 20; y < 140; ++y)
+        for (std::size_t x = 20; x < 140; ++x)
+            comb.at(x, y) = (x >= 60 && x < 100 && y >= 60 && y < 100) || (y % 3 == 0 && y >= 60 && y < 100) ||
+                            (x % 3 == 0 && x >= 60 && x < 100);
+    const Card card = read(comb, 100);
+    check_sound(card);
+    CHECK(count(card.faults, FaultId::image_too_ragged, Severity::warning) >= 1);
+    CHECK(card.mesh.faces.size() < 400);
+    double area = 0.0;
+    for (const double v : comb.value) area += v;
+    CHECK(card.report.area == doctest::Approx(area).epsilon(0.3));
+}
+
+TEST_CASE("card: regions of an atlas are counted as --piece numbers them") {
+    const Opacity two = test::draw(
+        64, 32, [](double x, double y) { return std::hypot(x - 16, y - 16) < 10 || std::hypot(x - 46, y - 16) < 12; });
+    const std::string png = test::png_file(two);
+    Faults faults;
+    CHECK(count_card_pieces(png.data(), png.size(), in_pixels(two), "atlas.png", faults) == 2);
+    CHECK(faults.empty());
+    CHECK(count_card_pieces("no image", 8, in_pixels(two), "atlas.png", faults) == 0);
+    CHECK(has_error(faults));
 }

@@ -59,7 +59,7 @@ void read_image(std::string png, std::size_t choice) {
     CardOptions options;
     options.width = 0.1;
     options.triangles = 50;
-    options.channel = choice & 1 ? MaskChannel::luminance : MaskChannel::alpha;
+    options.channel = choice & 1 ? MaskChannel::luminance : choice & 4 ? MaskChannel::key : MaskChannel::alpha;
     options.all_pieces = (choice & 2) != 0;
     Mesh mesh;
     CardReport report;

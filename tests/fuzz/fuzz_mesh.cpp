@@ -65,8 +65,8 @@ void sheet(Mesh mesh, const Faults& read) {
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     if (size < 1) return 0;
-    constexpr unsigned readers = 5;
-    static constexpr const char* extensions[readers] = {"obj", "stl", "ply", "dae", nullptr};
+    constexpr unsigned readers = 6;
+    static constexpr const char* extensions[readers] = {"obj", "stl", "ply", "dae", nullptr, "off"};
     const char* extension = extensions[data[0] % readers];
     Faults faults;
     if (extension && extension == std::string_view("dae")) { // this does not test assimp itself

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <csetjmp>
+#include <cstdlib>
 #include <cstring>
 #include <new>
 
@@ -21,6 +22,7 @@ struct Input {
 struct Rows {
     std::vector<png_byte> row;
     AlphaMask mask;
+    KeyColour key{};
     bool has_alpha = false;
     bool out_of_memory = false;
 };
@@ -69,7 +71,14 @@ void take_row(Rows& rows, MaskChannel channel, png_byte channels, bool wide, png
     uint16_t* const to = rows.mask.opacity.data() + (rows.mask.height - 1 - y) * rows.mask.width;
     const png_byte* from = rows.row.data();
     for (std::size_t x = first; x < rows.mask.width; x += step, from += stride) {
-        if (channel == MaskChannel::alpha)
+        if (channel == MaskChannel::key) {
+            int most = 0;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const int colour = sample(from + (channels < 3 ? 0 : k * bytes), wide);
+                most = std::max(most, std::abs(colour - 257 * int{rows.key[k]}));
+            }
+            to[x] = static_cast<uint16_t>(std::min(2 * most, 65535));
+        } else if (channel == MaskChannel::alpha)
             to[x] = sample(from + stride - bytes, wide);
         else if (channels < 3)
             to[x] = sample(from, wide);
@@ -119,14 +128,15 @@ bool decode(png_structp png, png_infop info, MaskChannel channel, Rows& rows) {
 }
 } // namespace
 
-bool read_alpha_mask(const void* bytes, std::size_t size, MaskChannel channel, const std::string& where, AlphaMask& out,
-                     Faults& faults) {
+bool read_alpha_mask(const void* bytes, std::size_t size, MaskChannel channel, const KeyColour& key,
+                     const std::string& where, AlphaMask& out, Faults& faults) {
     out = AlphaMask{};
     if (size < 8 || png_sig_cmp(static_cast<png_const_bytep>(bytes), 0, 8) != 0)
         return fail(faults, FaultId::image_unreadable, where, "It is not a PNG image.",
                     "Save the texture as PNG with its transparency.");
     Input input{static_cast<const png_byte*>(bytes), size, {}};
     Rows rows;
+    rows.key = key;
     png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &input, on_error, on_warning);
     png_infop info = png ? png_create_info_struct(png) : nullptr;
     rows.out_of_memory = !info;
@@ -144,8 +154,11 @@ bool read_alpha_mask(const void* bytes, std::size_t size, MaskChannel channel, c
                     "The PNG image cannot be read: " + std::string(input.message) + ".",
                     "Save it again; 16384 x 16384 pixels at most.");
     if (channel == MaskChannel::alpha && !rows.has_alpha)
-        return fail(faults, FaultId::image_no_outline, where, "The image has no alpha channel.",
-                    "Save it with its transparency, or give --mask luminance for a black-and-white mask.");
+        return fail(
+            faults, FaultId::image_no_outline, where,
+            "The image has no transparency (no alpha channel), so that nothing says where the leaf ends.",
+            "Give the colour around the leaf, as --key white; or a black-and-white picture of it, as --mask mask.png "
+            "(--mask luminance if this is it); or save the texture with its transparency.");
     out = std::move(rows.mask);
     return true;
 }

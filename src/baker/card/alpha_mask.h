@@ -3,6 +3,7 @@
 
 #include "asset/input_faults.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -10,8 +11,11 @@
 
 namespace lr::baker {
 
-// luminance: for a black-and-white mask in an image of its own.
-enum class MaskChannel { alpha, luminance };
+// luminance: for a black-and-white mask in an image of its own. key: how far the colour is from that around the leaf, opaque from
+// half of the range of a channel on.
+enum class MaskChannel { alpha, luminance, key };
+
+using KeyColour = std::array<uint8_t, 3>; // sRGB
 
 struct AlphaMask {
     std::size_t width = 0, height = 0;
@@ -28,6 +32,6 @@ struct AlphaMask {
 constexpr std::size_t max_image_side = 16384;
 
 // Reads any PNG: 1 to 16 bits, palette, interlaced. Faults 221 and, without an alpha channel, 222.
-bool read_alpha_mask(const void* png, std::size_t size, MaskChannel channel, const std::string& where, AlphaMask& out,
-                     Faults& faults);
+bool read_alpha_mask(const void* png, std::size_t size, MaskChannel channel, const KeyColour& key,
+                     const std::string& where, AlphaMask& out, Faults& faults);
 } // namespace lr::baker

@@ -24,6 +24,9 @@ constexpr double stairs_tolerance = 0.7;
 constexpr double grey_tolerance = 0.2;
 // The same in edge lengths: a mesh cannot represent finer detail.
 constexpr double edge_tolerance = 0.02;
+// Of a frayed outline: its length over triangles times edge length, and its corners over triangles.
+constexpr double most_outline = 1.0, most_corners = 0.5, spare_corners = 150.0;
+constexpr double same_area = 0.05;  // change of the area by smoothing that stops the search for a better one
 constexpr double short_edge = 0.25; // in edge lengths: see simplify_outlines
 
 std::string rounded(double value, double unit = 0.1) {
@@ -51,16 +54,19 @@ public:
 
     bool run(const void* bytes, std::size_t size) {
         AlphaMask mask;
-        if (!read_alpha_mask(bytes, size, options_.channel, where_, mask, faults_)) return false;
+        if (!read_alpha_mask(bytes, size, options_.mask_path.empty() ? options_.channel : MaskChannel::luminance,
+                             options_.key, where_, mask, faults_))
+            return false;
         report_.image_width = mask.width;
         report_.image_height = mask.height;
         Outlines outlines;
         if (!trace_outlines(mask, options_.alpha, options_.speck, where_, outlines, faults_)) return false;
-        mask = AlphaMask{};
         report_specks(outlines);
         stairs_ = outlines.stairs;
         report_.pieces = outlines.pieces.size();
         if (!choose(outlines)) return false;
+        if (!smooth_frayed(mask)) return false;
+        mask = AlphaMask{};
         return mesh();
     }
 
@@ -114,14 +120,143 @@ private:
                                    " separate regions: " + name_pieces(pieces) + "; " +
                                    (options_.all_pieces ? "all were baked as one body." : "the largest was baked."),
                                options_.all_pieces ? "Choose one with --piece N if they are separate bodies."
-                                                   : "Choose another with --piece N, or bake all with --piece all."});
+                                                   : "Give --islands to bake each by itself, --piece N for one of "
+                                                     "them, or --piece all for one body."});
         for (std::size_t i = first; i < end; ++i) {
             report_.holes += pieces[i].loops.size() - 1;
             area_ += pieces[i].area;
             for (Loop& loop : pieces[i].loops) loops_.push_back(std::move(loop));
         }
         report_.traced_area = area_ * pixel() * pixel();
+        region_ = loops_;
         return true;
+    }
+
+    // Smooths an outline that is longer than the wanted triangles can follow, such as noise or a fern's leaflets: its mesh would
+    // take minutes and describe what the flow does not see. The opacity is averaged over squares of twice the width each time, and
+    // the threshold moved until the area is the one before.
+    bool smooth_frayed(AlphaMask& mask) {
+        const double traced = area_;
+        const bool frayed = is_frayed();
+        double best = HUGE_VAL; // change of the area
+        std::vector<Loop> loops;
+        // A regular pattern has the same mean opacity everywhere: a threshold takes all of it or nothing, until squares are large.
+        for (std::size_t reach = 1; frayed && reach <= 64 && best > same_area; reach *= 2) {
+            AlphaMask blurred = only_region(mask);
+            blur(blurred, reach);
+            blur(blurred, reach);
+            Outlines outlines;
+            Faults ignored;
+            if (!trace_outlines(blurred, level_of_area(blurred, traced), options_.speck, where_, outlines, ignored))
+                break;
+            loops_.clear();
+            area_ = 0.0;
+            const std::size_t pieces = options_.all_pieces ? outlines.pieces.size() : 1;
+            std::size_t holes = 0;
+            for (std::size_t i = 0; i < pieces; ++i) {
+                holes += outlines.pieces[i].loops.size() - 1;
+                area_ += outlines.pieces[i].area;
+                for (Loop& loop : outlines.pieces[i].loops) loops_.push_back(std::move(loop));
+            }
+            const double change = std::abs(area_ / traced - 1.0);
+            stairs_ = false;
+            if (change >= best || is_frayed()) continue;
+            best = change;
+            loops = loops_;
+            smoothed_ = reach;
+            report_.holes = holes;
+        }
+        if (!frayed) return true;
+        if (smoothed_ == 0)
+            return fail(faults_, FaultId::image_too_ragged, where_,
+                        "The outline is too frayed for " + std::to_string(options_.triangles) + " triangles.",
+                        "Smooth the mask, reduce the image, or give more --triangles.");
+        loops_ = std::move(loops);
+        area_ = 0.0;
+        for (const Loop& loop : loops_) area_ += signed_area(loop);
+        report_.traced_area = area_ * pixel() * pixel();
+        faults_.push_back({FaultId::image_too_ragged, Severity::warning, where_,
+                           "The outline is too frayed for " + std::to_string(options_.triangles) +
+                               " triangles: details below about " + std::to_string(2 * smoothed_ + 1) +
+                               " pixels were smoothed; the area changed by " + rounded(100.0 * (area_ / traced - 1.0)) +
+                               " %.",
+                           "None needed for a body seen from afar; give more --triangles to keep finer details."});
+        return true;
+    }
+
+    // Whether the outline is longer than about the sides of the wanted triangles or, simplified as for the mesh, has more corners
+    // than these can take: each corner costs at least one.
+    bool is_frayed() const {
+        double length = 0.0;
+        for (const Loop& loop : loops_) length += perimeter(loop);
+        const auto wanted = static_cast<double>(options_.triangles);
+        const double edge = std::sqrt(area_ / (wanted * std::sqrt(3.0) / 4.0));
+        if (length > most_outline * wanted * edge) return true;
+        std::vector<Loop> loops = loops_;
+        simplify(loops, edge);
+        std::size_t corners = 0;
+        for (const Loop& loop : loops) corners += loop.size();
+        return static_cast<double>(corners) > most_corners * wanted + spare_corners;
+    }
+
+    void simplify(std::vector<Loop>& loops, double edge) const {
+        simplify_outlines(loops, std::max(stairs_ ? stairs_tolerance : grey_tolerance, edge_tolerance * edge),
+                          short_edge * edge);
+    }
+
+    // The opacity within the chosen regions and near them, without the others.
+    AlphaMask only_region(const AlphaMask& mask) const {
+        if (options_.all_pieces || report_.pieces == 1) return mask;
+        AlphaMask kept{mask.width, mask.height, std::vector<uint16_t>(mask.opacity.size(), 0)};
+        std::vector<std::vector<double>> crossings(mask.height);
+        for (const Loop& loop : region_)
+            for (std::size_t i = 0; i < loop.size(); ++i) {
+                const Eigen::Vector2d &a = loop[i], &b = loop[(i + 1) % loop.size()];
+                const double low = std::min(a.y(), b.y()), high = std::max(a.y(), b.y());
+                for (auto y = static_cast<std::ptrdiff_t>(std::max(0.0, std::ceil(low - 0.5)));
+                     y < static_cast<std::ptrdiff_t>(mask.height) && static_cast<double>(y) + 0.5 < high; ++y)
+                    crossings[static_cast<std::size_t>(y)].push_back(a.x() + (static_cast<double>(y) + 0.5 - a.y()) /
+                                                                                 (b.y() - a.y()) * (b.x() - a.x()));
+            }
+        for (std::size_t y = 0; y < mask.height; ++y) {
+            std::vector<double>& at = crossings[y];
+            std::sort(at.begin(), at.end());
+            for (std::size_t i = 0; i + 1 < at.size(); i += 2)
+                for (auto x = static_cast<std::size_t>(std::max(0.0, at[i]));
+                     x < mask.width && static_cast<double>(x) < at[i + 1]; ++x)
+                    kept.opacity[y * mask.width + x] = mask.opacity[y * mask.width + x];
+        }
+        return kept;
+    }
+
+    // The mean over squares of 2 reach + 1 pixels.
+    static void blur(AlphaMask& mask, std::size_t reach) {
+        const auto along = [&](std::size_t count, std::size_t step, std::size_t lines, std::size_t next) {
+            std::vector<uint16_t> before(count);
+            for (std::size_t line = 0; line < lines; ++line) {
+                uint16_t* const first = mask.opacity.data() + line * next;
+                for (std::size_t i = 0; i < count; ++i) before[i] = first[i * step];
+                uint32_t sum = 0;
+                for (std::size_t i = 0; i < std::min(reach, count); ++i) sum += before[i];
+                for (std::size_t i = 0; i < count; ++i) {
+                    if (i + reach < count) sum += before[i + reach];
+                    if (i > reach) sum -= before[i - reach - 1];
+                    first[i * step] = static_cast<uint16_t>(sum / (2 * reach + 1));
+                }
+            }
+        };
+        along(mask.width, 1, mask.height, mask.width);
+        along(mask.height, mask.width, mask.width, 1);
+    }
+
+    // The opacity that as many pixels reach as the area has.
+    static double level_of_area(const AlphaMask& mask, double area) {
+        std::vector<std::size_t> count(65536, 0);
+        for (const uint16_t value : mask.opacity) ++count[value];
+        std::size_t level = 65535;
+        double sum = 0.0;
+        while (level > 1 && (sum += static_cast<double>(count[level])) < area) --level;
+        return std::clamp(static_cast<double>(level) / 65535.0, 0.001, 0.999);
     }
 
     bool mesh() {
@@ -133,8 +268,7 @@ private:
         // The number of triangles is proportional to edge length^-2 or, in stems, ^-1.
         for (int attempt = 0; attempt < 5 && best_miss > 1.05; ++attempt) {
             std::vector<Loop> loops = loops_;
-            simplify_outlines(loops, std::max(stairs_ ? stairs_tolerance : grey_tolerance, edge_tolerance * edge),
-                              short_edge * edge);
+            simplify(loops, edge);
             PlanarMesh mesh;
             if (!triangulate_region(loops, edge, max_triangles, mesh)) break;
             const double count = static_cast<double>(mesh.faces.size()),
@@ -181,11 +315,29 @@ private:
     Mesh& out_;
     CardReport& report_;
     Faults& faults_;
-    std::vector<Loop> loops_; // pixels
+    std::vector<Loop> loops_, region_; // pixels; region_: before smoothing
+    std::size_t smoothed_ = 0;         // pixels
     double area_ = 0.0;
     bool stairs_ = false;
 };
 } // namespace
+
+std::size_t count_card_pieces(const void* bytes, std::size_t size, const CardOptions& options, const std::string& where,
+                              Faults& faults) {
+    AlphaMask mask;
+    Outlines outlines;
+    if (!check_options(options, faults)) return 0;
+    try {
+        const MaskChannel channel = options.mask_path.empty() ? options.channel : MaskChannel::luminance;
+        if (!read_alpha_mask(bytes, size, channel, options.key, where, mask, faults) ||
+            !trace_outlines(mask, options.alpha, options.speck, where, outlines, faults))
+            return 0;
+    } catch (const std::bad_alloc&) {
+        fail(faults, FaultId::image_unreadable, where, "The image does not fit into memory.", "Reduce its resolution.");
+        return 0;
+    }
+    return outlines.pieces.size();
+}
 
 bool read_card_memory(const void* bytes, std::size_t size, const CardOptions& options, const std::string& where,
                       Mesh& out, CardReport& report, Faults& faults) {

@@ -15,6 +15,8 @@ struct CardOptions {
     double alpha = 0.5;           // opacity at the outline
     std::size_t triangles = 2000; // approximate number; more if narrow parts need them
     MaskChannel channel = MaskChannel::alpha;
+    KeyColour key{};       // with MaskChannel::key
+    std::string mask_path; // a PNG whose luminance replaces the channel; for callers, which read it. UTF-8
     // Which of several regions, by size; 1: the largest. Nothing: the largest, with a warning that lists the others.
     std::optional<std::size_t> piece;
     bool all_pieces = false; // bake all regions as one body
@@ -29,6 +31,10 @@ struct CardReport {
     double edge = 0.0;                 // target edge length, m
     double smallest_angle = 0.0;       // degrees
 };
+
+// The number of regions, each of which `piece` can choose; 0 and faults if there is no outline.
+std::size_t count_card_pieces(const void* bytes, std::size_t size, const CardOptions& options, const std::string& where,
+                              Faults& faults);
 
 // The mesh is in z = 0 with its origin at the centre of the image, x along the image's width, y up, faces counter-clockwise seen
 // from +z: it matches the image on a card of that width. Faults 101 to 104, 221 to 225, 301, 302.

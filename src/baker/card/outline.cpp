@@ -195,7 +195,9 @@ bool trace_outlines(const AlphaMask& mask, double threshold, double speck, const
         return fail(faults, FaultId::image_no_outline, where,
                     "Every pixel is opaque: the lowest opacity is " + shortest(std::round(*low / 65.535) / 1000.0) +
                         ".",
-                    "Cut the leaf out with an alpha channel, or give a higher threshold with --alpha.");
+                    "Give the colour around the leaf, as --key white, a mask image, as --mask mask.png, or a higher "
+                    "threshold with "
+                    "--alpha; or cut the leaf out in an image editor.");
     Tracer traced(mask, level, speck);
     if (!traced.run())
         return fail(faults, FaultId::image_too_ragged, where,

@@ -1,5 +1,8 @@
 #include "baker/mesh/assimp_reader.h"
 
+#include "baker/mesh/unknown_file.h"
+#include "baker/printable_text.h"
+
 #include <assimp/IOStream.hpp>
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
@@ -12,7 +15,9 @@
 #include <cmath>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <memory>
+#include <system_error>
 
 namespace lr::baker {
 namespace {
@@ -157,31 +162,64 @@ private:
     std::size_t at_ = 0;
 };
 
-// Opens regular files for reading; none when reading from memory.
+// Opens the scene's file and regular files in its folder or below, links followed, for reading; none when reading from memory. A
+// model from elsewhere can name any file of the machine.
 class FileAccess final : public Assimp::IOSystem {
 public:
-    explicit FileAccess(InputFiles* files) : files_(files) {}
+    FileAccess(const SceneFile& file, std::string& refused)
+        : files_(file.files), own_(file.path ? *file.path : ""), refused_(refused) {
+        std::error_code error;
+        const std::filesystem::path folder = to_path(own_).parent_path();
+        folder_ = std::filesystem::canonical(folder.empty() ? "." : folder, error);
+    }
 
-    bool Exists(const char* path) const override { return files_ && files_->read(path) != nullptr; }
+    bool Exists(const char* path) const override { return read(path) != nullptr; }
     char getOsSeparator() const override { return '/'; }
     Assimp::IOStream* Open(const char* path, const char* mode) override {
-        if (!files_ || !mode || mode[0] != 'r' || std::strchr(mode, '+')) return nullptr;
-        std::shared_ptr<const InputFiles::Bytes> bytes = files_->read(path);
+        if (!mode || mode[0] != 'r' || std::strchr(mode, '+')) return nullptr;
+        std::shared_ptr<const InputFiles::Bytes> bytes = read(path);
         return bytes ? new ByteStream(std::move(bytes)) : nullptr;
     }
     void Close(Assimp::IOStream* stream) override { delete stream; }
 
 private:
+    std::shared_ptr<const InputFiles::Bytes> read(const char* path) const {
+        if (!files_ || !path) return nullptr;
+        if (path == own_ || may_open(path)) return files_->read(path);
+        if (refused_.empty()) refused_ = path;
+        return nullptr;
+    }
+
+    bool may_open(const std::string& path) const {
+        std::error_code error;
+        const std::filesystem::path target = std::filesystem::weakly_canonical(to_path(path), error);
+        if (error || folder_.empty()) return false;
+        return std::mismatch(folder_.begin(), folder_.end(), target.begin(), target.end()).first == folder_.end();
+    }
+
     InputFiles* files_;
+    std::string own_;
+    std::filesystem::path folder_;
+    std::string& refused_; // the first path
 };
 } // namespace
 
 // No post-processing by assimp: its steps drop or reorder faces silently and trust indices.
 bool read_with_assimp(const SceneFile& file, PolygonSoup& soup, Faults& faults) {
+    std::string refused;
+    const auto report_refused = [&](Severity severity) {
+        faults.push_back(
+            {FaultId::file_outside, severity, file.where,
+             "It refers to '" + printable(refused) + "', outside its folder, which was not opened.",
+             "Copy that file beside the model and refer to it by its name, or export the model as one file "
+             "(.glb)."});
+        return false;
+    };
     const auto fail = [&](const char* why) {
-        faults.push_back({FaultId::mesh_unreadable, Severity::error, file.where,
-                          std::string("The file cannot be read as a mesh: ") + why,
-                          "Export it again as OBJ, STL, PLY or glTF; check that the extension matches the content."});
+        if (!refused.empty()) return report_refused(Severity::error);
+        UnknownFile told = explain_unknown_file({static_cast<const char*>(file.bytes), file.size}, file.extension, why);
+        faults.push_back(
+            {FaultId::mesh_unreadable, Severity::error, file.where, std::move(told.what), std::move(told.remedy)});
         return false;
     };
     try {
@@ -189,7 +227,7 @@ bool read_with_assimp(const SceneFile& file, PolygonSoup& soup, Faults& faults) 
         importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
         importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
         importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, !file.collada_ids);
-        importer.SetIOHandler(new FileAccess(file.files)); // the importer owns it
+        importer.SetIOHandler(new FileAccess(file, refused)); // the importer owns it
         const aiScene* scene = file.path
                                    ? importer.ReadFile(*file.path, 0)
                                    : importer.ReadFileFromMemory(file.bytes, file.size, 0, file.extension.c_str());
@@ -197,6 +235,7 @@ bool read_with_assimp(const SceneFile& file, PolygonSoup& soup, Faults& faults) 
         soup = {};
         const Eigen::Matrix4d root = take_unit(*scene, file.extension, soup);
         SceneWalk(*scene, file, soup).append_node(*scene->mRootNode, root, 0);
+        if (!refused.empty()) report_refused(Severity::warning);
         return true;
     } catch (const std::exception& error) {
         return fail(error.what());

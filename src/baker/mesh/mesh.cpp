@@ -4,7 +4,9 @@
 #include "baker/mesh/collada_check.h"
 #include "baker/mesh/input_files.h"
 #include "baker/mesh/obj_reader.h"
+#include "baker/mesh/off_reader.h"
 #include "baker/mesh/ply_reader.h"
+#include "baker/mesh/unknown_file.h"
 #include "baker/printable_text.h"
 
 #include <algorithm>
@@ -154,8 +156,14 @@ bool repeats_corners(const std::string& extension) {
 bool finish(PolygonSoup& soup, const std::string& extension, const MeshReadOptions& options, const std::string& where,
             Mesh& out, Faults& faults) {
     if (soup.polygons.empty()) {
-        report(faults, FaultId::mesh_empty, Severity::error, where, "The file has no faces.",
-               "Export the surface as triangles or polygons.");
+        const std::string points = std::to_string(std::max(soup.vertices.size(), soup.ignored_points));
+        report(faults, FaultId::mesh_empty, Severity::error, where,
+               soup.vertices.empty()
+                   ? "The file has no polygons."
+                   : "The file has " + points + " points, lines or curves, but no polygons between them.",
+               "Convert curves, surfaces and instances to a mesh (Blender: Object, Convert, Mesh), select it, and "
+               "export it "
+               "again.");
         return false;
     }
     if (options.mesh && !select(soup, *options.mesh, where, faults)) return false;
@@ -220,11 +228,14 @@ bool read_any(SceneFile file, const MeshReadOptions& options, Mesh& out, Faults&
     PolygonSoup soup;
     try {
         const std::string_view text(static_cast<const char*>(file.bytes), file.size);
+        std::string storage;
         bool read = false;
         if (file.extension == "obj") {
-            read = parse_obj(text, soup, faults);
+            read = parse_obj(as_utf8(text, storage), soup, faults);
         } else if (file.extension == "ply") {
-            read = parse_ply(text, soup, faults);
+            read = parse_ply(as_utf8(text, storage), soup, faults);
+        } else if (file.extension == "off") {
+            read = parse_off(as_utf8(text, storage), soup, faults);
         } else if (file.extension == "zae") {
             report(faults, FaultId::mesh_unreadable, Severity::error, file.where, "This is packed Collada.",
                    "Unpack it (it is a zip archive) and bake the .dae inside.");

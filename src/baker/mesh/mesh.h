@@ -51,9 +51,10 @@ constexpr double join_tolerance = 1e-7;
 // Whether files with this extension state their unit.
 bool declares_unit(const std::string& path_utf8);
 
-// Reads any format of assimp. OBJ and PLY have readers of our own: double precision, line numbers in faults, no endless loop on
-// damaged files as in assimp 5.2 for PLY. Applies node transforms, triangulates polygons, joins coincident vertices. Changes
-// are warnings; false and an error if the mesh is unusable. files: if given, receives the file and the files that it refers to.
+// Reads any format of assimp. OBJ, PLY and OFF have readers of our own: double precision, line numbers in faults, no endless loop
+// on damaged files as in assimp 5.2 for PLY. Applies node transforms, triangulates polygons, joins coincident vertices. Changes
+// are warnings; false and an error if the mesh is unusable. files: if given, receives the file and the files that it
+// refers to, which must lie in its folder or below.
 bool read_mesh(const std::string& path_utf8, const MeshReadOptions& options, Mesh& out, Faults& faults,
                InputFiles* files = nullptr);
 bool read_mesh(const std::string& path_utf8, double unit_scale, Mesh& out, Faults& faults);

@@ -50,10 +50,30 @@ public:
             for (uint64_t i = 0; i < element.size; ++i)
                 if (!parse_item(element, i)) return false;
         if (!soup_.polygons.empty()) soup_.parts.emplace_back();
+        if (!strips_.empty()) append_strips();
         return true;
     }
 
 private:
+    // Triangle strips, as in the models of Stanford's archive: each number continues the strip, -1 ends it, every second triangle is
+    // wound the other way, and triangles without area are seams.
+    void append_strips() {
+        if (soup_.polygons.empty()) soup_.parts.emplace_back();
+        std::size_t begin = 0;
+        for (std::size_t i = 0; i < strips_.size(); ++i) {
+            if (strips_[i] == strip_end) {
+                begin = i + 1;
+                continue;
+            }
+            if (i < begin + 2) continue;
+            uint32_t a = strips_[i - 2], b = strips_[i - 1];
+            const uint32_t c = strips_[i];
+            if ((i - begin) % 2 != 0) std::swap(a, b);
+            if (a != b && b != c && c != a) soup_.polygons.push_back({a, b, c});
+        }
+        if (soup_.polygons.empty()) soup_.parts.clear();
+    }
+
     bool fail(FaultId id, std::string where, std::string what) {
         faults_.push_back({id, Severity::error, std::move(where), std::move(what), "Export the file again."});
         return false;
@@ -170,10 +190,13 @@ private:
         std::vector<uint32_t> polygon;
         for (const Property& property : element.properties) {
             double count = 1.0, value = 0.0;
-            if (property.is_list && (!read_number(property.count, count) || !(count >= 0.0 && count <= 1e6)))
+            if (property.is_list && (!read_number(property.count, count) || !(count >= 0.0)))
                 return fail(FaultId::mesh_unreadable, where, "The file ends early, or a count is not a number.");
-            const bool corners = element.name == "face" && property.is_list &&
+            const bool strip = element.name == "tristrips";
+            const bool corners = (element.name == "face" || strip) && property.is_list &&
                                  (property.name == "vertex_indices" || property.name == "vertex_index");
+            const double most = strip ? 4294967295.0 : 1e6;
+            if (!(count <= most)) return fail(FaultId::mesh_unreadable, where, "A face has over a million corners.");
             for (double k = 0.0; k < count; k += 1.0) {
                 if (!read_number(property.type, value))
                     return fail(FaultId::mesh_unreadable, where, "The file ends early, or a value is not a number.");
@@ -181,9 +204,13 @@ private:
                 if (element.name == "vertex" && property.name == "y") position[1] = value;
                 if (element.name == "vertex" && property.name == "z") position[2] = value;
                 if (!corners) continue;
+                if (strip && value == -1.0) {
+                    strips_.push_back(strip_end);
+                    continue;
+                }
                 if (!(value >= 0.0 && value < 4294967295.0) || value != std::floor(value))
                     return fail(FaultId::mesh_bad_index, where, "A vertex number is negative or not whole.");
-                polygon.push_back(static_cast<uint32_t>(value));
+                (strip ? strips_ : polygon).push_back(static_cast<uint32_t>(value));
             }
         }
         if (element.name == "vertex") {
@@ -191,6 +218,7 @@ private:
                 return fail(FaultId::mesh_not_finite, where, "A vertex position is not a finite number.");
             soup_.vertices.push_back(position);
         }
+        if (element.name == "tristrips") strips_.push_back(strip_end);
         if (element.name == "face") soup_.polygons.push_back(std::move(polygon));
         return true;
     }
@@ -198,6 +226,8 @@ private:
     std::string_view rest_;
     PolygonSoup& soup_;
     Faults& faults_;
+    static constexpr uint32_t strip_end = UINT32_MAX;
+    std::vector<uint32_t> strips_;
     std::vector<Element> elements_;
     bool has_format_ = false, ascii_ = false, big_endian_ = false;
 };

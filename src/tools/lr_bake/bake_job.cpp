@@ -4,6 +4,7 @@
 #include "baker/asset_report.h"
 #include "baker/file_io.h"
 #include "baker/plot/plots.h"
+#include "tools/lr_bake/preview.h"
 
 #include <chrono>
 #include <filesystem>
@@ -43,7 +44,10 @@ bool check_outputs(const BakeJob& job, Faults& faults) {
         return false;
     };
     const auto kind = [&](const std::string& path) {
-        return std::string(path == job.output ? "The asset" : path == job.report ? "The report" : "A plot");
+        return std::string(path == job.output    ? "The asset"
+                           : path == job.report  ? "The report"
+                           : path == job.preview ? "The preview"
+                                                 : "A plot");
     };
     for (std::size_t i = 0; good && i < outputs.size(); ++i) {
         if (!job.bake.semi_axes)
@@ -64,6 +68,7 @@ std::string_view as_text(const std::vector<uint8_t>& bytes) {
 
 // Whether every output exists, is valid, and was made by this baker from the same input bytes with the same options.
 bool is_current(const BakeJob& job) {
+    if (!job.preview.empty()) return false; // a picture does not say which bake it is of
     std::vector<uint8_t> bytes;
     Faults ignored;
     AssetData asset;
@@ -91,6 +96,7 @@ std::vector<uint8_t> to_bytes(const std::string& text) {
 std::vector<std::string> BakeJob::outputs() const {
     std::vector<std::string> paths{output};
     if (!report.empty()) paths.push_back(report);
+    if (!preview.empty()) paths.push_back(preview);
     const std::string folder = plots.empty() || plots.back() == '/' ? plots : plots + "/";
     for (std::size_t i = 0; i < plot_count(*this); ++i) paths.push_back(folder + plot_prefix + plot_names[i]);
     return paths;
@@ -101,7 +107,7 @@ BakeOutcome make_outputs(const BakeJob& job, const BakeProgress& progress, const
     BakeOutcome outcome;
     Mesh body;
     BakeHooks hooks = given;
-    if (!job.plots.empty()) hooks.body = &body;
+    if (!job.plots.empty() || !job.preview.empty()) hooks.body = &body;
     StationErrors errors;
     hooks.station_errors = &errors;
     if (check_outputs(job, outcome.faults)) {
@@ -112,6 +118,7 @@ BakeOutcome make_outputs(const BakeJob& job, const BakeProgress& progress, const
             outcome.files.push_back(write_asset(outcome.asset));
             if (!job.report.empty())
                 outcome.files.push_back(to_bytes(report_json(outcome.asset, outcome.faults, outcome.timings, errors)));
+            if (!job.preview.empty()) outcome.files.push_back(draw_preview(outcome.asset, body));
             if (!job.plots.empty())
                 for (const std::string& plot : make_plots(outcome.asset, body)) outcome.files.push_back(to_bytes(plot));
         }

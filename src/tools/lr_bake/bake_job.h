@@ -11,9 +11,10 @@ namespace lr::baker {
 
 struct BakeJob {
     BakeOptions bake;
-    std::string output; // the asset
-    std::string report; // or empty
-    std::string plots;  // folder for plot_names, created if its parent exists; or empty
+    std::string output;  // the asset
+    std::string report;  // or empty
+    std::string preview; // PNG, or empty; always drawn anew
+    std::string plots;   // folder for plot_names, created if its parent exists; or empty
     std::string plot_prefix;
     // Keep outputs that are up to date.
     bool if_changed = false;

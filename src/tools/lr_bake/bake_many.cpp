@@ -149,6 +149,7 @@ std::optional<std::vector<BakeJob>> plan_batch(const std::vector<std::string>& i
         job.bake.mesh_path = input;
         job.output = in_folder(folders.assets, stem_of(input) + ".lrb");
         if (!folders.reports.empty()) job.report = in_folder(folders.reports, stem_of(input) + ".json");
+        if (!folders.previews.empty()) job.preview = in_folder(folders.previews, stem_of(input) + ".png");
         job.plots = folders.plots;
         job.plot_prefix = stem_of(input) + ".";
         job.if_changed = if_changed;
@@ -160,6 +161,37 @@ std::optional<std::vector<BakeJob>> plan_batch(const std::vector<std::string>& i
         jobs.push_back(std::move(job));
     }
     return jobs;
+}
+
+std::vector<BakeJob> plan_islands(const std::vector<BakeJob>& jobs) {
+    std::vector<BakeJob> all;
+    const auto numbered = [](std::string path, std::size_t number) {
+        const std::size_t slash = path.rfind('/'), dot = path.rfind('.');
+        const bool has_ending = dot != std::string::npos && (slash == std::string::npos || dot > slash + 1) && dot > 0;
+        return path.insert(has_ending ? dot : path.size(), "_" + std::to_string(number));
+    };
+    for (const BakeJob& job : jobs) {
+        std::vector<uint8_t> bytes;
+        Faults ignored;
+        CardOptions card = *job.bake.card;
+        card.width /= units_per_metre(job.bake.unit);
+        const std::string& image = card.mask_path.empty() ? job.bake.mesh_path : card.mask_path;
+        std::size_t pieces = 0;
+        if (read_file(image, std::size_t{1} << 30, bytes, ignored))
+            pieces = count_card_pieces(bytes.data(), bytes.size(), card, image, ignored);
+        for (std::size_t i = 1; i <= pieces; ++i) {
+            BakeJob one = job;
+            one.bake.card->piece = i;
+            one.bake.name = asset_name(job.bake) + "_" + std::to_string(i);
+            one.output = numbered(job.output, i);
+            if (!job.report.empty()) one.report = numbered(job.report, i);
+            if (!job.preview.empty()) one.preview = numbered(job.preview, i);
+            one.plot_prefix = job.plot_prefix + std::to_string(i) + ".";
+            all.push_back(std::move(one));
+        }
+        if (pieces == 0) all.push_back(job);
+    }
+    return all;
 }
 
 bool read_list(const std::string& path, std::vector<std::string>& inputs, Faults& faults) {

@@ -13,13 +13,17 @@
 namespace lr::baker {
 
 struct BatchFolders {
-    std::string assets, reports, plots; // reports and plots can be empty
+    std::string assets, reports, plots, previews; // all but the first can be empty
 };
 
 // One job for each input, into FOLDER/STEM.lrb, FOLDER/STEM.json, FOLDER/STEM.turbulence.svg and so on. If two inputs have the same output, returns
 // nothing, and `clash` names them.
 std::optional<std::vector<BakeJob>> plan_batch(const std::vector<std::string>& inputs, const BakeOptions& options,
                                                const BatchFolders& folders, bool if_changed, std::string& clash);
+
+// One job for each region of each job's image, by size: OUT_1.lrb, OUT_2.lrb; so are reports, plots and names numbered. The job of
+// an image that cannot be read stays as it is, to fail by itself.
+std::vector<BakeJob> plan_islands(const std::vector<BakeJob>& jobs);
 
 // One path per line, from a file, or from standard input for "-"; skips empty lines. Faults 101 and 102.
 bool read_list(const std::string& path_utf8, std::vector<std::string>& inputs, Faults& faults);

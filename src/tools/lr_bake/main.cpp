@@ -58,13 +58,19 @@ std::string remark(const std::vector<uint8_t>& bytes, double fluid_density) {
     }
 }
 
-int run_bake(const CommandLine& line) {
+BakeJob single_job(const CommandLine& line) {
     BakeJob job;
     job.bake = line.bake;
     job.output = line.output;
     job.report = line.report;
+    job.preview = line.preview;
     job.plots = line.plots;
     job.if_changed = line.if_changed;
+    return job;
+}
+
+int run_bake(const CommandLine& line) {
+    const BakeJob job = single_job(line);
     for (const std::string& path : job.outputs()) clear_abandoned(path);
     Progress progress(line.quiet);
     BakeOutcome outcome =
@@ -104,16 +110,21 @@ int run_batch(const CommandLine& line) {
         return 1;
     }
     std::string clash;
-    const std::optional<std::vector<BakeJob>> jobs =
-        plan_batch(inputs, line.bake, {line.output, line.report, line.plots}, line.if_changed, clash);
+    std::optional<std::vector<BakeJob>> jobs =
+        line.folders ? plan_batch(inputs, line.bake, {line.output, line.report, line.plots, line.preview},
+                                  line.if_changed, clash)
+                     : std::vector<BakeJob>{single_job(line)};
     if (!jobs) return wrong_usage(clash);
-    for (const std::string& folder : {line.output, line.report, line.plots})
+    std::vector<std::string> folders{line.plots};
+    if (line.folders) folders.insert(folders.end(), {line.output, line.report, line.preview});
+    for (const std::string& folder : folders)
         if (!folder.empty() && !make_folder(folder, faults)) {
             print(folder, faults, true);
             return 1;
         }
-    for (const std::string& folder : {line.output, line.report, line.plots})
+    for (const std::string& folder : folders)
         if (!folder.empty()) clear_abandoned(folder + "/");
+    if (line.islands) jobs = plan_islands(*jobs);
     BatchLimits limits;
     limits.threads = line.jobs > 0 ? line.jobs : std::max(std::thread::hardware_concurrency(), 1U);
     limits.memory = available_memory() / 10 * 8;
@@ -126,8 +137,8 @@ int run_batch(const CommandLine& line) {
         baked += outcome.state == BakeOutcome::State::baked;
         unchanged += outcome.state == BakeOutcome::State::unchanged;
         if (!line.quiet)
-            std::printf("%s: %s, %.2f s\n", printable(job.input_name()).c_str(), describe(outcome).c_str(),
-                        outcome.seconds);
+            std::printf("%s: %s, %.2f s\n", printable(line.islands ? job.output : job.input_name()).c_str(),
+                        describe(outcome).c_str(), outcome.seconds);
         std::fflush(stdout);
         print(job.input_name(), outcome.faults, !line.quiet);
     };
@@ -180,7 +191,7 @@ int main(int argc, char** argv) {
             parse_command_line(static_cast<int>(pointers.size()), pointers.data(), exit_code);
         if (!line) return exit_code;
         if (line->command != CommandLine::Command::bake) return run_on_asset(*line);
-        return line->folders ? run_batch(*line) : run_bake(*line);
+        return line->folders || line->islands ? run_batch(*line) : run_bake(*line);
     } catch (const std::bad_alloc&) {
         std::fputs("lr_bake: error: Out of memory. Reduce the mesh or the --grid, or use fewer --jobs.\n", stderr);
     } catch (const std::exception& error) {

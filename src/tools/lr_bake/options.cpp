@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <charconv>
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
@@ -15,14 +16,14 @@ namespace lr::baker {
 namespace {
 
 struct Texts {
-    std::string unit, up = "z", mesh, density = "800", fluid = "air", grid = "32,32,16", intensity = "1";
+    std::string unit, size, up = "z", mesh, density = "800", fluid = "air", grid = "32,32,16", intensity = "1";
     std::string center_of_mass, mass_from, name;
     std::string semi_axis[3];
     std::string output, output_folder, jobs;
     std::string stations = "8";
     bool force = false;
     std::string thickness, areal_density;
-    std::string width, alpha = "0.5", triangles = "2000", mask = "alpha", piece, speck = "0.001";
+    std::string width, alpha = "0.5", triangles = "2000", mask = "alpha", key, piece, speck = "0.001";
 };
 
 void add_mesh_options(CLI::App& command, Texts& texts) {
@@ -33,6 +34,10 @@ void add_mesh_options(CLI::App& command, Texts& texts) {
             "else m")
         ->default_str("file")
         ->type_name("UNIT");
+    command
+        .add_option("--size", texts.size,
+                    "true length of the mesh's longest side, as 7cm: scales it from whatever unit it is in")
+        ->type_name("LENGTH");
     command.add_option("--up", texts.up, "axis of the mesh that is rotated to +z: x, y, z, -x, -y or -z")
         ->capture_default_str()
         ->type_name("AXIS");
@@ -61,7 +66,7 @@ void add_sheet_options(CLI::App& command, Texts& texts, CommandLine& line) {
         ->type_name("KG_M2");
 }
 
-void add_card_options(CLI::App& command, Texts& texts) {
+void add_card_options(CLI::App& command, Texts& texts, CommandLine& line) {
     const auto add = [&](const char* option, std::string& text, const char* help, const char* type) {
         return command.add_option(option, text, help)->type_name(type);
     };
@@ -71,9 +76,16 @@ void add_card_options(CLI::App& command, Texts& texts) {
     add("--unit", texts.unit, "unit of all lengths: m, cm or mm", "UNIT")->default_str("m");
     add("--alpha", texts.alpha, "opacity at the outline, 0.001 to 0.999", "A")->capture_default_str();
     add("--triangles", texts.triangles, "approximate number of triangles", "N")->capture_default_str();
-    add("--mask", texts.mask, "alpha, or luminance of a black-and-white mask", "CHANNEL")->capture_default_str();
+    add("--mask", texts.mask,
+        "where the leaf is: alpha, luminance (white on black), or the black-and-white mask in another PNG",
+        "alpha|luminance|FILE")
+        ->capture_default_str();
+    add("--key", texts.key, "the colour around the leaf, where the image has no transparency: white, black, or #rrggbb",
+        "COLOUR");
     add("--piece", texts.piece, "which of several separate regions: the N-th by size, or all as one body", "N|all")
         ->default_str("1");
+    command.add_flag("--islands", line.islands,
+                     "bake every leaf of an atlas by itself: OUT_1.lrb, OUT_2.lrb, ..., by size");
     add("--speck", texts.speck, "ignore regions and holes smaller than this fraction of the largest region", "PART")
         ->capture_default_str();
 }
@@ -104,6 +116,11 @@ void add_bake_options(CLI::App& command, Texts& texts, CommandLine& line) {
     command.add_option("--name", texts.name, "name in the asset, instead of the file name")->type_name("NAME");
     command.add_option("--report", line.report, "JSON report to write")->type_name("R.json");
     command
+        .add_option("--preview", line.preview,
+                    "picture of what was understood (PNG): the body with its axes, thin direction, stations, centre of "
+                    "mass and hull")
+        ->type_name("P.png");
+    command
         .add_option("--plots", line.plots, "folder for pictures (SVG): turbulence, added mass, its entries and errors")
         ->type_name("DIR");
     command.add_flag("--if-changed", line.if_changed,
@@ -118,7 +135,7 @@ void add_batch_options(CLI::App& command, Texts& texts, CommandLine& line) {
     command
         .add_option("-d,--output-dir", texts.output_folder,
                     "folder for the assets, each named after its input; skips up-to-date ones. "
-                    "--report then names a folder too")
+                    "--report and --preview then name folders too")
         ->type_name("DIR");
     command.add_option("-j,--jobs", texts.jobs, "number of bakes at once, as far as memory allows")
         ->default_str("one for each processor")
@@ -142,6 +159,8 @@ void read_outputs(const CLI::App& command, const Texts& texts, CommandLine& line
         if (several && input.empty()) throw CLI::ValidationError("IN", "a file name is empty");
     if (command.count("--report") > 0 && line.report.empty())
         throw CLI::ValidationError("--report", "the file name is empty");
+    if (command.count("--preview") > 0 && line.preview.empty())
+        throw CLI::ValidationError("--preview", "the file name is empty");
     if (command.count("--plots") > 0 && line.plots.empty())
         throw CLI::ValidationError("--plots", "the folder name is empty");
     const bool to_folder = !ellipsoid && command.count("--output-dir") > 0;
@@ -150,6 +169,7 @@ void read_outputs(const CLI::App& command, const Texts& texts, CommandLine& line
                                                          : "give an output file, or a folder with --output-dir");
     line.output = with_slashes(to_folder ? texts.output_folder : texts.output);
     line.report = with_slashes(line.report);
+    line.preview = with_slashes(line.preview);
     line.plots = with_slashes(line.plots);
     if (line.output.empty()) throw CLI::ValidationError("--output", "the file name is empty");
     line.folders = to_folder || (!ellipsoid && is_folder(line.output) && (several || line.output.back() == '/'));
@@ -163,6 +183,8 @@ void read_outputs(const CLI::App& command, const Texts& texts, CommandLine& line
         throw CLI::ValidationError("--jobs", "'" + texts.jobs + "' is not 1 to 1024");
     if (line.folders) {
         if (texts.force && line.if_changed) throw CLI::ValidationError("--force", "excludes --if-changed");
+        if (several && command.get_option_no_throw("--mask") && texts.mask != "alpha" && texts.mask != "luminance")
+            throw CLI::ValidationError("--mask", "a mask file needs a single image");
         for (const char* const one : {"--name", "--mass-from"})
             if (several && command.get_option_no_throw(one) && command.count(one) > 0)
                 throw CLI::ValidationError(one, "needs a single input");
@@ -170,6 +192,39 @@ void read_outputs(const CLI::App& command, const Texts& texts, CommandLine& line
     } else {
         line.bake.mesh_path = line.inputs.front();
     }
+}
+
+// A number in the unit, or with a unit of its own: 0.2mm, 7cm, 1.5m.
+double parse_length(const std::string& text, const char* option, Unit unit) {
+    std::string_view number = text;
+    for (const Unit own : {Unit::mm, Unit::cm, Unit::m}) {
+        const std::string_view suffix = unit_name(own);
+        if (!number.ends_with(suffix)) continue;
+        number.remove_suffix(suffix.size());
+        if (number.ends_with(' ')) number.remove_suffix(1);
+        const double given = parse_number<double>(number, option);
+        return own == unit ? given : given / units_per_metre(own) * units_per_metre(unit);
+    }
+    return parse_number<double>(number, option);
+}
+
+Unit parse_unit(const CLI::App& command, const Texts& texts, bool ellipsoid) {
+    for (const Unit unit : {Unit::m, Unit::cm, Unit::mm})
+        if (texts.unit == unit_name(unit)) return unit;
+    if ((texts.unit == "file" && !ellipsoid) || command.count("--unit") == 0) return Unit::file;
+    throw CLI::ValidationError("--unit", "'" + texts.unit + "' is not m, cm or mm");
+}
+
+std::array<uint8_t, 3> parse_colour(const std::string& text) {
+    if (text == "white") return {255, 255, 255};
+    if (text == "black") return {0, 0, 0};
+    const std::size_t at = !text.empty() && text[0] == '#' ? 1 : 0;
+    uint32_t value = 0;
+    const char* const end = text.data() + text.size();
+    const auto parsed = std::from_chars(text.data() + at, end, value, 16);
+    if (text.size() != at + 6 || parsed.ec != std::errc{} || parsed.ptr != end)
+        throw CLI::ValidationError("--key", "'" + text + "' is not white, black or six hexadecimal digits as #ffffff");
+    return {static_cast<uint8_t>(value >> 16), static_cast<uint8_t>(value >> 8), static_cast<uint8_t>(value)};
 }
 
 void read_mesh_options(const CLI::App& command, const Texts& texts, BakeOptions& o) {
@@ -186,6 +241,7 @@ void read_mesh_options(const CLI::App& command, const Texts& texts, BakeOptions&
             throw CLI::ValidationError("--mass-from", "excludes --center-of-mass");
         o.mass.emplace().path = texts.mass_from;
     }
+    if (command.count("--size") > 0) o.size = parse_length(texts.size, "--size", o.unit) / units_per_metre(o.unit);
     if (command.count("--mesh") == 0) return;
     if (texts.mesh.empty()) throw CLI::ValidationError("--mesh", "the name is empty");
     o.mesh = texts.mesh;
@@ -195,7 +251,7 @@ void read_thickness(const CLI::App& command, const Texts& texts, BakeOptions& o)
     if (command.count("--areal-density") > 0 && command.count("--density") > 0)
         throw CLI::ValidationError("--areal-density", "give either this or --density");
     o.sheet.emplace();
-    if (command.count("--thickness") > 0) o.sheet->thickness = parse_number<double>(texts.thickness, "--thickness");
+    if (command.count("--thickness") > 0) o.sheet->thickness = parse_length(texts.thickness, "--thickness", o.unit);
     if (command.count("--areal-density") > 0)
         o.sheet->areal_density = parse_number<double>(texts.areal_density, "--areal-density");
 }
@@ -215,31 +271,30 @@ void read_sheet_options(const CLI::App& command, const Texts& texts, BakeOptions
 
 void read_card_options(const CLI::App& command, const Texts& texts, BakeOptions& o) {
     CardOptions& card = o.card.emplace();
-    card.width = parse_number<double>(texts.width, "--width");
+    card.width = parse_length(texts.width, "--width", o.unit);
     card.alpha = parse_number<double>(texts.alpha, "--alpha");
     card.triangles = parse_number<uint32_t>(texts.triangles, "--triangles");
     card.speck = parse_number<double>(texts.speck, "--speck");
     if (texts.mask == "luminance")
         card.channel = MaskChannel::luminance;
+    else if (texts.mask.empty())
+        throw CLI::ValidationError("--mask", "the file name is empty");
     else if (texts.mask != "alpha")
-        throw CLI::ValidationError("--mask", "'" + texts.mask + "' is not alpha or luminance");
+        card.mask_path = texts.mask;
+    if (command.count("--key") > 0) {
+        if (command.count("--mask") > 0) throw CLI::ValidationError("--key", "excludes --mask");
+        card.channel = MaskChannel::key;
+        card.key = parse_colour(texts.key);
+    }
     card.all_pieces = texts.piece == "all";
+    if (command.count("--islands") > 0 && command.count("--piece") > 0)
+        throw CLI::ValidationError("--islands", "excludes --piece");
     if (command.count("--piece") > 0 && !card.all_pieces) card.piece = parse_number<uint32_t>(texts.piece, "--piece");
     if (texts.unit == "file") throw CLI::ValidationError("--unit", "'file' is not m, cm or mm");
     read_thickness(command, texts, o);
 }
 
 void read_bake_options(const CLI::App& command, const Texts& texts, BakeOptions& o) {
-    if (texts.unit == "m")
-        o.unit = Unit::m;
-    else if (texts.unit == "cm")
-        o.unit = Unit::cm;
-    else if (texts.unit == "mm")
-        o.unit = Unit::mm;
-    else if ((texts.unit == "file" && !o.semi_axes) || command.count("--unit") == 0)
-        o.unit = Unit::file;
-    else
-        throw CLI::ValidationError("--unit", "'" + texts.unit + "' is not m, cm or mm");
     o.density = parse_number<double>(texts.density, "--density");
     const auto [density, viscosity] = parse_fluid(texts.fluid);
     o.fluid_density = density;
@@ -272,7 +327,7 @@ std::optional<CommandLine> parse_command_line(int argc, char** argv, int& exit_c
 
     CLI::App* card = app.add_subcommand("card", "bake flat leaves from the alpha channels of PNG images");
     add_batch_options(*card, texts, line);
-    add_card_options(*card, texts);
+    add_card_options(*card, texts, line);
     add_bake_options(*card, texts, line);
 
     CLI::App* ellipsoid = app.add_subcommand("ellipsoid", "bake a solid ellipsoid from closed forms");
@@ -304,6 +359,7 @@ std::optional<CommandLine> parse_command_line(int argc, char** argv, int& exit_c
         }
         const CLI::App& command = mesh->parsed() ? *mesh : card->parsed() ? *card : *ellipsoid;
         read_outputs(command, texts, line, ellipsoid->parsed());
+        line.bake.unit = parse_unit(command, texts, ellipsoid->parsed());
         if (mesh->parsed()) {
             read_mesh_options(*mesh, texts, line.bake);
             read_sheet_options(*mesh, texts, line.bake);

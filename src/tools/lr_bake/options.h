@@ -14,12 +14,13 @@ struct CommandLine {
     Command command = Command::bake;
     BakeOptions bake;
     // Bake: one input into files, or any number into folders.
-    std::vector<std::string> inputs; // meshes or images, in addition to `list`
-    std::string list;                // file with more inputs, or empty
-    std::string output, report;      // files or folders; report can be empty
-    std::string plots;               // a folder, or empty
+    std::vector<std::string> inputs;     // meshes or images, in addition to `list`
+    std::string list;                    // file with more inputs, or empty
+    std::string output, report, preview; // files or folders; all but the first can be empty
+    std::string plots;                   // a folder, or empty
     bool folders = false;
-    unsigned jobs = 0; // bakes at once; 0: one per processor
+    bool islands = false; // of a card: one asset each
+    unsigned jobs = 0;    // bakes at once; 0: one per processor
     bool if_changed = false;
     bool quiet = false;
     std::string asset; // info, check

@@ -1,16 +1,14 @@
 #include "tools/lr_drop/paths_picture.h"
 
-#include "image/picture.h"
+#include "tools/encode_png.h"
 
 #include <Eigen/Eigenvalues>
-#include <png.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 
 namespace lr::tools {
@@ -268,22 +266,6 @@ void draw_shares(Picture& picture, const Results& results) {
     if (f.drift.norm() > f.half_radius) line("drift " + number(f.drift.norm()) + " m");
     line("half land within " + number(f.half_radius) + " m, 95 % within " + number(f.most_radius) + " m");
 }
-
-std::vector<uint8_t> encode(const Picture& picture) {
-    png_image image = {};
-    image.version = PNG_IMAGE_VERSION;
-    image.width = static_cast<png_uint_32>(picture.width());
-    image.height = static_cast<png_uint_32>(picture.height());
-    image.format = PNG_FORMAT_RGB;
-    const std::vector<uint8_t> pixels = picture.srgb();
-    png_alloc_size_t size = 0;
-    const bool sized = png_image_write_to_memory(&image, nullptr, &size, 0, pixels.data(), 0, nullptr) != 0;
-    std::vector<uint8_t> bytes(size);
-    if (!sized || !png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels.data(), 0, nullptr))
-        throw std::runtime_error(std::string("libpng: ") + image.message);
-    bytes.resize(size);
-    return bytes;
-}
 } // namespace
 
 std::vector<uint8_t> draw_paths(const DropCommand& command, const Results& results) {
@@ -295,6 +277,6 @@ std::vector<uint8_t> draw_paths(const DropCommand& command, const Results& resul
     draw_falls(picture, command, results, axes);
     draw_landings(picture, command, results, axes);
     draw_shares(picture, results);
-    return encode(picture);
+    return encode_png(picture);
 }
 } // namespace lr::tools

@@ -353,7 +353,7 @@ TEST_CASE("input files: what a mesh refers to must be a file") {
     Faults faults;
     CHECK_FALSE(bake(o, asset, faults));
     REQUIRE_FALSE(faults.empty());
-    CHECK(faults.back().id == FaultId::mesh_unreadable);
+    CHECK(faults.back().id == FaultId::file_outside); // links are followed
 
     // Bytes in memory refer to no file, not even by an absolute path.
     write_gltf(scratch, 0.02F);
@@ -401,7 +401,7 @@ TEST_CASE("batch: events come in order and in the calling thread, whatever the t
         inputs.push_back(scratch.write(numbered("m", i, ".obj"), body(0.03, i == 0 ? 3 : 1)));
     std::filesystem::create_directory(scratch.path("out"));
     std::string clash;
-    const auto jobs = plan_batch(inputs, {}, {scratch.path("out"), "", ""}, false, clash);
+    const auto jobs = plan_batch(inputs, {}, {scratch.path("out"), "", "", ""}, false, clash);
     REQUIRE(jobs.has_value());
     std::vector<std::string> first;
     for (const BatchLimits& limits : {BatchLimits{1, 0}, BatchLimits{4, 0}, BatchLimits{4, uint64_t{1} << 40},

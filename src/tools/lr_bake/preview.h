@@ -1,0 +1,15 @@
+// A picture of what the baker understood of a body.
+#pragma once
+
+#include "asset/asset_data.h"
+#include "baker/mesh/mesh.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace lr::baker {
+
+// body: in the body frame, as BakeHooks gives it. Returns the bytes of a PNG file: the body from three sides with its principal
+// axes, their lengths, the thin direction, stations, centre of mass and hull.
+std::vector<uint8_t> draw_preview(const AssetData& asset, const Mesh& body);
+} // namespace lr::baker

@@ -1,0 +1,171 @@
+// Files that are not as they should be: other encodings, strips, references out of their folder, and unknown kinds.
+#include "baker/fault_text.h"
+#include "baker/mesh/mesh.h"
+#include "scene_files.h"
+#include "scratch.h"
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+
+using namespace lr;
+using namespace lr::baker;
+using test::Scratch;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+Mesh read(const std::string& text, const char* extension, Faults& faults) {
+    Mesh mesh;
+    const bool good = read_mesh_memory(text.data(), text.size(), extension, 1.0, mesh, faults);
+    CHECK(good != has_error(faults));
+    return mesh;
+}
+
+std::string only_fault(const std::string& text, const char* extension) {
+    Faults faults;
+    read(text, extension, faults);
+    REQUIRE(faults.size() == 1);
+    return to_string(faults[0]);
+}
+
+std::string utf16(const std::string& ascii, bool little) {
+    std::string out = little ? "\xff\xfe" : "\xfe\xff";
+    for (const char c : ascii) {
+        if (!little) out += '\0';
+        out += c;
+        if (little) out += '\0';
+    }
+    return out;
+}
+
+// A triangle whose positions lie in another file.
+std::string gltf_of(const std::string& uri) {
+    return R"({"asset":{"version":"2.0"},"buffers":[{"uri":")" + uri +
+           R"(","byteLength":48}],"bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":36},)"
+           R"({"buffer":0,"byteOffset":36,"byteLength":12}],"accessors":[)"
+           R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"},)"
+           R"({"bufferView":1,"componentType":5125,"count":3,"type":"SCALAR"}],)"
+           R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],)"
+           R"("nodes":[{"mesh":0}],"scenes":[{"nodes":[0]}],"scene":0})";
+}
+
+std::string triangle_bytes() {
+    const float positions[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    const uint32_t indices[3] = {0, 1, 2};
+    return std::string(reinterpret_cast<const char*>(positions), sizeof positions) +
+           std::string(reinterpret_cast<const char*>(indices), sizeof indices);
+}
+
+} // namespace
+
+TEST_CASE("readers: OFF keeps every face") {
+    const std::string corners = "0 0 0\n1 0 0 # comment\n\n0 1 0 0.5 0.5 1\n0 0 1.0000000001\n";
+    const std::string faces = "3 0 2 1\n3 0 1 3 255 0 0\n3 0 3 2 # red\n3 1 2 3";
+    for (const std::string& text : {"OFF\n4 4 6\n" + corners + faces, "# made by hand\nCOFF 4 4 6\n" + corners + faces,
+                                    "4 4 0\n" + corners + faces, "OFF\n4 4\n" + corners + faces,
+                                    "\xef\xbb\xbfNOFF\r\n4 4 0\r\n" + corners + faces}) {
+        CAPTURE(text);
+        Faults faults;
+        const Mesh mesh = read(text, "off", faults);
+        CHECK(faults.empty());
+        REQUIRE(mesh.faces.size() == 4);
+        CHECK(mesh.faces[1] == Face{0, 1, 3});
+        CHECK(mesh.vertices[3].z() == 1.0000000001); // double precision
+    }
+}
+
+TEST_CASE("readers: damaged OFF files name the line") {
+    CHECK(contains(only_fault("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n", "off"), "error 204 at line 6"));
+    CHECK(contains(only_fault("OFF\n3 1 0\n0 0 0\n1 0\n", "off"), "error 201 at line"));
+    CHECK(contains(only_fault("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 nan\n3 0 1 2\n", "off"), "error 203 at line 5"));
+    CHECK(contains(only_fault("OFF BINARY\n", "off"), "binary OFF"));
+    CHECK(contains(only_fault("4OFF\n", "off"), "four or more dimensions"));
+    CHECK(contains(only_fault("OFF\n1000000000 1 0\n0 0 0\n", "off"), "error 201"));
+}
+
+TEST_CASE("readers: PLY strips become triangles of one winding") {
+    // A strip over a square of two by one, a seam, and a second strip.
+    Faults faults;
+    const Mesh mesh =
+        read("ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\n"
+             "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+             "0 0 0\n0 1 0\n1 0 0\n1 1 0\n2 0 0\n2 1 0\n11 1 0 3 2 2 -1 -1 3 2 5 4\n",
+             "ply", faults);
+    CHECK(faults.empty());
+    REQUIRE(mesh.faces.size() == 4);
+    for (const Face& f : mesh.faces) {
+        const Eigen::Vector3d normal =
+            (mesh.vertices[f[1]] - mesh.vertices[f[0]]).cross(mesh.vertices[f[2]] - mesh.vertices[f[0]]);
+        CHECK(normal.z() == 1.0);
+    }
+    CHECK(contains(
+        only_fault("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+                   "z\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+                   "0 0 0\n0 1 0\n1 0 0\n3 0 1 -2\n",
+                   "ply"),
+        "error 204"));
+}
+
+TEST_CASE("readers: text in UTF-16") {
+    for (const bool little : {true, false}) {
+        Faults faults;
+        CHECK(read(utf16("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", little), "obj", faults).faces.size() == 1);
+        CHECK(faults.empty());
+    }
+    Faults faults;
+    CHECK(read("\xef\xbb\xbfv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "obj", faults).faces.size() == 1);
+}
+
+TEST_CASE("readers: a scene opens no file outside its folder") {
+    const Scratch scratch;
+    namespace fs = std::filesystem;
+    fs::create_directories(scratch.path("model/parts"));
+    scratch.write("outside.bin", triangle_bytes());
+    scratch.write("model/inside.bin", triangle_bytes());
+    scratch.write("model/parts/below.bin", triangle_bytes());
+    fs::create_symlink(scratch.path("outside.bin"), scratch.path("model/link.bin"));
+    fs::create_symlink(scratch.path("model/inside.bin"), scratch.path("model/inner.bin"));
+    const auto read_scene = [&](const std::string& uri, Faults& faults) {
+        Mesh mesh;
+        return read_mesh(scratch.write("model/scene.gltf", gltf_of(uri)), MeshReadOptions{}, mesh, faults) &&
+               mesh.faces.size() == 1;
+    };
+    for (const char* uri : {"inside.bin", "parts/below.bin", "./parts/../inside.bin", "inner.bin"}) {
+        CAPTURE(uri);
+        Faults faults;
+        CHECK(read_scene(uri, faults));
+        CHECK(faults.empty());
+    }
+    for (const char* uri : {"../outside.bin", "parts/../../outside.bin", "link.bin"}) {
+        CAPTURE(uri);
+        Faults faults;
+        CHECK_FALSE(read_scene(uri, faults));
+        REQUIRE(faults.size() == 1);
+        CHECK(faults[0].id == FaultId::file_outside);
+    }
+    // Escapes and absolute paths name files in the folder, which are missing.
+    for (const std::string& uri : {std::string("%2e%2e/outside.bin"), scratch.path("outside.bin")}) {
+        CAPTURE(uri);
+        Faults faults;
+        CHECK_FALSE(read_scene(uri, faults));
+        CHECK(has_error(faults));
+    }
+    Faults faults;
+    CHECK_FALSE(read_scene("gone.bin", faults));
+    REQUIRE(faults.size() == 1);
+    CHECK(contains(faults[0].what, "belongs to it is missing"));
+    CHECK(contains(faults[0].what, "gone.bin"));
+}
+
+TEST_CASE("readers: what a file is, and the way out, in a modeller's words") {
+    CHECK(contains(only_fault("BLENDER-v300 and so on", "blend2"), "a Blender file"));
+    CHECK(contains(only_fault("ISO-10303-21;\nHEADER;", "step"), "exact surfaces"));
+    CHECK(contains(only_fault("anything", "c4d"), "own file"));
+    CHECK(contains(only_fault("anything", "txt"), "No reader knows this kind of file"));
+    CHECK(contains(only_fault(std::string("glTF\1\0\0\0\x14\0\0\0", 12), "glb"), "glTF 1"));
+    CHECK(contains(only_fault("v 0 0 0\nv 1 0 0\nl 1 2\n", "obj"), "2 points, lines or curves"));
+}

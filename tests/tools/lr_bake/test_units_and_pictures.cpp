@@ -1,0 +1,80 @@
+// --size, --islands, --mask FILE and --preview.
+#include "baker/json.h"
+#include "baker/mesh_shapes.h"
+#include "baker/png_files.h"
+#include "baker/scratch.h"
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+
+using namespace lr;
+using test::Outcome;
+using test::Scratch;
+
+namespace {
+
+Outcome lr_bake(std::vector<std::string> arguments) {
+    return test::run(LR_BAKE_PATH, arguments);
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+double mass_of(const std::string& asset) {
+    return test::Json::parse(lr_bake({"info", asset, "--json"}).out)["mass"].number();
+}
+
+} // namespace
+
+TEST_CASE("lr_bake: --size gives a mesh its length, whatever its unit") {
+    const Scratch scratch;
+    const std::string mesh = scratch.write("body.obj", test::obj_text(test::ellipsoid(30.0, 24.0, 18.0, 2)));
+    const std::string a = scratch.path("a.lrb"), b = scratch.path("b.lrb"), c = scratch.path("c.lrb");
+    const Outcome plain = lr_bake({"mesh", mesh, "-o", a});
+    REQUIRE(plain.exit_code == 0);
+    CHECK(contains(plain.err, "warning 304"));
+    CHECK(contains(plain.err, "--size 60cm if it was modelled in centimetres"));
+    const Outcome sized = lr_bake({"mesh", mesh, "-o", b, "--size", "6cm"});
+    REQUIRE(sized.exit_code == 0);
+    CHECK_FALSE(contains(sized.err, "304"));
+    REQUIRE(lr_bake({"mesh", mesh, "-o", c, "--unit", "mm"}).exit_code == 0);
+    CHECK(mass_of(b) == doctest::Approx(mass_of(c)).epsilon(1e-6));
+    CHECK(mass_of(a) == doctest::Approx(1e9 * mass_of(c)).epsilon(1e-6));
+    for (const char* wrong : {"7 inches", "cm", "", "7,5cm"})
+        CHECK(lr_bake({"mesh", mesh, "-o", b, "--size", wrong}).exit_code == 2);
+    CHECK(lr_bake({"mesh", mesh, "-o", b, "--size", "0cm"}).exit_code == 1);
+}
+
+TEST_CASE("lr_bake: every leaf of an atlas by itself, from a mask in a file of its own") {
+    const Scratch scratch;
+    const test::Opacity two = test::draw(
+        64, 32, [](double x, double y) { return std::hypot(x - 16, y - 16) < 10 || std::hypot(x - 46, y - 16) < 12; });
+    test::PngKind grey;
+    grey.color = PNG_COLOR_TYPE_GRAY;
+    const std::string image = scratch.write("atlas.png", test::png_file(two, grey));
+    const std::string mask = scratch.write("mask.png", test::png_file(two, grey));
+    const std::string out = scratch.path("leaf.lrb");
+    const Outcome baked = lr_bake({"card", image, "--mask", mask, "--width", "8cm", "--thickness", "0.2mm", "--islands",
+                                   "-o", out, "--triangles", "100", "--stations", "1"});
+    INFO(baked.err);
+    CHECK(baked.exit_code == 0);
+    CHECK(contains(baked.out, "2 baked"));
+    const double large = mass_of(scratch.path("leaf_1.lrb")), small = mass_of(scratch.path("leaf_2.lrb"));
+    CHECK(large / small == doctest::Approx(1.44).epsilon(0.02));
+    CHECK_FALSE(std::filesystem::exists(out));
+}
+
+TEST_CASE("lr_bake: --preview draws a picture") {
+    const Scratch scratch;
+    const std::string mesh = scratch.write("body.obj", test::obj_text(test::ellipsoid(0.03, 0.024, 0.004, 2)));
+    const Outcome baked =
+        lr_bake({"mesh", mesh, "-o", scratch.path("a.lrb"), "--preview", scratch.path("a.png"), "--stations", "1"});
+    INFO(baked.err);
+    REQUIRE(baked.exit_code == 0);
+    const std::string png = scratch.read("a.png");
+    CHECK(png.size() > 20000); // a blank picture has less
+    CHECK(png.substr(1, 3) == "PNG");
+    CHECK(lr_bake({"mesh", mesh, "-o", scratch.path("a.lrb"), "--preview", mesh}).exit_code == 1);
+}
