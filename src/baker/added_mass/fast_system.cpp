@@ -70,7 +70,8 @@ bool FastSystem::solve(const RigidModes& right, const std::function<void(double)
                                         patches_->apply(r, z);
                                         coarse_->add(r, z);
                                     },
-                                    to_tree(right), tolerance, basis_.sheet ? max_sheet_iterations : max_iterations, progress, solution);
+                                    to_tree(right), tolerance, basis_.sheet ? max_sheet_iterations : max_iterations,
+                                    progress, solution);
     out = {from_tree(solution.value, 6), solution.iterations, solution.residual, solution.condition};
     return solved;
 }
