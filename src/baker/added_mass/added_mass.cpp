@@ -3,7 +3,6 @@
 #include "baker/added_mass/boundary_operators.h"
 #include "baker/added_mass/curved_refinement.h"
 #include "baker/added_mass/fast_system.h"
-#include "baker/added_mass/sheet_coarsening.h"
 #include "baker/added_mass/single_cholesky.h"
 #include "baker/added_mass/surface_basis.h"
 #include "baker/added_mass/surface_correction.h"
@@ -30,8 +29,6 @@ namespace {
 constexpr std::size_t max_panels = 1000000;
 // Matrix entries in near blocks: 4 GB, three times the need of the largest sphere.
 constexpr std::size_t max_stored_entries = 1000000000;
-// Of a sheet, which can be coarsened: 0.8 GB.
-constexpr std::size_t max_sheet_entries = 200000000;
 // Error estimate over the largest entry of the block above which a solid is solved again, on finer panels up to this number.
 constexpr double good_estimate = 0.0025;
 constexpr std::size_t max_refined_panels = 5000;
@@ -146,21 +143,13 @@ Matrix6 discretisation_error(const Mesh& mesh, const SurfaceBasis& basis, const 
     return error;
 }
 
-// Errors from panels that are flat. Moving the surface out by d changes the energy by d times the square of the tangential velocity relative to
-// the body (Hadamard).
-struct GeometryErrors {
-    // For a curved surface: the part of the gap unknown to restore_curved_volume is of second order in the turn of the normal over a panel.
-    Matrix6 curved = Matrix6::Zero();
-    // A mesh does not say whether its faces are facets or stand for a curved surface: the difference between both.
-    Matrix6 reading = Matrix6::Zero();
-};
-
-GeometryErrors geometry_errors(const BoundaryOperators& op, const std::vector<Currents>& currents,
-                               const CurvedSurface& surface) {
+// The error of flat panels on a curved surface. Moving the surface out by d changes the energy by d times the square of the
+// tangential velocity relative to the body (Hadamard); the part of the gap unknown to restore_curved_volume is of second order
+// in the turn of the normal over a panel.
+Matrix6 geometry_error(const BoundaryOperators& op, const std::vector<Currents>& currents,
+                       const CurvedSurface& surface) {
     constexpr double factor = 0.5; // measured on ellipsoids up to 1:20 and 10:1
-    constexpr double plain_turn =
-        0.1; // radians: finer meshes than 63 faces around a body stand for curved surfaces ever more plainly
-    GeometryErrors errors;
+    Matrix6 error = Matrix6::Zero();
     for (std::size_t t = 0; t < op.panels.size(); ++t) {
         const Panel& panel = op.panels[t];
         Currents slip = currents[t]; // n x (grad phi - velocity of the body)
@@ -169,13 +158,10 @@ GeometryErrors geometry_errors(const BoundaryOperators& op, const std::vector<Cu
             slip.col(k) -= panel.normal.cross(axis);
             slip.col(k + 3) -= panel.normal.cross(axis.cross(panel.centroid));
         }
-        const Matrix6 change = panel.area * std::abs(surface.gap[t]) * (slip.transpose() * slip);
-        errors.curved += factor * std::min(1.0, surface.turn[t] * surface.turn[t]) * change;
-        errors.reading += std::min(1.0, surface.turn[t] / plain_turn) * change;
+        const double unknown = std::abs(surface.gap[t]) * std::min(1.0, surface.turn[t] * surface.turn[t]);
+        error += factor * panel.area * unknown * (slip.transpose() * slip);
     }
-    errors.curved = errors.curved.cwiseAbs().eval();
-    errors.reading = errors.reading.cwiseAbs().eval();
-    return errors;
+    return error;
 }
 
 // Replaces the matrix by the nearest one without negative eigenvalues; returns the largest eigenvalue removed.
@@ -268,12 +254,6 @@ bool refuse_singular(Faults& faults) {
                 faults);
 }
 
-bool refuse_needles(Faults& faults) {
-    return fail(FaultId::mesh_too_many_faces,
-                "Too many faces are close to too many others: the added mass needs too much memory.",
-                "Remesh: avoid long faces beside short ones.", faults);
-}
-
 // This and the next function set `image` to W times the positions.
 bool solve_dense(const Mesh& unit, const SurfaceBasis& basis, const Eigen::MatrixXd& position, const Progress& report,
                  BoundaryOperators& op, RigidModes& phi, Eigen::MatrixXd& image, AddedMass& out, Faults& faults) {
@@ -302,10 +282,15 @@ bool solve_fast(const Mesh& unit, const SurfaceBasis& basis, const Eigen::Matrix
     const auto share = [&](double from, double to) {
         return [&report, from, to](double fraction) { report(from + (to - from) * fraction); };
     };
+    const auto refuse = [&] {
+        return fail(FaultId::mesh_too_many_faces,
+                    "Too many faces are close to too many others: the added mass needs too much memory.",
+                    "Remesh: avoid long faces beside short ones.", faults);
+    };
     NearSingleLayer near;
-    if (!assemble_without_matrix(unit, basis, threads, share(0.0, 0.5), op, near)) return refuse_needles(faults);
+    if (!assemble_without_matrix(unit, basis, threads, share(0.0, 0.5), op, near)) return refuse();
     FastSystem system(op, near, basis, threads);
-    if (system.stored_entries() > (basis.sheet ? max_sheet_entries : max_stored_entries)) return refuse_needles(faults);
+    if (system.stored_entries() > max_stored_entries) return refuse();
     system.assemble(share(0.2, 0.5));
     if (position.cols() > 0) image = system.multiply(position);
     FastSystem::Result result;
@@ -318,8 +303,8 @@ bool solve_fast(const Mesh& unit, const SurfaceBasis& basis, const Eigen::Matrix
 }
 
 // Solves for a body of size one around the centre. Closed bodies: `curved` has the gap between flat panels and the curved
-// surface; the error estimate includes `geometry.curved`, and `geometry` receives its geometric parts.
-bool solve_surface(const Mesh& unit, const SurfaceBasis& basis, const CurvedSurface* curved, GeometryErrors& geometry,
+// surface; the error estimate starts from `geometry`, which receives its geometric part.
+bool solve_surface(const Mesh& unit, const SurfaceBasis& basis, const CurvedSurface* curved, Matrix6& geometry,
                    AddedMass& out, Faults& faults, const AddedMassOptions& options, const Progress& report) {
     Eigen::MatrixXd position, image;
     if (!basis.sheet) {
@@ -344,10 +329,10 @@ bool solve_surface(const Mesh& unit, const SurfaceBasis& basis, const CurvedSurf
     Matrix6 error =
         discretisation_error(unit, basis, op, currents).cwiseAbs() + 0.5 * (raw - raw.transpose()).cwiseAbs();
     error += quadrature_floor * value.cwiseAbs();
-    error += geometry.curved;
+    error += geometry;
     if (curved) {
-        geometry = geometry_errors(op, currents, *curved);
-        error += geometry.curved;
+        geometry = geometry_error(op, currents, *curved).cwiseAbs();
+        error += geometry;
     }
     if (!basis.sheet) {
         // For translations the interior potential is x, so W x = (1/2 - K') n up to quadrature errors: a check without extra
@@ -426,8 +411,8 @@ Mesh refine(const Mesh& unit) {
     return curved;
 }
 
-bool solve_solid(const Mesh& unit, GeometryErrors& geometry, AddedMass& out, Faults& faults,
-                 const AddedMassOptions& options, const Progress& report) {
+bool solve_solid(const Mesh& unit, Matrix6& geometry, AddedMass& out, Faults& faults, const AddedMassOptions& options,
+                 const Progress& report) {
     const CurvedSurface surface = restore_curved_volume(unit);
     return solve_surface(surface.mesh, closed_basis(surface.mesh), &surface, geometry, out, faults, options, report);
 }
@@ -440,10 +425,9 @@ bool compute_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMa
     const Progress report = or_nothing(progress);
     double size = 0.0;
     const Mesh unit = scale_to_unit(mesh, centre, size);
-    GeometryErrors geometry;
+    Matrix6 geometry = Matrix6::Zero();
     Faults found;
     const bool good = solve_solid(unit, geometry, out, found, options, [&](double f) { report(first_share * f); });
-    const Matrix6 reading = geometry.reading; // of the mesh as it is given
     if (good && mesh.faces.size() < max_refined_panels && !is_good(out)) {
         const Mesh fine = refine(unit);
         AddedMass better;
@@ -458,7 +442,6 @@ bool compute_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMa
     }
     faults.insert(faults.end(), found.begin(), found.end());
     if (!good) return false;
-    out.error += reading;
     scale_to_size(size, out);
     report(1.0);
     return true;
@@ -467,49 +450,13 @@ bool compute_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMa
 bool compute_sheet_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, const Refinement& refinement,
                               AddedMass& out, Faults& faults, const Progress& progress,
                               const AddedMassOptions& options) {
-    // Of the cells in which details are merged, over the radius of the body.
-    constexpr double first_cell = 0.004, largest_cell = 0.25, growth = 1.5;
     if (!check_size(mesh, faults)) return false;
-    const Progress report = or_nothing(progress);
-    double size = 0.0, shown = 0.0;
-    const Mesh whole = scale_to_unit(mesh, centre, size);
-    const auto solve = [&](const Mesh& unit, AddedMass& result, Faults& found) {
-        GeometryErrors geometry;
-        const double from = shown;
-        return solve_surface(unit, sheet_basis(unit), nullptr, geometry, result, found, options, [&](double f) {
-            shown = std::max(shown, from + 0.7 * (1.0 - from) * f);
-            report(shown);
-        });
-    };
-    const auto coarse = [&](double cell) { return refine_sheet(merge_cells(whole, cell), refinement); };
-    Mesh unit = refine_sheet(whole, refinement);
-    double cell = 0.0;
-    Faults found, refused;
-    while (!is_cheap_sheet(unit) || !solve(unit, out, found)) {
-        if (refused.empty()) refused = found; // what is wrong with the mesh itself
-        found.clear();
-        cell = cell > 0.0 ? growth * cell : first_cell;
-        if (cell < largest_cell) unit = coarse(cell);
-        if (cell < largest_cell && !unit.faces.empty()) continue;
-        if (refused.empty()) return refuse_needles(faults);
-        faults.insert(faults.end(), refused.begin(), refused.end());
+    double size = 0.0;
+    const Mesh unit = refine_sheet(scale_to_unit(mesh, centre, size), refinement);
+    Matrix6 geometry = Matrix6::Zero();
+    if (!solve_surface(unit, sheet_basis(unit), nullptr, geometry, out, faults, options, or_nothing(progress)))
         return false;
-    }
-    if (cell > 0.0) {
-        // The error falls at least in proportion to the cells.
-        AddedMass coarser;
-        const Mesh other = coarse(2.0 * cell);
-        Faults ignored;
-        const bool compared = !other.faces.empty() && is_cheap_sheet(other) && solve(other, coarser, ignored);
-        out.error += compared ? Matrix6((out.value - coarser.value).cwiseAbs()) : Matrix6(out.value.cwiseAbs());
-        found.push_back({FaultId::mesh_ill_conditioned, Severity::warning, "mesh",
-                         "For the added mass, details closer to each other than " + shortest(cell * size) +
-                             " m were merged: together they cost too much, or cannot be told apart.",
-                         "None needed: the report has the errors. Fewer needles and layers make them smaller."});
-    }
-    faults.insert(faults.end(), found.begin(), found.end());
     scale_to_size(size, out);
-    report(1.0);
     return true;
 }
 } // namespace lr::baker

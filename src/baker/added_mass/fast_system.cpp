@@ -10,8 +10,7 @@ namespace {
 
 // The error of the energy, which gives the added mass, is the square of this.
 constexpr double tolerance = 1e-6;
-// Sheets of which no number of iterations makes an end, because layers nearly coincide, are solved again with these merged.
-constexpr std::size_t max_iterations = 500, max_sheet_iterations = 100;
+constexpr std::size_t max_iterations = 500;
 // Degree of the expansions for the coarse matrix; higher degrees change the number of iterations by one.
 constexpr std::size_t coarse_order = 3;
 } // namespace
@@ -70,8 +69,7 @@ bool FastSystem::solve(const RigidModes& right, const std::function<void(double)
                                         patches_->apply(r, z);
                                         coarse_->add(r, z);
                                     },
-                                    to_tree(right), tolerance, basis_.sheet ? max_sheet_iterations : max_iterations,
-                                    progress, solution);
+                                    to_tree(right), tolerance, max_iterations, progress, solution);
     out = {from_tree(solution.value, 6), solution.iterations, solution.residual, solution.condition};
     return solved;
 }

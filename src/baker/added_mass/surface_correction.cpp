@@ -1,7 +1,5 @@
 #include "baker/added_mass/surface_correction.h"
 
-#include "baker/mesh/half_edges.h"
-
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
@@ -12,8 +10,6 @@
 namespace lr::baker {
 namespace {
 
-// Neighbours whose normals differ by less, 0.6 degrees, are one facet.
-constexpr double coplanar_cosine = 0.99995;
 // Largest motion of a vertex over its shortest edge: a limit for meshes that are rough instead of curved.
 constexpr double max_share = 0.1;
 
@@ -26,8 +22,8 @@ class Correction {
 public:
     explicit Correction(const Mesh& mesh)
         : mesh_(mesh), area_(mesh.faces.size()), normal_(mesh.faces.size()), corner_normal_(mesh.faces.size()),
-          facet_(mesh.faces.size(), 0), offset_(mesh.faces.size()), turn_(mesh.faces.size(), 0.0),
-          start_(mesh.vertices.size() + 1, 0), corners_(3 * mesh.faces.size()) {
+          offset_(mesh.faces.size()), turn_(mesh.faces.size(), 0.0), start_(mesh.vertices.size() + 1, 0),
+          corners_(3 * mesh.faces.size()) {
         for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
             const Face& f = mesh.faces[i];
             const Eigen::Vector3d twice = (at(f[1]) - at(f[0])).cross(at(f[2]) - at(f[0]));
@@ -39,12 +35,6 @@ public:
         std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
         for (uint32_t i = 0; i < mesh.faces.size(); ++i)
             for (uint32_t k = 0; k < 3; ++k) corners_[next[mesh.faces[i][k]]++] = {i, k};
-        const std::vector<HalfEdge> halves = sorted_half_edges(mesh);
-        for (std::size_t i = 1; i < halves.size(); ++i) {
-            const uint32_t f = halves[i - 1].face, g = halves[i].face;
-            if (same_edge(halves[i - 1], halves[i]) && normal_[f].dot(normal_[g]) > coplanar_cosine)
-                facet_[f] = facet_[g] = 1;
-        }
     }
 
     std::vector<std::array<CornerNormal, 3>> normals() {
@@ -101,8 +91,7 @@ private:
         int shared = 0;
         for (const uint32_t a : mesh_.faces[f])
             for (const uint32_t b : mesh_.faces[g]) shared += a == b;
-        const double crease = facet_[f] || facet_[g] ? facet_crease_cosine : crease_cosine;
-        return shared >= 2 && normal_[f].dot(normal_[g]) > crease;
+        return shared >= 2 && normal_[f].dot(normal_[g]) > crease_cosine;
     }
 
     // A surface with second fundamental form II is above its triangle by 1/2 sum lambda_a lambda_b II(e_ab, e_ab), on average
@@ -145,7 +134,6 @@ private:
     std::vector<double> area_;
     std::vector<Eigen::Vector3d> normal_;
     std::vector<std::array<CornerNormal, 3>> corner_normal_;
-    std::vector<char> facet_; // has a coplanar neighbour
     std::vector<double> offset_;
     std::vector<double> turn_;
     std::vector<std::size_t> start_;

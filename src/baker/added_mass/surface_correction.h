@@ -9,9 +9,6 @@ namespace lr::baker {
 // 1:10 ellipsoid of 1280 triangles still counts as curved, a box does not, and no regular prism or polyhedron is so close that
 // rounding would decide.
 constexpr double crease_cosine = 0.407;
-// 35 degrees, the same beside a face with a coplanar neighbour: such faces are facets, and only finer ones (prisms of 11 sides and more) stand
-// for a curved surface. Chamfers of boxes are at 45.
-constexpr double facet_crease_cosine = 0.819;
 
 // The shortest motion with offset s along each normal n, in the least squares sense: normal_matrix = sum n n^T,
 // right = sum n s. Zero in directions that the normals hardly determine.
