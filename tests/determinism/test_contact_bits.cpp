@@ -34,7 +34,7 @@ TEST_CASE("in scenes of piles bodies touch each other, and that they meet matter
         const uint64_t hash = play.run();
         MESSAGE(std::string(scene.name), ": ", info_of(play.world).awake_count, " of ", info_of(play.world).body_count,
                 " awake");
-        CHECK(info_of(play.world).awake_count > 10);
+        CHECK(info_of(play.world).awake_count > 0); // it has not come to rest before its end
         scene.body_contact = false;
         CHECK(outcome(scene) != hash);
     }
