@@ -132,7 +132,7 @@ class Baking(unittest.TestCase):
         bad = WORK / "bad.obj"
         bad.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
         with self.assertRaises(lr.BakeError) as caught:
-            lr.bake(bad, WORK / "bad.lrb")
+            lr.bake(bad, WORK / "bad.lrb", strict=True)
         self.assertEqual(caught.exception.returncode, 1)
         fault = caught.exception.faults[0]
         self.assertEqual((fault.number, fault.what), (206, "The surface has a boundary edge."))
