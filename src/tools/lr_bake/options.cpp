@@ -259,7 +259,7 @@ void read_thickness(const CLI::App& command, const Texts& texts, BakeOptions& o)
 void read_sheet_options(const CLI::App& command, const Texts& texts, BakeOptions& o) {
     const bool thick = command.count("--thickness") > 0;
     if (command.count("--sheet") == 0) {
-        if (thick) o.thickness = parse_number<double>(texts.thickness, "--thickness");
+        if (thick) o.thickness = parse_length(texts.thickness, "--thickness", o.unit);
         return;
     }
     if (!thick && command.count("--areal-density") == 0) {

@@ -28,6 +28,15 @@ double mass_of(const std::string& asset) {
 
 } // namespace
 
+TEST_CASE("lr_bake: open parts take --thickness with a unit of its own") {
+    const Scratch scratch;
+    const std::string mesh = scratch.write("open.obj", "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nf 1 2 3\n");
+    const std::string a = scratch.path("a.lrb"), b = scratch.path("b.lrb");
+    REQUIRE(lr_bake({"mesh", mesh, "-o", a, "--thickness", "0.2mm"}).exit_code == 0);
+    REQUIRE(lr_bake({"mesh", mesh, "-o", b, "--thickness", "0.0002"}).exit_code == 0);
+    CHECK(mass_of(a) == doctest::Approx(mass_of(b)));
+}
+
 TEST_CASE("lr_bake: --size gives a mesh its length, whatever its unit") {
     const Scratch scratch;
     const std::string mesh = scratch.write("body.obj", test::obj_text(test::ellipsoid(30.0, 24.0, 18.0, 2)));
