@@ -35,13 +35,16 @@ bool BodyContactStep::in_question(const BodyContactBatch& member, uint32_t index
 bool BodyContactStep::find_shelter(uint32_t substep) {
     BodyContactBuffers& c = *buffers_;
     if (!grow(world_->allocator, c.hidden, body_count_)) return false;
-    std::fill_n(c.hidden.data(), body_count_, Hidden{});
     const bool field = world_->wind.active();
+    bool any = field;
+    for (uint32_t m = 0; m < member_count_; ++m) any = any || blows(c.members[m].item.batch->step);
+    if (any) std::fill_n(c.hidden.data(), body_count_, Hidden{});
     const auto asks = [&](uint32_t body) {
         const BodyContactBatch& member = member_of(body);
         return (field || blows(member.item.batch->step)) && in_question(member, body - member.first, substep);
     };
-    workers_.run(body_count_, 128, [&](uint32_t begin, uint32_t end) {
+    const uint32_t finders = any ? body_count_ : 0; // without wind there is nothing to find
+    workers_.run(finders, 128, [&](uint32_t begin, uint32_t end) {
         for (uint32_t i = c.first_pair[begin]; i < c.first_pair[end]; ++i) {
             const uint32_t pair[2] = {c.pairs[i].a, c.pairs[i].b};
             for (uint32_t k = 0; k < 2; ++k) {
