@@ -2,7 +2,7 @@
 // the ground.
 #pragma once
 
-#include "langevin_rigid.h"
+#include "bench/scene_parts.h"
 #include "langevin_rigid_baker.hpp"
 #include "support/heap_quality.h"
 
@@ -83,16 +83,10 @@ private:
         if (rate_ > 0.0) // has fallen since its time, within this step
             d.position[1] = source_.low - source_.speed * static_cast<float>(time_ - (i + 1) / rate_);
         else
-            d.position[1] = source_.low + source_.level * (static_cast<float>(level) + 0.4f * value(i, 4));
+            d.position[1] = source_.low + source_.level * (static_cast<float>(level) + 0.4f * hashed(i, 4));
         d.linear_velocity[1] = -source_.speed;
-        for (uint32_t k = 0; k < 4; ++k) d.orientation[k] = value(i, k) - 0.5f; // normalised by the call
+        for (uint32_t k = 0; k < 4; ++k) d.orientation[k] = hashed(i, k) - 0.5f; // normalised by the call
         return d;
-    }
-    static float value(uint32_t a, uint32_t b) { // 0 to 1
-        uint32_t h = a * 0x9e3779b1u ^ b * 0x85ebca77u;
-        h = (h ^ h >> 15) * 0x2c1b3c6du;
-        h = (h ^ h >> 12) * 0x297a2d39u;
-        return static_cast<float>((h ^ h >> 15) >> 8) * 0x1p-24f;
     }
 
     Source source_{};
@@ -130,7 +124,7 @@ public:
         return lr_batch_set_contact(world_, batch_, &contact) == LR_OK;
     }
     bool add_ground() {
-        const lr_collider_desc ground = collider(LR_COLLIDER_PLANE, 0.0f, 0.0f, 0.0f);
+        const lr_collider_desc ground = collider_at(LR_COLLIDER_PLANE, 0.0f, 0.0f, 0.0f);
         return lr_collider_create(world_, &ground, 1, nullptr) == LR_OK;
     }
     bool set_body_contact() { return lr_batch_set_body_contact(world_, batch_, batch_, 1) == LR_OK; }
@@ -139,8 +133,9 @@ public:
         constexpr int across = 6;
         for (int i = 0; i < across * across; ++i) {
             const float pitch = 2.0f * half_side / across;
-            lr_collider_desc d = collider(LR_COLLIDER_BOX, pitch * (static_cast<float>(i % across) + 0.5f) - half_side,
-                                          0.15f, pitch * (static_cast<float>(i / across) + 0.5f) - half_side);
+            lr_collider_desc d =
+                collider_at(LR_COLLIDER_BOX, pitch * (static_cast<float>(i % across) + 0.5f) - half_side, 0.15f,
+                            pitch * (static_cast<float>(i / across) + 0.5f) - half_side);
             d.size[0] = 0.5f, d.size[1] = 0.2f, d.size[2] = 0.3f;
             d.orientation[0] = 0.2f * static_cast<float>(i % 3), d.orientation[1] = 0.1f * static_cast<float>(i % 5);
             if (lr_collider_create(world_, &d, 1, nullptr) != LR_OK) return false;
@@ -162,7 +157,7 @@ public:
     // A capsule of 1.72 m that walks along x at 1.4 m/s, from half a metre before the square to half a metre behind it.
     bool add_walker(float half_side) {
         from_ = -half_side - 0.5f;
-        lr_collider_desc d = collider(LR_COLLIDER_CAPSULE, from_, walker_y, 0.0f);
+        lr_collider_desc d = collider_at(LR_COLLIDER_CAPSULE, from_, walker_y, 0.0f);
         d.size[0] = 0.24f, d.size[1] = 0.62f;
         return lr_collider_create(world_, &d, 1, &walker_) == LR_OK;
     }
@@ -214,14 +209,6 @@ public:
 
 private:
     static constexpr float walker_y = 0.87f;
-
-    static lr_collider_desc collider(int32_t kind, float x, float y, float z) {
-        lr_collider_desc d;
-        lr_collider_desc_init(&d, sizeof d);
-        d.kind = kind;
-        d.position[0] = x, d.position[1] = y, d.position[2] = z;
-        return d;
-    }
 
     lr_world* world_ = nullptr;
     lr_batch batch_{};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "bench/leaf_asset.h"
+#include "bench/scene_parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,11 +73,11 @@ public:
         for (uint32_t k = 0; k < samples; ++k)
             for (uint32_t i = 0; i < samples; ++i)
                 heights[i + samples * k] = -0.5f * smooth(i, k, 16) - 0.1f * smooth(i, k, 4);
-        lr_collider_desc field = collider(LR_COLLIDER_HEIGHTFIELD, -0.5f * side, 0.0f, -0.5f * side);
+        lr_collider_desc field = collider_at(LR_COLLIDER_HEIGHTFIELD, -0.5f * side, 0.0f, -0.5f * side);
         field.counts[0] = field.counts[1] = samples;
         field.spacing[0] = field.spacing[1] = cell;
         field.heights = heights.data();
-        lr_collider_desc below = collider(LR_COLLIDER_PLANE, 0.0f, -2.0f, 0.0f);
+        lr_collider_desc below = collider_at(LR_COLLIDER_PLANE, 0.0f, -2.0f, 0.0f);
         if (lr_collider_create(world_, &field, 1, nullptr) != LR_OK ||
             lr_collider_create(world_, &below, 1, nullptr) != LR_OK)
             return false;
@@ -89,9 +90,10 @@ public:
         constexpr int32_t kinds[] = {LR_COLLIDER_SPHERE, LR_COLLIDER_CAPSULE, LR_COLLIDER_BOX, LR_COLLIDER_HULL,
                                      LR_COLLIDER_MESH};
         for (uint32_t n = 0; n < solids; ++n) {
-            lr_collider_desc d = collider(kinds[n % 5], side * (value(n, 1) - 0.5f), 0.2f, side * (value(n, 2) - 0.5f));
-            for (size_t k = 0; k < 4; ++k) d.orientation[k] = value(n, 3 + static_cast<uint32_t>(k)) - 0.5f;
-            for (float& size : d.size) size = 0.2f + 0.4f * value(n, 7);
+            lr_collider_desc d =
+                collider_at(kinds[n % 5], side * (hashed(n, 1) - 0.5f), 0.2f, side * (hashed(n, 2) - 0.5f));
+            for (size_t k = 0; k < 4; ++k) d.orientation[k] = hashed(n, 3 + static_cast<uint32_t>(k)) - 0.5f;
+            for (float& size : d.size) size = 0.2f + 0.4f * hashed(n, 7);
             if (turning && n % 10 == 3) d.angular_velocity[1] = 1.0f;
             d.vertices = d.kind == LR_COLLIDER_HULL ? wedge : roof;
             d.vertex_count = 6;
@@ -103,7 +105,7 @@ public:
     }
 
     bool add_walker() {
-        lr_collider_desc d = collider(LR_COLLIDER_CAPSULE, walker_x(0), walker_y, 0.0f);
+        lr_collider_desc d = collider_at(LR_COLLIDER_CAPSULE, walker_x(0), walker_y, 0.0f);
         d.size[0] = 0.35f, d.size[1] = 0.5f;
         return lr_collider_create(world_, &d, 1, &walker_) == LR_OK;
     }
@@ -139,19 +141,6 @@ private:
     static constexpr float walker_y = 0.4f;
     static float walker_x(int step) { return -0.3f * side + 1.4f * step_seconds * static_cast<float>(step); }
 
-    static lr_collider_desc collider(int32_t kind, float x, float y, float z) {
-        lr_collider_desc d;
-        lr_collider_desc_init(&d, sizeof d);
-        d.kind = kind;
-        d.position[0] = x, d.position[1] = y, d.position[2] = z;
-        return d;
-    }
-    static float value(uint32_t a, uint32_t b) { // 0 to 1
-        uint32_t h = a * 0x9e3779b1u ^ b * 0x85ebca77u;
-        h = (h ^ h >> 15) * 0x2c1b3c6du;
-        h = (h ^ h >> 12) * 0x297a2d39u;
-        return static_cast<float>((h ^ h >> 15) >> 8) * 0x1p-24f;
-    }
     // Interpolates values on a lattice of this many samples.
     static float smooth(uint32_t i, uint32_t k, uint32_t width) {
         const auto part = [width](uint32_t at) {
@@ -160,7 +149,7 @@ private:
         };
         const uint32_t a = i / width, b = k / width;
         const float u = part(i), w = part(k);
-        const auto at = [&](uint32_t x, uint32_t z) { return value(x + 977 * width, z); };
+        const auto at = [&](uint32_t x, uint32_t z) { return hashed(x + 977 * width, z); };
         return (1.0f - w) * ((1.0f - u) * at(a, b) + u * at(a + 1, b)) +
                w * ((1.0f - u) * at(a, b + 1) + u * at(a + 1, b + 1));
     }
