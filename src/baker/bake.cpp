@@ -8,6 +8,7 @@
 #include "baker/aerodynamics/principal_axes.h"
 #include "baker/aerodynamics/stations.h"
 #include "baker/bake_input.h"
+#include "baker/fault_text.h"
 #include "baker/file_faults.h"
 #include "baker/mesh/body_parts.h"
 #include "baker/mesh/convex_hull.h"
@@ -16,6 +17,7 @@
 #include "baker/mesh/mesh_check.h"
 #include "baker/mesh/solid_region.h"
 #include "baker/printable_text.h"
+#include "baker/size_warning.h"
 #include "baker/turbulence/stream_body.h"
 #include "baker/turbulence/turbulence.h"
 
@@ -25,7 +27,6 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <new>
 
 namespace lr::baker {
@@ -136,68 +137,16 @@ private:
         return {lengths[0] / n, lengths[1] / n, lengths[2] / n};
     }
 
-    static Eigen::Vector3d box_of(const Mesh& mesh) {
-        Eigen::AlignedBox3d box;
-        for (const Face& f : mesh.faces)
-            for (const uint32_t i : f) box.extend(mesh.vertices[i]);
-        return box.isEmpty() ? Eigen::Vector3d(0.0, 0.0, 0.0) : Eigen::Vector3d(box.sizes());
-    }
-
     // Makes the largest side of the bounding box as long as options.size.
     bool resize() {
         if (!options_.size) return true;
-        const double side = box_of(mesh_).maxCoeff();
+        const double side = box_sides(mesh_).maxCoeff();
         size_scale_ = *options_.size / side;
         if (!(side > 0.0) || !std::isfinite(size_scale_) || !(size_scale_ > 0.0))
             return fail(faults_, FaultId::mesh_degenerate_face, options_.mesh_path,
                         "All of the mesh lies in one point.", "Export the mesh again.");
         for (Eigen::Vector3d& v : mesh_.vertices) v *= size_scale_;
         return true;
-    }
-
-    // A body of 60 m that was modelled in centimetres falls like a house, not like a leaf.
-    void warn_of_size() {
-        if (options_.semi_axes || options_.card) return;
-        const double size = solid_.extents.maxCoeff();
-        const bool far_off = !(size >= 1e-3 && size <= 2.0);
-        const bool odd = out_.mass > 1e3 || out_.mass < 1e-10 || out_.u0 > 150.0;
-        if (!far_off && !odd) return;
-        const auto round3 = [](double x) {
-            char text[32];
-            std::snprintf(text, sizeof text, "%.3g", x);
-            return std::string(text);
-        };
-        const auto length = [&](double metres) {
-            const bool long_one = metres >= 1.0, middle = metres >= 0.01;
-            return round3(metres * (long_one ? 1.0
-                                    : middle ? 100.0
-                                             : 1000.0)) +
-                   (long_one ? "m"
-                    : middle ? "cm"
-                             : "mm");
-        };
-        const double side = options_.size ? *options_.size : side_;
-        std::string remedy;
-        const auto offer = [&](double factor, const char* cause) {
-            const double other = side * factor;
-            if (other < 2e-3 || other > 2.0) return;
-            remedy += (remedy.empty() ? "Give --size " : ", --size ") + length(other) + " if " + cause;
-        };
-        if (!options_.size && size > 0.1) {
-            offer(0.01, "it was modelled in centimetres");
-            offer(0.001, "in millimetres");
-            offer(0.0254, "in inches");
-        } else if (!options_.size) {
-            offer(1000.0, "its lengths were divided by a thousand");
-            offer(100.0, "by a hundred");
-        }
-        remedy += remedy.empty()
-                      ? "Give its true length, as in --size 20cm, or another --density; nothing if it is right."
-                      : "; nothing if it is right.";
-        faults_.push_back({FaultId::parameter_implausible, Severity::warning, "size",
-                           "The body is " + length(side) + " long, weighs " + round3(out_.mass) +
-                               " kg and falls at about " + round3(out_.u0) + " m/s.",
-                           remedy});
     }
 
     bool make_ellipsoid() {
@@ -221,7 +170,7 @@ private:
 
     bool read() {
         if (!read_input(options_, mesh_, input_, faults_) || !resize()) return false;
-        side_ = box_of(mesh_).maxCoeff();
+        side_ = box_sides(mesh_).maxCoeff();
         out_.provenance.source = source_name(options_);
         return true;
     }
@@ -240,16 +189,13 @@ private:
         if (as_modelled(checked, found) || std::none_of(found.begin(), found.end(), repairable)) {
             mesh_ = std::move(checked);
             faults_.insert(faults_.end(), found.begin(), found.end());
-            return !std::any_of(found.begin(), found.end(), [](const Fault& f) {
-                return f.severity == Severity::error;
-            }) && (!is_sheet() || set_thickness(mesh_, mesh_.faces));
+            return !has_error(found) && (!is_sheet() || set_thickness(mesh_, mesh_.faces));
         }
         if (!find_parts(mesh_, parts_, faults_)) return false;
         if (is_sheet()) parts_.solid_faces = 0;
         mesh_ = parts_.mesh;
         if (parts_.solid_faces == 0) {
             sheet_ = true;
-            found.clear();
             if (!check_sheet(mesh_, faults_)) return false;
             return set_thickness(mesh_, mesh_.faces);
         }
@@ -588,7 +534,8 @@ private:
             faults_.push_back({FaultId::parameter_not_denser, Severity::warning, "density",
                                "The body is as dense as its fluid: it has no fall speed, which scales the turbulence.",
                                "None needed if it shall float; else check --density and --fluid."});
-        warn_of_size();
+        if (!options_.semi_axes && !options_.card)
+            warn_of_size({solid_.extents.maxCoeff(), side_, options_.size, out_.mass, out_.u0}, faults_);
         // Replaces -0 by 0, for readers of the report.
         for (double& c : out_.center_of_buoyancy) c += 0.0;
         for (double& c : out_.added_mass) c += 0.0;
@@ -632,67 +579,6 @@ double units_per_metre(Unit unit) {
 const char* unit_name(Unit unit) {
     const char* const names[] = {"m", "cm", "mm", "file"};
     return names[static_cast<std::size_t>(unit)];
-}
-
-std::string canonical_options(const BakeOptions& o) {
-    std::string text = o.semi_axes ? "ellipsoid" : o.card ? "card" : "mesh";
-    const auto add = [&](const char* before, const auto& numbers) {
-        text += before;
-        char separator = ' ';
-        for (const auto n : numbers) {
-            text += separator;
-            text += shortest(n);
-            separator = ',';
-        }
-    };
-    const auto add_one = [&](const char* before, double number) { add(before, std::array{number}); };
-    if (o.semi_axes)
-        for (const double a : *o.semi_axes) add_one("", a);
-    text += " --unit ";
-    const bool same_as_metres = o.unit == Unit::file && (o.semi_axes || !declares_unit(o.mesh_path));
-    text += unit_name(same_as_metres ? Unit::m : o.unit);
-    if (!o.semi_axes && o.up != UpAxis::z) text += std::string(" --up ") + up_name(o.up);
-    if (!o.semi_axes && o.mesh) text += " --mesh " + valid_utf8(*o.mesh);
-    if (!o.semi_axes && o.card) {
-        add_one(" --width", o.card->width);
-        if (!o.card->mask_path.empty())
-            text += " --mask FILE";
-        else if (o.card->channel == MaskChannel::luminance)
-            text += " --mask luminance";
-        if (o.card->channel == MaskChannel::key) {
-            text += " --key #";
-            for (const uint8_t part : o.card->key)
-                for (const int digit : {part / 16, part % 16}) text += "0123456789abcdef"[digit];
-        }
-        add_one(" --alpha", o.card->alpha);
-        add_one(" --triangles", static_cast<double>(o.card->triangles));
-        if (o.card->all_pieces) text += " --piece all";
-        if (o.card->piece) text += " --piece " + std::to_string(*o.card->piece);
-        add_one(" --speck", o.card->speck);
-    }
-    if (!o.semi_axes && o.strict) text += " --strict";
-    if (!o.semi_axes && o.thickness) add_one(" --thickness", *o.thickness);
-    if (!o.semi_axes && o.sheet && o.sheet->thickness == choose_thickness)
-        text += " --sheet";
-    else if (!o.semi_axes && o.sheet)
-        add_one(o.card ? " --thickness" : " --sheet --thickness", o.sheet->thickness);
-    if (!o.semi_axes && o.sheet && o.sheet->areal_density)
-        add_one(" --areal-density", *o.sheet->areal_density);
-    else
-        add_one(" --density", o.density);
-    add(" --fluid", std::array{o.fluid_density, o.fluid_viscosity});
-    add(" --grid", o.cells);
-    add_one(" --intensity", o.intensity);
-    if (o.wake) text += " --wake";
-    if (o.stations != most_stations) add_one(" --stations", o.stations);
-    if (o.size) text += " --size " + shortest(*o.size) + "m";
-    if (o.center_of_mass) add(" --center-of-mass", *o.center_of_mass);
-    if (o.mass) text += " --mass-from " + mass_name(o);
-    if (o.name) {
-        text += " --name ";
-        text += valid_utf8(*o.name);
-    }
-    return text;
 }
 
 bool bake(const BakeOptions& options, AssetData& out, Faults& faults, BakeTimings* timings,

@@ -98,7 +98,7 @@ void hide(const PairHull& hull, float scale, const Pose& at, const PairHull& by,
     for (uint32_t k = 0; k < face_points; ++k) {
         LinePart part{-half, half};
         if (!crosses(by, by_scale, lines[k], part)) continue;
-        // One that reaches through the middle plane hides the side that most of it is on.
+        // A body that reaches through the middle plane hides the side on which most of it lies.
         (part.first + part.last > 0.0f ? hidden.above : hidden.below) |= 1u << k;
     }
 }

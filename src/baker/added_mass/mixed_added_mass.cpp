@@ -1,5 +1,6 @@
 #include "baker/added_mass/mixed_added_mass.h"
 
+#include "baker/mesh/mesh_check.h"
 #include "baker/mesh/solid_region.h"
 
 #include <Eigen/Eigenvalues>
@@ -15,7 +16,7 @@ namespace {
 constexpr std::size_t most_faces[] = {5000, 2500, 1000, 400};
 // With the strips that refine its free rims: what a dense matrix holds.
 constexpr std::size_t most_panels = 8000;
-constexpr double needle = 1e-4; // height over longest side, of a face that coarser meshes do without
+constexpr double needle = 1e-4; // face_shape() of faces that coarser meshes do without
 constexpr double trapped_error =
     0.05;                            // of the trapped fluid's inertia: a box of 48 cells has 1 to 2 %, thin walls more
 constexpr double coarse_error = 2.0; // relative, times the size of the cubes over that of the body
@@ -25,13 +26,6 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 Eigen::Vector3d normal_of(const Mesh& mesh, const Face& f) {
     const Eigen::Vector3d& a = mesh.vertices[f[0]];
     return (mesh.vertices[f[1]] - a).cross(mesh.vertices[f[2]] - a).normalized();
-}
-
-bool is_needle(const Mesh& mesh, const Face& f) {
-    if (f[0] == f[1] || f[1] == f[2] || f[2] == f[0]) return true;
-    const Eigen::Vector3d a = mesh.vertices[f[1]] - mesh.vertices[f[0]], b = mesh.vertices[f[2]] - mesh.vertices[f[0]];
-    const double longest = std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()});
-    return !(a.cross(b).norm() > needle * longest);
 }
 
 // The surface to solve.
@@ -48,7 +42,7 @@ Shell make_shell(const BodyParts& parts, std::size_t most, bool coarsen) {
     shell.skin = outer_skin(shell.parts).mesh;
     if (shell.cube > 0.0)
         shell.skin.faces.erase(std::remove_if(shell.skin.faces.begin(), shell.skin.faces.end(),
-                                              [&](const Face& f) { return is_needle(shell.skin, f); }),
+                                              [&](const Face& f) { return !(face_shape(shell.skin, f) > needle); }),
                                shell.skin.faces.end());
     shell.skin.faces = without_copies(shell.skin.faces);
     drop_unused_vertices(shell.skin);

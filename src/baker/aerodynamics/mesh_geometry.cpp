@@ -20,16 +20,6 @@ struct Skin {
     double sides;
 };
 
-double largest_extent(const Mesh& mesh) {
-    Eigen::Vector3d low = mesh.vertices[mesh.faces[0][0]], high = low;
-    for (const Face& f : mesh.faces)
-        for (const uint32_t v : f) {
-            low = low.cwiseMin(mesh.vertices[v]);
-            high = high.cwiseMax(mesh.vertices[v]);
-        }
-    return (high - low).maxCoeff();
-}
-
 shape::SurfaceMeasures::Point to_point(const Eigen::Vector3d& v) {
     return {v[0], v[1], v[2]};
 }
@@ -135,7 +125,7 @@ shape::AerodynamicGeometry measure(const std::vector<Skin>& skin, double size, c
 
 shape::AerodynamicGeometry mesh_geometry(const Mesh& mesh, const std::array<double, 9>& axes,
                                          const Eigen::Vector3d& centre) {
-    return measure(faces_of(mesh, 1.0), largest_extent(mesh), axes, centre);
+    return measure(faces_of(mesh, 1.0), box_sides(mesh).maxCoeff(), axes, centre);
 }
 
 shape::AerodynamicGeometry sheet_geometry(const Mesh& mesh, double thickness, const std::array<double, 9>& axes,
@@ -143,6 +133,6 @@ shape::AerodynamicGeometry sheet_geometry(const Mesh& mesh, double thickness, co
     std::vector<Skin> skin = faces_of(mesh, 2.0);
     for (std::size_t i = 0; i < solid_faces; ++i) skin[i].sides = 1.0;
     add_rim(mesh, solid_faces, thickness, skin);
-    return measure(skin, largest_extent(mesh), axes, centre);
+    return measure(skin, box_sides(mesh).maxCoeff(), axes, centre);
 }
 } // namespace lr::baker

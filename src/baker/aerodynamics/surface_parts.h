@@ -20,8 +20,8 @@ struct Facet {
 };
 using Part = std::vector<Facet>;
 
-// The first `solid_faces` faces have one side, the others `sides`.
-Part part_of(const Mesh& mesh, double sides, std::size_t solid_faces = 0);
+// The first `solid_faces` faces have one side, the others `sides_of_sheets`.
+Part part_of(const Mesh& mesh, double sides_of_sheets, std::size_t solid_faces = 0);
 
 // The sides below and above the plane direction.x = offset.
 std::pair<Part, Part> cut(const Part& part, const Eigen::Vector3d& direction, double offset);

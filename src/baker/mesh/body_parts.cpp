@@ -14,8 +14,6 @@
 namespace lr::baker {
 namespace {
 
-// A flatter triangle (height over longest side) has no usable normal; as in mesh_check.cpp.
-constexpr double no_area = 1e-9;
 // Of the largest extent: vertices at open edges that belong together, in files with few digits.
 constexpr double weld = 1e-5;
 constexpr double crack = 1e-6;
@@ -56,12 +54,7 @@ private:
     Eigen::Vector3d twice_area(const Face& f) const { return (at(f[1]) - at(f[0])).cross(at(f[2]) - at(f[0])); }
     double area(const Face& f) const { return 0.5 * twice_area(f).norm(); }
 
-    bool is_flat(const Face& f) const {
-        if (f[0] == f[1] || f[1] == f[2] || f[2] == f[0]) return true;
-        const Eigen::Vector3d a = at(f[1]) - at(f[0]), b = at(f[2]) - at(f[0]);
-        const double side = std::sqrt(std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()}));
-        return !(side > 0.0) || !((a / side).cross(b / side).norm() > no_area);
-    }
+    bool is_flat(const Face& f) const { return !(face_shape(mesh_, f) > degenerate_shape); }
 
     std::size_t drop_flat() {
         const std::size_t before = mesh_.faces.size();
@@ -125,7 +118,7 @@ private:
         return sum;
     }
 
-    // What is solid of a part: with its walls, and without them.
+    // Looks for a closed surface in a part, with its walls and without them; the larger one is its solid.
     void sort_out(const std::vector<uint32_t>& part, std::vector<Face>& solids, std::vector<Face>& sheets) {
         std::vector<Face> all, bare, walls;
         for (const uint32_t i : part) {

@@ -9,6 +9,8 @@
 #include "baker/mesh/unknown_file.h"
 #include "baker/printable_text.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -270,6 +272,13 @@ MeshReadOptions only_scale(double unit_scale) {
     return options;
 }
 } // namespace
+
+Eigen::Vector3d box_sides(const Mesh& mesh) {
+    Eigen::AlignedBox3d box;
+    for (const Face& f : mesh.faces)
+        for (const uint32_t i : f) box.extend(mesh.vertices[i]);
+    return box.isEmpty() ? Eigen::Vector3d(0.0, 0.0, 0.0) : Eigen::Vector3d(box.sizes());
+}
 
 Eigen::Matrix3d up_rotation(UpAxis up) {
     Eigen::Matrix3d r;

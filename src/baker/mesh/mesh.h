@@ -51,6 +51,9 @@ constexpr double join_tolerance = 1e-7;
 // Whether files with this extension state their unit.
 bool declares_unit(const std::string& path_utf8);
 
+// Of the bounding box of all faces, m; zero without faces.
+Eigen::Vector3d box_sides(const Mesh& mesh);
+
 // Reads any format of assimp. OBJ, PLY and OFF have readers of our own: double precision, line numbers in faults, no endless loop
 // on damaged files as in assimp 5.2 for PLY. Applies node transforms, triangulates polygons, joins coincident vertices. Changes
 // are warnings; false and an error if the mesh is unusable. files: if given, receives the file and the files that it

@@ -13,8 +13,6 @@
 namespace lr::baker {
 namespace {
 
-// A flatter triangle (height over longest side) has no usable normal in double precision.
-constexpr double degenerate_shape = 1e-9;
 // Volume over area^(3/2) below which the volume of a closed surface is rounding.
 constexpr double zero_volume_shape = 1e-9;
 // Largest distance of a vertex from an edge that it splits, over the largest extent. Positions in single precision have errors
@@ -176,14 +174,7 @@ private:
     bool check_shapes() {
         std::vector<uint32_t> bad;
         for (std::size_t i = 0; i < mesh_.faces.size(); ++i) {
-            const Face& face = mesh_.faces[i];
-            const Eigen::Vector3d a = corner(face, 1) - corner(face, 0);
-            const Eigen::Vector3d b = corner(face, 2) - corner(face, 0);
-            const double longest = std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()});
-            // twice the area over the longest side squared: scaled before the product so that tiny bodies pass
-            const double side = std::sqrt(longest);
-            const double shape = side > 0.0 ? (a / side).cross(b / side).norm() : 0.0;
-            if (!(shape > degenerate_shape)) bad.push_back(static_cast<uint32_t>(i));
+            if (!(face_shape(mesh_, mesh_.faces[i]) > degenerate_shape)) bad.push_back(static_cast<uint32_t>(i));
         }
         if (bad.empty()) return true;
         return error(FaultId::mesh_degenerate_face, name_faces(bad), "A face has no area: its corners are on one line.",
@@ -471,6 +462,13 @@ private:
     uint32_t component_count_ = 0;
 };
 } // namespace
+
+double face_shape(const Mesh& mesh, const Face& face) {
+    const Eigen::Vector3d& corner = mesh.vertices[face[0]];
+    const Eigen::Vector3d a = mesh.vertices[face[1]] - corner, b = mesh.vertices[face[2]] - corner;
+    const double side = std::sqrt(std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()}));
+    return side > 0.0 ? (a / side).cross(b / side).norm() : 0.0;
+}
 
 bool check_and_repair(Mesh& mesh, Faults& faults) {
     return Checker(mesh, faults).run();

@@ -10,6 +10,11 @@ namespace lr::baker {
 // defects are errors.
 bool check_and_repair(Mesh& mesh, Faults& faults);
 
+// Twice a face's area over its longest side squared; 0 if that side is 0. Scaled before the product, so that tiny bodies pass.
+double face_shape(const Mesh& mesh, const Face& face);
+// Triangles of a smaller shape have no usable normal.
+constexpr double degenerate_shape = 1e-9;
+
 // On success the mesh is finite, without degenerate faces, duplicates (with either winding) or unused vertices. Edges can be
 // open or have any number of faces, wound in any way.
 bool check_sheet(Mesh& mesh, Faults& faults);

@@ -1,5 +1,6 @@
 #include "tools/lr_bake/preview.h"
 
+#include "baker/length_text.h"
 #include "tools/encode_png.h"
 
 #include <Eigen/Geometry>
@@ -23,19 +24,6 @@ const Colour paper = from_srgb(252, 250, 245), black = from_srgb(44, 42, 40), gr
              station_dot = from_srgb(186, 78, 42), centre_dot = from_srgb(20, 20, 20);
 // Long, wide, thin.
 const std::array<Colour, 3> axis_inks{from_srgb(24, 104, 118), from_srgb(188, 134, 26), from_srgb(178, 44, 92)};
-
-std::string length_text(double metres) {
-    char text[32];
-    const bool long_one = metres >= 1.0, middle = metres >= 0.01;
-    std::snprintf(text, sizeof text, "%.3g %s",
-                  metres * (long_one ? 1.0
-                            : middle ? 100.0
-                                     : 1000.0),
-                  long_one ? "m"
-                  : middle ? "cm"
-                           : "mm");
-    return text;
-}
 
 // The principal axes by the body's extent along them, the longest first.
 struct Frame {

@@ -1,5 +1,6 @@
 #include "tools/lr_drop/paths_picture.h"
 
+#include "baker/length_text.h"
 #include "tools/encode_png.h"
 
 #include <Eigen/Eigenvalues>
@@ -52,19 +53,6 @@ double round_length(double most) {
     return most >= 5.0 * power ? 5.0 * power : most >= 2.0 * power ? 2.0 * power : power;
 }
 
-std::string length_text(double metres) {
-    char text[32];
-    const bool long_one = metres >= 1.0, middle = metres >= 0.01;
-    std::snprintf(text, sizeof text, "%g %s",
-                  metres * (long_one ? 1.0
-                            : middle ? 100.0
-                                     : 1000.0),
-                  long_one ? "m"
-                  : middle ? "cm"
-                           : "mm");
-    return text;
-}
-
 void centred(Picture& picture, Point at, double size, Colour colour, const std::string& text) {
     write_text(picture, {at.x - 0.5 * text_width(size, text), at.y}, size, colour, text);
 }
@@ -74,7 +62,7 @@ void scale_bar(Picture& picture, Point left, double scale, double most) {
     const Point end{left.x + bar * scale, left.y};
     picture.line(left, end, 2.0, black);
     for (const Point& p : {left, end}) picture.line({p.x, p.y - 5.0}, {p.x, p.y + 5.0}, 2.0, black);
-    centred(picture, {0.5 * (left.x + end.x), left.y - 11.0}, 13.0, black, length_text(bar));
+    centred(picture, {0.5 * (left.x + end.x), left.y - 11.0}, 13.0, black, length_text(bar, 6));
 }
 
 void circle(Picture& picture, Point centre, double radius, double thickness, Colour colour) {

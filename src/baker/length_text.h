@@ -1,0 +1,17 @@
+// Lengths for people to read.
+#pragma once
+
+#include <cstdio>
+#include <string>
+
+namespace lr {
+
+// "7 cm": in metres from 1 m on, in centimetres from 1 cm on, else in millimetres.
+inline std::string length_text(double metres, int digits = 3, const char* space = " ") {
+    const bool long_one = metres >= 1.0, middle = metres >= 0.01;
+    const double factor = long_one ? 1.0 : middle ? 100.0 : 1000.0;
+    char text[40];
+    std::snprintf(text, sizeof text, "%.*g%s%s", digits, metres * factor, space, long_one ? "m" : middle ? "cm" : "mm");
+    return text;
+}
+} // namespace lr
