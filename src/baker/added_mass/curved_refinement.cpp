@@ -111,12 +111,12 @@ Mesh split(const Mesh& mesh, const Middles& middles) {
 }
 } // namespace
 
-Mesh refine_curved(const Mesh& mesh, double turn, std::size_t max_panels) {
+Mesh refine_curved(const Mesh& mesh, double turn, std::size_t panel_limit) {
     constexpr int max_levels = 4;
     Mesh fine = mesh;
     for (int level = 0; level < max_levels; ++level) {
         const Middles middles(fine, turn);
-        if (middles.points().empty() || middles.panels_of(fine) > max_panels) break;
+        if (middles.points().empty() || middles.panels_of(fine) > panel_limit) break;
         fine = split(fine, middles);
     }
     return fine;

@@ -8,6 +8,6 @@
 namespace lr::baker {
 
 // Repeatedly splits the edges of a closed mesh along which the normal turns by more than `turn` radians, with midpoints on the curve
-// that has these normals at its ends. Creases stay creases and follow the surfaces on both sides. Stops before exceeding `max_panels`.
-Mesh refine_curved(const Mesh& mesh, double turn, std::size_t max_panels);
+// that has these normals at its ends. Creases stay creases and follow the surfaces on both sides. Stops before exceeding `panel_limit`.
+Mesh refine_curved(const Mesh& mesh, double turn, std::size_t panel_limit);
 } // namespace lr::baker

@@ -196,7 +196,7 @@ Eigen::Matrix3d trapped_fluid_inertia(const SolidRegion& region, const Eigen::Ve
                 for (std::size_t d = 0; d < 3; ++d) {
                     const std::array<std::size_t, 3> at{i, j, k};
                     const std::size_t cell = g.at(i, j, k);
-                    const double weight = g.inside[d][cell];
+                    const auto weight = static_cast<double>(g.inside[d][cell]);
                     if (!(weight > 0.0) || at[d] == 0) continue;
                     Eigen::Vector3d middle(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
                     middle +=
