@@ -3,7 +3,6 @@
 
 #include "base/pose.h"
 
-#include <bit>
 #include <cstdint>
 
 namespace lr {
@@ -50,7 +49,8 @@ void hide(const PairHull& hull, float scale, const Pose& at, const PairHull& by,
 
 // The share of the surface that lies open, 0 to 1: the rim, and all of the faces but what is hidden on both sides.
 inline float open_share(const BroadFace& face, const Hidden& hidden) {
-    const auto shut = static_cast<float>(std::popcount(hidden.above & hidden.below));
-    return 1.0f - face.share * (shut / static_cast<float>(face_points));
+    uint32_t shut = 0; // std::popcount() would import a function of the compiler
+    for (uint32_t k = 0; k < face_points; ++k) shut += (hidden.above & hidden.below) >> k & 1u;
+    return 1.0f - face.share * (static_cast<float>(shut) / static_cast<float>(face_points));
 }
 } // namespace lr
