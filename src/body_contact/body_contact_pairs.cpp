@@ -7,6 +7,7 @@
 #include "world/world.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lr {
 namespace {
@@ -15,6 +16,24 @@ constexpr uint32_t grain = 128; // bodies: some ten microseconds
 // False when out of memory.
 template <class... T> bool grow_all(Allocator& allocator, size_t count, Buffer<T>&... buffers) {
     return (grow(allocator, buffers, count) && ...);
+}
+
+void set_placed_box(const BodyContactBuffers::Moved& moved, PlacedBox& to) {
+    const PairBody& body = moved.body;
+    const PairHull& hull = *body.shape;
+    const Vector middle = body.from.position + body.scale * rotate(body.from.rotation, hull.origin);
+    const Vector half = body.scale * (hull.core_half + hull.shape.radius * Vector{1.0f, 1.0f, 1.0f});
+    const Rotation q = body.from.rotation * hull.frame;
+    // For the rounding of the middle and of turned boxes.
+    const float slack =
+        1e-6f * std::max({std::abs(middle.x), std::abs(middle.y), std::abs(middle.z)}) + 1e-5f * body.reach();
+    to = {{middle.x, middle.y, middle.z},
+          {q.x, q.y, q.z, q.w},
+          {half.x, half.y, half.z},
+          {body.shift.x, body.shift.y, body.shift.z},
+          body.turns,
+          moved.margin + kept_way(body, body) + slack,
+          0.0f};
 }
 } // namespace
 
@@ -35,6 +54,7 @@ void BodyContactStep::set_box(const BodyContactBatch& member, uint32_t index) {
     const Box way =
         around(bounds(batch.asset().pair_hull, scale, began_at), bounds(batch.asset().pair_hull, scale, now));
     buffers_->grid.boxes()[body] = {grown(way, margin), body, 0, 0};
+    set_placed_box(buffers_->moved[body], buffers_->placed[body]);
 }
 
 // A pair that both find belongs to the first by batch and noise seed, or by place if noise seeds are equal.
@@ -125,10 +145,10 @@ void BodyContactStep::meet(uint32_t begin, uint32_t end) {
     batch.finish(found);
 }
 
-bool BodyContactStep::find_pairs() {
+bool BodyContactStep::find_pairs(uint32_t substep) {
     BodyContactBuffers& c = *buffers_;
     Allocator& allocator = world_->allocator;
-    if (!c.grid.reserve(allocator, body_count_) || !grow(allocator, c.moved, body_count_) ||
+    if (!c.grid.reserve(allocator, body_count_) || !grow_all(allocator, body_count_, c.moved, c.placed, c.hidden) ||
         !grow(allocator, c.first_pair, size_t{body_count_} + 1) ||
         !grow(allocator, c.seen, size_t{BodyContactBuffers::most_seen} * body_count_))
         return false;
@@ -138,9 +158,11 @@ bool BodyContactStep::find_pairs() {
             const uint32_t index = body - member.first;
             if (index < member.count && !is_held(member.item.batch->arrays().field[field_age_remainder][index])) {
                 set_box(member, index);
+                ask_for_shelter(member, index, substep);
             } else {
                 // Padding and held bodies touch nothing.
                 c.grid.boxes()[body] = {{{1.0f, 1.0f, 1.0f}, {-1.0f, -1.0f, -1.0f}}, body, 0, 0};
+                c.hidden[body] = BodyContactBuffers::unasked;
             }
         }
     });
@@ -159,7 +181,8 @@ bool BodyContactStep::find_pairs() {
                 else
                     keep_first(seen, other.body);
             });
-            c.first_pair[body] = count;
+            for (uint32_t k = 0; k < count; ++k) hide_each_other(body, seen[k]);
+            c.first_pair[body] = world_->target->near_boxes(c.placed.data(), body, seen, count);
         }
     });
     uint32_t sum = 0;

@@ -17,6 +17,9 @@ bool blows(const StepInput& in) {
     const auto any = [](const float(&wind)[3]) { return dot(vector_of(wind), vector_of(wind)) > 0.0f; };
     return any(in.wind) || any(in.wind_begin);
 }
+bool asked(const Hidden& hidden) {
+    return __atomic_load_n(&hidden.above, __ATOMIC_RELAXED) != BodyContactBuffers::unasked.above;
+}
 // Bits come from several threads.
 void add(Hidden& to, const Hidden& bits) {
     __atomic_fetch_or(&to.above, bits.above, __ATOMIC_RELAXED);
@@ -30,43 +33,43 @@ bool BodyContactStep::in_question(const BodyContactBatch& member, uint32_t index
     return at % turns == 0 || member.run.book.lee[index] < 0.0f;
 }
 
-// Finds how far bodies are sheltered in the next substeps, from where all were as this one began. Awake bodies cover each other where
-// their boxes overlap. False when out of memory.
-bool BodyContactStep::find_shelter(uint32_t substep) {
+// Whether the body's shelter is to be found in this substep: then it is yet open.
+void BodyContactStep::ask_for_shelter(const BodyContactBatch& member, uint32_t index, uint32_t substep) {
+    Hidden& hidden = buffers_->hidden[member.first + index];
+    hidden = BodyContactBuffers::unasked;
+    if (!in_question(member, index, substep)) return;
+    if (world_->wind.active() || blows(member.item.batch->step))
+        hidden = {};
+    else
+        member.run.book.lee[index] = 0.0f;
+}
+
+// Awake bodies cover each other where their boxes overlap, as both were when the substep began.
+void BodyContactStep::hide_each_other(uint32_t one, uint32_t other) {
     BodyContactBuffers& c = *buffers_;
-    if (!grow(world_->allocator, c.hidden, body_count_)) return false;
-    const bool field = world_->wind.active();
-    bool any = field;
-    for (uint32_t m = 0; m < member_count_; ++m) any = any || blows(c.members[m].item.batch->step);
-    if (any) std::fill_n(c.hidden.data(), body_count_, Hidden{});
-    const auto asks = [&](uint32_t body) {
-        const BodyContactBatch& member = member_of(body);
-        return (field || blows(member.item.batch->step)) && in_question(member, body - member.first, substep);
+    const auto hide_by = [&](uint32_t body, uint32_t by) {
+        if (!asked(c.hidden[body])) return;
+        const PairBody &own = c.moved[body].body, &cover = c.moved[by].body;
+        Hidden hidden;
+        hide(*own.shape, own.scale, own.from, *cover.shape, cover.scale, cover.from, hidden);
+        if ((hidden.above | hidden.below) != 0) add(c.hidden[body], hidden);
     };
-    const uint32_t finders = any ? body_count_ : 0; // without wind there is nothing to find
-    workers_.run(finders, 128, [&](uint32_t begin, uint32_t end) {
-        for (uint32_t i = c.first_pair[begin]; i < c.first_pair[end]; ++i) {
-            const uint32_t pair[2] = {c.pairs[i].a, c.pairs[i].b};
-            for (uint32_t k = 0; k < 2; ++k) {
-                if (!asks(pair[k])) continue;
-                const PairBody &one = c.moved[pair[k]].body, &other = c.moved[pair[1 - k]].body;
-                Hidden hidden;
-                hide(*one.shape, one.scale, one.from, *other.shape, other.scale, other.from, hidden);
-                if ((hidden.above | hidden.below) != 0) add(c.hidden[pair[k]], hidden);
-            }
-        }
-    });
+    hide_by(one, other);
+    hide_by(other, one);
+}
+
+// How far bodies are sheltered in the next substeps.
+void BodyContactStep::find_shelter() {
+    BodyContactBuffers& c = *buffers_;
     workers_.run(body_count_, 128, [&](uint32_t begin, uint32_t end) {
         for (uint32_t body = begin; body < end; ++body) {
+            if (!asked(c.hidden[body])) continue;
             const BodyContactBatch& member = member_of(body);
             const uint32_t index = body - member.first;
-            if (index >= member.count || !in_question(member, index, substep)) continue;
-            const float open =
-                asks(body) ? open_to_wind(*world_, member.slot, index, began(body), c.hidden[body]) : 1.0f;
+            const float open = open_to_wind(*world_, member.slot, index, began(body), c.hidden[body]);
             member.run.book.lee[index] = 1.0f - felt_wind(open);
         }
     });
-    return true;
 }
 
 // Takes all bodies of [begin, end) through a substep, sheltered ones as copies in a weaker wind.

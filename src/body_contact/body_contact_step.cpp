@@ -108,8 +108,11 @@ void BodyContactStep::run() {
     for (uint32_t substep = 0; substep < time_.substeps; ++substep) {
         move_alone(substep);
         place_count_ = 0;
-        const bool found = find_pairs() && number_touching() && find_shelter(substep);
-        if (!found) starved_ = true;
+        const bool found = find_pairs(substep) && number_touching();
+        if (found)
+            find_shelter();
+        else
+            starved_ = true;
         hold(substep, Held::apart);
         const bool solved = place_count_ != 0 && solve();
         if (solved) keep_impulses();

@@ -61,7 +61,7 @@ struct BodyContactBuffers {
         uint32_t member;
         uint64_t key; // of PairCache
     };
-    // Two bodies whose boxes overlap.
+    // Two bodies whose boxes are near each other.
     struct Pair {
         uint32_t a, b; // bodies, by their indices in the step
         uint32_t count;
@@ -72,16 +72,18 @@ struct BodyContactBuffers {
     Buffer<Moved> moved;  // by body
     BodyBroadPhase grid;
     Buffer<uint32_t> first_pair; // by body, plus the end: the first pair that it has found
-    // By body: others whose boxes overlap its own; beyond this number, the first by batch and noise seed.
+    Buffer<PlacedBox> placed;    // by body
+    // By body: others whose upright boxes overlap its own; beyond this number, the first by batch and noise seed. Then those that can touch it.
     static constexpr uint32_t most_seen = 48;
     Buffer<uint32_t> seen;
     Buffer<Pair> pairs;
     Buffer<CachedPair> found;               // of each: the manifold that goes to the cache; count 0: none
     Buffer<const CachedPair*> cached;       // of each: from the substep before, or null
     Buffer<BodyContactPoint> pair_contacts; // block_contacts of each
-    Buffer<Hidden> hidden;                  // by body, of those whose shelter is found in this substep
-    Buffer<uint32_t> place;                 // by body: its number among those that touch others, or UINT32_MAX
-    Buffer<uint64_t> order;                 // noise seed and body
+    static constexpr Hidden unasked{UINT32_MAX, UINT32_MAX}; // no face has so many points
+    Buffer<Hidden> hidden;  // by body; unasked: its shelter is not found in this substep
+    Buffer<uint32_t> place; // by body: its number among those that touch others, or UINT32_MAX
+    Buffer<uint64_t> order; // noise seed and body
     // By place; padding is UINT32_MAX.
     Buffer<uint32_t> body_at, first_held, held_count, first_unit;
     Buffer<uint8_t> touches_body;
@@ -115,7 +117,7 @@ private:
     void move_cut(const BodyContactBatch& member, uint32_t begin, uint32_t end, uint32_t substep) const;
 
     // body_contact/body_contact_pairs.cpp
-    bool find_pairs();
+    bool find_pairs(uint32_t substep);
     float margin_of(const BodyContactBatch& member, uint32_t index) const;
     bool finds(const BodyBox& one, const BodyBox& other, bool mutual) const;
     void set_box(const BodyContactBatch& member, uint32_t index);
@@ -124,7 +126,9 @@ private:
     bool number_touching();
 
     // body_contact/body_contact_shelter.cpp
-    bool find_shelter(uint32_t substep);
+    void ask_for_shelter(const BodyContactBatch& member, uint32_t index, uint32_t substep);
+    void hide_each_other(uint32_t one, uint32_t other);
+    void find_shelter();
     bool in_question(const BodyContactBatch& member, uint32_t index, uint32_t substep) const;
     void move_sheltered(const BodyContactBatch& member, uint32_t begin, uint32_t end, uint32_t substep) const;
 

@@ -1,8 +1,10 @@
 #include "collision/broad_face.h"
 
+#include "base/float4.h"
 #include "collision/body_narrow_phase.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace lr {
@@ -15,37 +17,42 @@ Pose own_frame(const PairHull& hull, float scale, const Pose& at) {
     return {at.position + scale * rotate(at.rotation, hull.origin), at.rotation * hull.frame};
 }
 
-// The part of a line, from -half to half, that lies in a convex set.
-struct LinePart {
-    float first, last; // m
-    // Keeps the part at which height + rise * t <= 0. False if nothing is left.
-    bool clip(float height, float rise) {
-        if (rise == 0.0f) return height <= 0.0f;
-        const float t = -height / rise;
-        if (rise > 0.0f)
-            last = std::min(last, t);
-        else
-            first = std::max(first, t);
-        return first <= last;
+// The parts of the lines of a body's face, four at a time, that lie in a convex set. All have one direction.
+class LineParts {
+public:
+    LineParts(const BroadFace& face, float half) : face_(&face) {
+        std::fill_n(first_, vectors, all(-half));
+        std::fill_n(last_, vectors, all(half));
     }
-};
+    // Keeps the parts at which height + u rise_u + v rise_v + t rise <= 0. False if nothing is left of any.
+    bool clip(float height, float rise_u, float rise_v, float rise) {
+        constexpr float far = std::numeric_limits<float>::max();
+        Int4 some{};
+        for (uint32_t k = 0; k < vectors; ++k) {
+            const Float4 at = height + rise_u * load(face_->u + 4 * k) + rise_v * load(face_->v + 4 * k);
+            if (rise > 0.0f)
+                last_[k] = less(last_[k], -1.0f / rise * at);
+            else if (rise < 0.0f)
+                first_[k] = greater(first_[k], -1.0f / rise * at);
+            else
+                last_[k] = at <= all(0.0f) ? last_[k] : all(-far);
+            some |= first_[k] <= last_[k];
+        }
+        return any(some);
+    }
+    // A body that reaches through the middle plane hides the side on which most of it lies.
+    void hide(Hidden& hidden) const {
+        for (uint32_t k = 0; k < face_points; ++k) {
+            const float first = first_[k / 4][k % 4], last = last_[k / 4][k % 4];
+            if (first <= last) (first + last > 0.0f ? hidden.above : hidden.below) |= 1u << k;
+        }
+    }
 
-// line: in the hull's own frame.
-bool crosses(const PairHull& hull, float scale, const FaceLine& line, LinePart& part) {
-    const Vector p = line.point, d = line.direction;
-    for (uint32_t f = 0; f < hull.shape.face_count; ++f) {
-        const Vector n = hull.face_normal(f);
-        if (!part.clip(dot(n, p) - scale * (hull.face_offset[f] + hull.shape.radius), dot(n, d))) return false;
-    }
-    const uint32_t corners = hull.flat ? hull.shape.count : 0;
-    for (uint32_t i = 0; i < corners; ++i) {
-        const uint32_t next = i + 1 < corners ? i + 1 : 0;
-        const float x = hull.ring_x[next] - hull.ring_x[i], y = hull.ring_y[next] - hull.ring_y[i];
-        const float outside = (p.x - scale * hull.ring_x[i]) * y - (p.y - scale * hull.ring_y[i]) * x;
-        if (!part.clip(outside, d.x * y - d.y * x)) return false;
-    }
-    return true;
-}
+private:
+    static constexpr uint32_t vectors = face_points / 4;
+    const BroadFace* face_;
+    Float4 first_[vectors], last_[vectors]; // m, from the middle plane
+};
 } // namespace
 
 // Four lines across the silhouette, four points on each. An edge of the silhouette joins two of the hull's points, and no segment
@@ -84,10 +91,10 @@ BroadFace make_broad_face(const PairHull& hull) {
 FaceLines::FaceLines(const PairHull& hull, float scale, const Pose& at) : face_(&hull.face) {
     const Pose own = own_frame(hull, scale, at);
     const uint32_t across = face_->across;
-    middle_ = own.position;
-    u_ = rotate(own.rotation, along_axis((across + 1) % 3, scale));
-    v_ = rotate(own.rotation, along_axis((across + 2) % 3, scale));
-    direction_ = rotate(own.rotation, along_axis(across, 1.0f));
+    middle = own.position;
+    u = rotate(own.rotation, along_axis((across + 1) % 3, scale));
+    v = rotate(own.rotation, along_axis((across + 2) % 3, scale));
+    direction = rotate(own.rotation, along_axis(across, 1.0f));
 }
 
 void hide(const PairHull& hull, float scale, const Pose& at, const PairHull& by, float by_scale, const Pose& by_at,
@@ -95,11 +102,24 @@ void hide(const PairHull& hull, float scale, const Pose& at, const PairHull& by,
     const float reach = scale * hull.shape.reach, by_reach = by_scale * by.shape.reach;
     const float half = scale * hull.face.half + covering_gap * std::min(reach, by_reach);
     const FaceLines lines(hull, scale, relative(own_frame(by, by_scale, by_at), at));
-    for (uint32_t k = 0; k < face_points; ++k) {
-        LinePart part{-half, half};
-        if (!crosses(by, by_scale, lines[k], part)) continue;
-        // A body that reaches through the middle plane hides the side on which most of it lies.
-        (part.first + part.last > 0.0f ? hidden.above : hidden.below) |= 1u << k;
+    const Vector m = lines.middle, d = lines.direction;
+    // Boxes of heaps overlap where bodies are far apart across the face.
+    const float radius = by_scale * by.shape.radius;
+    const Vector box = by_scale * by.core_half;
+    if (std::abs(dot(m, d)) > half + radius + (std::abs(d.x) * box.x + std::abs(d.y) * box.y + std::abs(d.z) * box.z))
+        return;
+    LineParts parts(hull.face, half);
+    const auto clip = [&](Vector n, float offset) {
+        return parts.clip(dot(n, m) - offset, dot(n, lines.u), dot(n, lines.v), dot(n, d));
+    };
+    for (uint32_t f = 0; f < by.shape.face_count; ++f)
+        if (!clip(by.face_normal(f), by_scale * by.face_offset[f] + radius)) return;
+    const uint32_t corners = by.flat ? by.shape.count : 0;
+    for (uint32_t i = 0; i < corners; ++i) {
+        const uint32_t next = i + 1 < corners ? i + 1 : 0;
+        const Vector n{by.ring_y[next] - by.ring_y[i], by.ring_x[i] - by.ring_x[next], 0.0f};
+        if (!clip(n, by_scale * (n.x * by.ring_x[i] + n.y * by.ring_y[i]))) return;
     }
+    parts.hide(hidden);
 }
 } // namespace lr

@@ -33,14 +33,14 @@ struct FaceLine {
     Vector point, direction; // m; unit, to the side above
 };
 // The lines through a placed body, in the frame in which `at` is given.
-class FaceLines {
-public:
+struct FaceLines {
     FaceLines(const PairHull& hull, float scale, const Pose& at);
-    FaceLine operator[](uint32_t k) const { return {middle_ + face_->u[k] * u_ + face_->v[k] * v_, direction_}; }
+    FaceLine operator[](uint32_t k) const { return {middle + face_->u[k] * u + face_->v[k] * v, direction}; }
+
+    Vector middle, u, v, direction; // u, v: of a unit of the face's u and v
 
 private:
     const BroadFace* face_;
-    Vector middle_, u_, v_, direction_;
 };
 
 // Adds the points that another body hides.

@@ -60,7 +60,7 @@ bool ended_range(const lr_batch_rules& rules, const BatchArrays& a, size_t begin
     return !hn::AllTrue(du, hn::Eq(any, hn::Zero(DU())));
 }
 
-// Defined in step_aerodynamic.cpp, sample_wind.cpp, water_loads.cpp, collider_contact.cpp and gjk_pairs.cpp.
+// Defined in step_aerodynamic.cpp, sample_wind.cpp, water_loads.cpp, collider_contact.cpp, gjk_pairs.cpp and near_boxes.cpp.
 StepFunction step_aerodynamic;
 PredictFunction predict;
 EvaluateFunction evaluate;
@@ -71,6 +71,7 @@ WetFunction step_wet, settle_wet;
 extern const ContactTarget contact_functions;
 extern const BodyContactTarget body_contact_functions;
 PairSearch search_pairs;
+NearBoxes near_boxes;
 
 constexpr KernelTarget functions(int32_t simd) {
     return {simd,
@@ -83,7 +84,8 @@ constexpr KernelTarget functions(int32_t simd) {
             {&near_surface, &ahead_of, &evaluate_surface, &step_wet, &settle_wet},
             &contact_functions,
             &body_contact_functions,
-            &search_pairs};
+            &search_pairs,
+            &near_boxes};
 }
 
 #if HWY_ONCE

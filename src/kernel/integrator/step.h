@@ -5,6 +5,7 @@
 #include "kernel/body_constants.h"
 #include "kernel/contact/body_contact.h"
 #include "kernel/contact/gjk_pairs.h"
+#include "kernel/contact/near_boxes.h"
 #include "kernel/water/water_loads.h"
 #include "kernel/wind/sample_wind.h"
 
@@ -80,6 +81,7 @@ struct KernelTarget {
     const ContactTarget* contact;
     const BodyContactTarget* body_contact;
     PairSearch* search_pairs;
+    NearBoxes* near_boxes;
 
     void step(const StepInput& in, const BatchArrays& a, size_t begin, size_t end) const {
         const auto scheme = in.loads == Loads::aerodynamic ? aerodynamic : splitting;
