@@ -1348,6 +1348,9 @@ typedef struct lr_batch_contact {
     float ground_effect;      /* air cushion under a sheet that settles on a plane or heightfield, as a share of theory,
                                  0 to 1; default 0. docs/maintainers/contact.md */
     uint32_t reserved;        /* 0 */
+    float min_thickness;      /* m, at scale 1, -1 to 10: sheets thinner than this meet other bodies as if they were so
+                                 thick, at most a tenth of their reach; 0: 1/32 of it, at most 1.25 mm; below 0: as
+                                 thick as they are, for decks of cards; default 0 */
 } lr_batch_contact;
 
 LR_API lr_status lr_batch_contact_init(lr_batch_contact* contact, uint32_t struct_size);
@@ -1748,7 +1751,7 @@ LR_API lr_status lr_batch_get_counts(const lr_world* world, lr_batch batch, lr_b
 #define LR_COLLIDER_MOTION_INIT {sizeof(lr_collider_motion), LR_MOVE_TO, {0}, {0}, {0, 0, 0, 1}, {0}, {0}, 0}
 #define LR_COLLIDER_STATE_INIT {sizeof(lr_collider_state), 0, {0}, {0, 0, 0, 1}, {0}, {0}, 0, 0, 0, 0}
 #define LR_MATERIAL_INIT {sizeof(lr_material), 1, 0.5f, 0.2f}
-#define LR_BATCH_CONTACT_INIT {sizeof(lr_batch_contact), 0xffffffffu, 0.5f, 0.1f, 0.05f, 0, 0, 0}
+#define LR_BATCH_CONTACT_INIT {sizeof(lr_batch_contact), 0xffffffffu, 0.5f, 0.1f, 0.05f, 0, 0, 0, 0}
 #define LR_EVENT_LIST_INIT {sizeof(lr_event_list), 0, 0, 0, 0, 0, 0}
 #define LR_RAY_INIT {sizeof(lr_ray), LR_RAY_BODIES | LR_RAY_COLLIDERS, {0}, {0, -1, 0}, 1e9f, {0}, 0xffffffffu, \
     0}

@@ -206,17 +206,18 @@ lr_status lr_collider_set_material(lr_world* world, const lr_collider* colliders
 lr_status lr_batch_set_contact(lr_world* world, lr_batch batch, const lr_batch_contact* contact) {
     const auto set = [](lr_world&, Batch& b, const lr_batch_contact* given) -> Outcome {
         const lr_batch_contact& c = given ? *given : initial_contact;
-        if (!finite(c.friction, c.restitution, c.rolling_resistance, c.ground_effect)) return LR_ERROR_NOT_FINITE;
+        if (!finite(c.friction, c.restitution, c.rolling_resistance, c.ground_effect, c.min_thickness))
+            return LR_ERROR_NOT_FINITE;
         if (const char* why = wrong_in(c)) return invalid(why);
         b.wake_all();
-        b.contact = c;
+        b.set_contact(c);
         return {};
     };
     return change(world, __func__, args(batch, contact), set);
 }
 
 lr_status lr_batch_get_contact(const lr_world* world, lr_batch batch, lr_batch_contact* contact) {
-    const auto get = [](const lr_world&, const Batch& b, lr_batch_contact& out) { out = b.contact; };
+    const auto get = [](const lr_world&, const Batch& b, lr_batch_contact& out) { out = b.contact(); };
     return query(world, __func__, args(batch, contact), get);
 }
 

@@ -32,8 +32,8 @@ void BodyContactStep::enter_manifold(uint32_t at, const Manifold& manifold, floa
 void BodyContactStep::enter_contacts(uint32_t at, const WayContact* found) {
     BodyContactBuffers& c = *buffers_;
     const BodyContactBuffers::Pair& pair = c.pairs[at];
-    const lr_batch_contact& of_a = c.members[c.moved[pair.a].member].item.batch->contact;
-    const lr_batch_contact& of_b = c.members[c.moved[pair.b].member].item.batch->contact;
+    const lr_batch_contact& of_a = c.members[c.moved[pair.a].member].item.batch->contact();
+    const lr_batch_contact& of_b = c.members[c.moved[pair.b].member].item.batch->contact();
     const float friction = pair_friction(of_a, of_b), restitution = pair_restitution(of_a, of_b);
     BodyContactPoint* const contacts = c.pair_contacts.data() + size_t{block_contacts} * at;
     CachedPair& manifold = c.found[at];

@@ -7,7 +7,6 @@
 #include "world/world.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace lr {
 namespace {
@@ -16,24 +15,6 @@ constexpr uint32_t grain = 128; // bodies: some ten microseconds
 // False when out of memory.
 template <class... T> bool grow_all(Allocator& allocator, size_t count, Buffer<T>&... buffers) {
     return (grow(allocator, buffers, count) && ...);
-}
-
-void set_placed_box(const BodyContactBuffers::Moved& moved, PlacedBox& to) {
-    const PairBody& body = moved.body;
-    const PairHull& hull = *body.shape;
-    const Vector middle = body.from.position + body.scale * rotate(body.from.rotation, hull.origin);
-    const Vector half = body.scale * (hull.core_half + hull.shape.radius * Vector{1.0f, 1.0f, 1.0f});
-    const Rotation q = body.from.rotation * hull.frame;
-    // For the rounding of the middle and of turned boxes.
-    const float slack =
-        1e-6f * std::max({std::abs(middle.x), std::abs(middle.y), std::abs(middle.z)}) + 1e-5f * body.reach();
-    to = {{middle.x, middle.y, middle.z},
-          {q.x, q.y, q.z, q.w},
-          {half.x, half.y, half.z},
-          {body.shift.x, body.shift.y, body.shift.z},
-          body.turns,
-          moved.margin + kept_way(body, body) + slack,
-          0.0f};
 }
 } // namespace
 
@@ -48,26 +29,26 @@ void BodyContactStep::set_box(const BodyContactBatch& member, uint32_t index) {
     const uint32_t body = member.first + index;
     const float scale = batch.arrays().field[field_scale][index], margin = margin_of(member, index);
     const Pose began_at = began(body), now = pose_of(batch.arrays(), index);
-    buffers_->moved[body] = {pair_body(batch.asset().pair_hull, scale, began_at, now), margin,
+    buffers_->moved[body] = {pair_body(batch.pair_hull(), scale, began_at, now), margin,
                              static_cast<uint32_t>(&member - buffers_->members.data()),
                              pair_key(member.slot, batch.arrays().noise_seed[index])};
-    const Box way =
-        around(bounds(batch.asset().pair_hull, scale, began_at), bounds(batch.asset().pair_hull, scale, now));
-    buffers_->grid.boxes()[body] = {grown(way, margin), body, 0, 0};
-    set_placed_box(buffers_->moved[body], buffers_->placed[body]);
+    const Box way = around(bounds(batch.pair_hull(), scale, began_at), bounds(batch.pair_hull(), scale, now));
+    buffers_->grid.boxes()[body] = {grown(way, margin), 0, 0};
+    const PairBody& moved = buffers_->moved[body].body;
+    buffers_->placed[body] = placed_box(moved, margin + kept_way(moved, moved));
 }
 
 // A pair that both find belongs to the first by batch and noise seed, or by place if noise seeds are equal.
-bool BodyContactStep::finds(const BodyBox& one, const BodyBox& other, bool mutual) const {
-    if (one.body == other.body) return false;
+bool BodyContactStep::finds(uint32_t one, uint32_t other, bool mutual) const {
+    if (one == other) return false;
     const BodyContactBatch* const members = buffers_->members.data();
-    const BodyContactBatch &a = members[buffers_->moved[one.body].member],
-                           &b = members[buffers_->moved[other.body].member];
+    const auto member = [&](uint32_t body) { return member_count_ == 1 ? 0 : buffers_->moved[body].member; };
+    const BodyContactBatch &a = members[member(one)], &b = members[member(other)];
     if (&a == &b ? !a.own : !world_->pairs.has(a.slot, b.slot)) return false;
     if (!mutual) return true;
     if (&a != &b) return a.slot < b.slot;
     const BatchArrays& arrays = a.item.batch->arrays();
-    const uint32_t i = one.body - a.first, j = other.body - b.first;
+    const uint32_t i = one - a.first, j = other - b.first;
     if (arrays.noise_seed[i] != arrays.noise_seed[j]) return arrays.noise_seed[i] < arrays.noise_seed[j];
     for (size_t f = field_x; f <= field_z; ++f)
         if (arrays.field[f][i] != arrays.field[f][j]) return arrays.field[f][i] < arrays.field[f][j];
@@ -161,7 +142,7 @@ bool BodyContactStep::find_pairs(uint32_t substep) {
                 ask_for_shelter(member, index, substep);
             } else {
                 // Padding and held bodies touch nothing.
-                c.grid.boxes()[body] = {{{1.0f, 1.0f, 1.0f}, {-1.0f, -1.0f, -1.0f}}, body, 0, 0};
+                c.grid.boxes()[body] = {{{1.0f, 1.0f, 1.0f}, {-1.0f, -1.0f, -1.0f}}, 0, 0};
                 c.hidden[body] = BodyContactBuffers::unasked;
             }
         }
@@ -171,15 +152,14 @@ bool BodyContactStep::find_pairs(uint32_t substep) {
     workers_.run(c.grid.placed(), grain, [&](uint32_t begin, uint32_t end) {
         for (uint32_t i = begin; i < end; ++i) {
             const uint32_t body = c.grid.placed(i);
-            const BodyBox& one = c.grid.box(body);
             uint32_t count = 0;
             uint32_t* const seen = c.seen.data() + size_t{BodyContactBuffers::most_seen} * body;
-            c.grid.visit(one, [&](const BodyBox& other, bool mutual) {
-                if (!finds(one, other, mutual)) return;
+            c.grid.visit(c.grid.box(body), [&](uint32_t other, bool mutual) {
+                if (!finds(body, other, mutual)) return;
                 if (count < BodyContactBuffers::most_seen)
-                    seen[count++] = other.body;
+                    seen[count++] = other;
                 else
-                    keep_first(seen, other.body);
+                    keep_first(seen, other);
             });
             for (uint32_t k = 0; k < count; ++k) hide_each_other(body, seen[k]);
             c.first_pair[body] = world_->target->near_boxes(c.placed.data(), body, seen, count);

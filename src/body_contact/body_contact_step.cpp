@@ -42,7 +42,7 @@ bool BodyContactStep::prepare() {
         member->run = contact_run(*world_, batch, wet_ ? &surface_ : nullptr, time_, h);
         member->run.book = batch.contact_cache();
         if (member->sleeping.any()) member->run.step.sleeping = &member->sleeping;
-        member->kind = {&batch.step.body, batch.asset().shape.reach, rolling_of(batch.contact, batch.asset().shape)};
+        member->kind = {&batch.step.body, batch.asset().shape.reach, rolling_of(batch.contact(), batch.asset().shape)};
         first += batch.padded_awake();
     }
     return true;

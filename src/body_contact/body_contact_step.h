@@ -119,7 +119,7 @@ private:
     // body_contact/body_contact_pairs.cpp
     bool find_pairs(uint32_t substep);
     float margin_of(const BodyContactBatch& member, uint32_t index) const;
-    bool finds(const BodyBox& one, const BodyBox& other, bool mutual) const;
+    bool finds(uint32_t one, uint32_t other, bool mutual) const;
     void set_box(const BodyContactBatch& member, uint32_t index);
     void keep_first(uint32_t* seen, uint32_t body) const;
     void meet(uint32_t begin, uint32_t end);

@@ -11,7 +11,6 @@ namespace lr {
 
 struct BodyBox {
     Box box;
-    uint32_t body;
     // Set by the grid: the level of its size, and the hash of level and cell.
     uint32_t level, cell;
 };
@@ -29,7 +28,7 @@ public:
     uint32_t placed() const { return placed_; }
     uint32_t placed(uint32_t i) const { return index_[i]; }
 
-    // Calls fn(box, mutual), in no order, for each box that overlaps `around` and is of its level or a larger one, itself included: of two
+    // Calls fn(i, mutual), in no order, for each box i that overlaps `around` and is of its level or a larger one, itself included: of two
     // levels the smaller finds the larger; of one level the box in the first of two cells finds the other. mutual: whether that box finds
     // `around` too, as in the same cell.
     template <class Function> void visit(const BodyBox& around, Function&& function) const {
@@ -37,7 +36,7 @@ public:
         for (uint32_t level = around.level; level < levels; ++level) {
             if ((populated_ >> level & 1u) == 0) continue;
             const auto [first, last] = cells_about(around.box, width_of(level));
-            const CellAt own = cell_of(around, level);
+            const CellAt own = cell_of(around.box, level);
             const bool half = level == around.level;
             for (int32_t x = half ? own.x : first.x; x <= last.x; ++x) {
                 const bool at_x = half && x == own.x;
@@ -45,7 +44,7 @@ public:
                     const bool at_y = at_x && y == own.y;
                     for (int32_t z = at_y ? own.z : first.z; z <= last.z; ++z) {
                         const bool mutual = at_y && z == own.z;
-                        look_in(around.box, level, {x, y, z}, [&](const BodyBox& box) { function(box, mutual); });
+                        look_in(around.box, level, {x, y, z}, [&](uint32_t box) { function(box, mutual); });
                     }
                 }
             }
@@ -64,10 +63,11 @@ private:
             for (size_t k = 1; k < 3; ++k) in &= (load(row(k) + i) <= high[k]) & (load(row(k + 3) + i) >= low[k]);
             if (!any(in)) continue;
             for (uint32_t lane = 0; lane < lanes && i + lane < end; ++lane) {
-                if (in[lane] == 0) continue;
-                const BodyBox& box = boxes_[index_[i + lane]];
+                if (in[lane] == 0 || cells_[i + lane] != id) continue;
                 // Nearby cells can share a hash: a box is reported only in its own cell, so once.
-                if (box.cell == id && cell_of(box, level) == at) function(box);
+                const auto number = [&](size_t k) { return row(k)[i + lane]; };
+                const Box box{{number(0), number(1), number(2)}, {number(3), number(4), number(5)}};
+                if (cell_of(box, level) == at) function(index_[i + lane]);
             }
         }
     }
@@ -77,9 +77,7 @@ private:
 
     // Powers of two: products with them and with their inverses are exact.
     static float width_of(uint32_t level) { return static_cast<float>(uint32_t{1} << level) * smallest; }
-    static CellAt cell_of(const BodyBox& box, uint32_t level) {
-        return cell_at(middle_of(box.box), 1.0f / width_of(level));
-    }
+    static CellAt cell_of(const Box& box, uint32_t level) { return cell_at(middle_of(box), 1.0f / width_of(level)); }
     // Never equal to `nowhere`.
     static uint32_t hash(uint32_t level, CellAt at) {
         const uint32_t h = cell_hash(at, level);
@@ -94,6 +92,7 @@ private:
     Buffer<BodyBox> boxes_;
     Buffer<float> rows_;     // six of room_
     Buffer<uint32_t> index_; // of boxes, in the order of rows
+    Buffer<uint32_t> cells_; // of these
     Buffer<uint32_t> first_; // by bucket, and the end
 };
 } // namespace lr

@@ -35,6 +35,11 @@ static_assert(most_shape_points % PairHull::lanes == 0 && most_shape_faces % Pai
 // May throw std::bad_alloc.
 PairHull make_pair_hull(const BodyShape& shape);
 
+// At most this share of the reach: lr_batch_contact.min_thickness.
+inline constexpr double most_thickened = 0.1;
+// A plate at least so thick (m; 0: by its reach). Sheets that sweeps have not yet parted then rarely pass each other's middle planes.
+PairHull thickened(PairHull hull, float min_thickness);
+
 inline constexpr uint32_t most_pair_contacts = 4;
 struct PairContact {
     Vector arm_a, arm_b; // m, body frames, true size, from the centres of mass: points of the surfaces

@@ -50,6 +50,7 @@ const char* wrong_in(const lr_batch_contact& s) {
         return "flags has an unknown bit, or reserved is not 0";
     if (const char* const wrong = wrong_material(s.friction, s.restitution)) return wrong;
     if (!in_range(s.rolling_resistance, 0.0, 10.0)) return "rolling_resistance is not 0 to 10";
+    if (!in_range(s.min_thickness, -1.0, 10.0)) return "min_thickness is not -1 to 10";
     return in_range(s.ground_effect, 0.0, 1.0) ? nullptr : "ground_effect is not 0 to 1";
 }
 

@@ -3,6 +3,7 @@
 #include "base/pose.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lr {
 namespace {
@@ -25,6 +26,23 @@ Vector farthest(const PairBody& body, Vector direction) {
 float near_enough(const PairBody& a, const PairBody& b, float margin) {
     // Bound of how much any two of their points approach each other.
     return margin + length(a.shift - b.shift) + a.turns + b.turns;
+}
+
+PlacedBox placed_box(const PairBody& body, float margin) {
+    const PairHull& hull = *body.shape;
+    const Vector middle = body.from.position + body.scale * rotate(body.from.rotation, hull.origin);
+    const Vector half = body.scale * (hull.core_half + hull.shape.radius * Vector{1.0f, 1.0f, 1.0f});
+    const Rotation q = body.from.rotation * hull.frame;
+    // For the rounding of middles and turned boxes.
+    const float far = std::max({std::abs(middle.x), std::abs(middle.y), std::abs(middle.z)});
+    const float slack = 1e-6f * far + 1e-5f * body.reach();
+    return {{middle.x, middle.y, middle.z},
+            {q.x, q.y, q.z, q.w},
+            {half.x, half.y, half.z},
+            {body.shift.x, body.shift.y, body.shift.z},
+            body.turns,
+            margin + slack,
+            0.0f};
 }
 
 uint32_t keep_way_contacts(const PairBody& a, const PairBody& b, float margin, const Manifold& found,

@@ -5,6 +5,7 @@
 #include "base/float4.h"
 #include "collision/body_narrow_phase.h"
 #include "kernel/contact/gjk_pairs.h"
+#include "kernel/contact/near_boxes.h"
 
 #include <cstdint>
 
@@ -90,6 +91,8 @@ struct Manifold {
 
 // For contacts that end closer than `margin` (m): how close they must begin (m), and which of them count. Returns how many.
 float near_enough(const PairBody& a, const PairBody& b, float margin);
+// The body's box for a NearBoxes search of pairs that come nearer than the smaller of their margins (m).
+PlacedBox placed_box(const PairBody& body, float margin);
 uint32_t keep_way_contacts(const PairBody& a, const PairBody& b, float margin, const Manifold& found,
                            WayContact (&out)[most_pair_contacts]);
 

@@ -177,6 +177,21 @@ PairHull make_pair_hull(const BodyShape& shape) {
     return out;
 }
 
+PairHull thickened(PairHull hull, float min_thickness) {
+    constexpr double usual_part = 1.0 / 32.0, usual_most = 1.25e-3; // of the reach; m
+    BodyShape& shape = hull.shape;
+    const double reach = wide(shape.reach);
+    const double wanted = min_thickness == 0.0f ? std::min(usual_part * reach, usual_most)
+                                                : std::min(wide(min_thickness), most_thickened * reach);
+    const auto radius = static_cast<float>(0.5 * wanted);
+    if (!hull.flat || !(radius > shape.radius)) return hull;
+    const float more = radius - shape.radius;
+    shape.radius = radius;
+    shape.reach += more;
+    shape.thickness += 2.0f * more;
+    return hull;
+}
+
 Box bounds(const PairHull& shape, float scale, const Pose& at) {
     const Rotation q = at.rotation * shape.frame;
     const Vector x = rotate(q, {scale, 0.0f, 0.0f}), y = rotate(q, {0.0f, scale, 0.0f}),

@@ -313,7 +313,7 @@ bool lr_world::step(float dt, uint32_t substeps, const FloatMode& mode) {
         if (batch.awake() == 0 || batch.pace.granted() == 0) return;
         items[item_count++] = {&batch, handle(slot), 0};
         fill_step(batch, dt, unfit);
-        if (batch.events()) batch.events()->begin_step(colliders.any() && batch.contact.layers != 0);
+        if (batch.events()) batch.events()->begin_step(colliders.any() && batch.contact().layers != 0);
     });
     const WaterStep at_surface{target, &surface, {}, gravity};
     const WaterStep* const water = surface.present() ? &at_surface : nullptr;
@@ -488,7 +488,7 @@ uint64_t lr_world::hash() const {
     each_batch([&](const Batch& batch, uint32_t slot) {
         mix(mix64(slot));
         result += batch.columns().hash(batch.awake(), batch.count());
-        if (const lr_batch_contact& c = batch.contact; !same(c, initial_contact)) {
+        if (const lr_batch_contact& c = batch.contact(); !same(c, initial_contact)) {
             mix(c.layers);
             for (float v : {c.friction, c.restitution, c.rolling_resistance, c.ground_effect})
                 mix(std::bit_cast<uint32_t>(v));

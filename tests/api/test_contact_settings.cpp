@@ -26,10 +26,11 @@ TEST_CASE("a batch has the contact that it was given, initially what the header 
     const lr_batch batch = add_batch(world, asset, 4), other = add_batch(world, asset, 4);
     const lr_batch_contact first = initialised(lr_batch_contact_init);
     CHECK((first.layers == 0xffffffffu && first.friction == 0.5f && first.restitution == 0.1f));
-    CHECK((first.rolling_resistance == 0.05f && first.flags == 0));
+    CHECK((first.rolling_resistance == 0.05f && first.flags == 0 && first.min_thickness == 0.0f));
     CHECK(equal(contact_of(world, batch), first));
     lr_batch_contact c = contact_desc(1.5f, 0.25f, 0.75f);
     c.layers = 6;
+    c.min_thickness = 2e-3f;
     set_contact(world, batch, c);
     CHECK(equal(contact_of(world, batch), c));
     CHECK(equal(contact_of(world, other), first));
@@ -57,6 +58,8 @@ TEST_CASE("contact out of its range is refused and changes nothing") {
         for (float bad : {-0.01f, 10.01f, 1e30f}) refused(LR_ERROR_INVALID_ARGUMENT, [&](C& c) { c.*value = bad; });
     }
     refused(LR_ERROR_INVALID_ARGUMENT, [](C& c) { c.restitution = 1.01f; });
+    for (float bad : {-1.01f, 10.01f}) refused(LR_ERROR_INVALID_ARGUMENT, [&](C& c) { c.min_thickness = bad; });
+    refused(LR_ERROR_NOT_FINITE, [](C& c) { c.min_thickness = std::nanf(""); });
     for (uint32_t bit = 1; bit < 32; ++bit) refused(LR_ERROR_INVALID_ARGUMENT, [&](C& c) { c.flags = 1u << bit; });
     CHECK(hash_of(world) == hash);
     lr_batch_contact c = held;

@@ -137,3 +137,48 @@ TEST_CASE("non-finite bodies touch nothing and disturb no others") {
             CHECK(after[i] == before[i]);
     }
 }
+
+TEST_CASE("boxes of bodies that can touch are near, most others are not, on every instruction set") {
+    test::Random random(97);
+    const std::vector<PairHull> shapes = some_shapes(random);
+    for (const bool move : {false, true}) {
+        const std::vector<Pair> pairs = some_pairs(random, shapes, test::rounds(6000), move);
+        std::vector<uint32_t> order(pairs.size());
+        for (uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+        const std::vector<Found> contacts = search(find_target(LR_SIMD_AUTO)->search_pairs, pairs, order, 64);
+        std::vector<PlacedBox> boxes;
+        uint32_t apart = 0, dropped = 0;
+        for (const uint32_t at : order) {
+            const Pair& pair = pairs[at];
+            NearPair near;
+            const bool boxes_meet = relate(pair.a, pair.b, near_enough(pair.a, pair.b, pair.margin), near);
+            // The pair, and neighbours in other lanes.
+            boxes = {placed_box(pair.a, pair.margin), placed_box(pair.b, pair.margin)};
+            const uint32_t lane = random.below(40);
+            for (uint32_t i = 0; i < 40; ++i) {
+                const Pair& other = pairs[random.below(static_cast<uint32_t>(pairs.size()))];
+                boxes.push_back(placed_box(other.b, pair.margin));
+            }
+            std::vector<uint32_t> first;
+            for (const int32_t simd : {LR_SIMD_SSE4, LR_SIMD_AVX2, LR_SIMD_AVX512, LR_SIMD_NEON, LR_SIMD_PLAIN}) {
+                if (!find_target(simd)) continue;
+                std::vector<uint32_t> others;
+                for (uint32_t i = 0; i < 40; ++i) others.push_back(i == lane ? 1 : 2 + i);
+                others.resize(find_target(simd)->near_boxes(boxes.data(), 0, others.data(),
+                                                            static_cast<uint32_t>(others.size())));
+                if (first.empty()) first = others;
+                CHECK(others == first);
+                CHECK(std::is_sorted(others.begin(), others.end(), [&](uint32_t a, uint32_t b) {
+                    const auto place = [&](uint32_t box) { return box == 1 ? 2 + lane : box; };
+                    return place(a) < place(b);
+                }));
+            }
+            const bool kept = std::find(first.begin(), first.end(), 1u) != first.end();
+            if (contacts[at].count != 0) CHECK(kept);
+            apart += boxes_meet ? 0u : 1u;
+            dropped += kept ? 0u : 1u;
+        }
+        CHECK(apart > pairs.size() / 50);
+        CHECK(dropped > apart * 9 / 10); // boxes hold the rounding too, and margins their slack
+    }
+}

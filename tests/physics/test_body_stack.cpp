@@ -181,3 +181,25 @@ TEST_CASE("a box on another body sticks below the angle of friction and slides a
                 CHECK(speed == doctest::Approx(a).epsilon(mu > 0.8 && size > 0.5 ? 0.15 : 0.03));
             }
 }
+
+TEST_CASE("thin sheets lie on each other as far apart as min_thickness says, thick ones touch") {
+    const auto pitch = [](double thickness, float given) {
+        Stack s;
+        const lr_batch batch = s.add(make(rigid_box(0.06, thickness, 0.04, 700.0)));
+        lr_batch_contact c = contact_desc(0.5f, 0.0f, 0.05f);
+        c.flags = 0;
+        c.min_thickness = given;
+        set_contact(s.world, batch, c);
+        for (uint32_t i = 0; i < 4; ++i) s.put_at(batch, {0.0, 0.003 + 0.005 * i, 0.0});
+        for (int n = 0; n < 300 && s.awake() != 0; ++n) steps(s.world, 1, frame, 2);
+        CHECK(s.awake() == 0);
+        CHECK(s.position(0)[1] == doctest::Approx(0.5 * thickness).epsilon(0.2)); // on the ground, as thick as it is
+        return (s.position(3)[1] - s.position(0)[1]) / 3.0;
+    };
+    const double reach = 0.5 * std::hypot(0.06, 0.04), slack = 3e-4; // they land within g h^2 of each other
+    CHECK(std::abs(pitch(2e-4, 0.0f) - reach / 32.0) < slack);
+    CHECK(std::abs(pitch(2e-4, 2e-3f) - 2e-3) < slack);
+    CHECK(std::abs(pitch(2e-4, 1.0f) - 0.1 * reach) < slack); // at most a tenth of the reach
+    CHECK(std::abs(pitch(4e-4, -1.0f) - 4e-4) < slack);
+    CHECK(std::abs(pitch(3e-3, 0.0f) - 3e-3) < slack);
+}

@@ -304,6 +304,7 @@ void HostileWorld::add_solids(Random& random) {
         lr_batch_contact c = initialised(lr_batch_contact_init);
         c.friction = wild(random, 0.1, 10.0), c.restitution = wild(random, 0.1, 1.0);
         c.rolling_resistance = wild(random, 0.1, 10.0), c.ground_effect = chance(random, 2) ? 1.0f : 0.0f;
+        c.min_thickness = chance(random, 2) ? 0.0f : wild(random, 1e-3, 10.0);
         REQUIRE(lr_batch_set_contact(world.get(), batch, &c) == LR_OK);
     }
 }

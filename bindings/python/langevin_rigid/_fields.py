@@ -210,6 +210,7 @@ class BatchContactOptions(TypedDict, total=False):
     rolling_resistance: float
     flags: int
     ground_effect: float
+    min_thickness: float
 
 
 class KillVolumeOptions(TypedDict, total=False):
@@ -582,14 +583,16 @@ class BatchContact(Record):
     rolling_resistance: moment against rolling and spinning over normal force times lever, 0 to 10; default 0.05. The lever is the geometric mean of reach and half the thickness: of a sphere, its radius
     flags: bits: `ContactFlags.NEVER_SLEEP`; default 0
     ground_effect: air cushion under a sheet that settles on a plane or heightfield, as a share of theory, 0 to 1; default 0. docs/maintainers/contact.md
+    min_thickness: m, at scale 1, -1 to 10: sheets thinner than this meet other bodies as if they were so thick, at most a tenth of their reach; 0: 1/32 of it, at most 1.25 mm; below 0: as thick as they are, for decks of cards; default 0
     """
-    __slots__ = ('layers', 'friction', 'restitution', 'rolling_resistance', 'flags', 'ground_effect')
+    __slots__ = ('layers', 'friction', 'restitution', 'rolling_resistance', 'flags', 'ground_effect', 'min_thickness')
     layers: int
     friction: float
     restitution: float
     rolling_resistance: float
     flags: ContactFlags
     ground_effect: float
+    min_thickness: float
     _enums = {'flags': ContactFlags}
 
 

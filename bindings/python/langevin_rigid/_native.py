@@ -726,6 +726,7 @@ class lr_batch_contact(ctypes.Structure):
         ('flags', ctypes.c_uint32),
         ('ground_effect', ctypes.c_float),
         ('reserved', ctypes.c_uint32),
+        ('min_thickness', ctypes.c_float),
     ]
 
 
@@ -1274,6 +1275,7 @@ FIELD_DOCS = {
         'rolling_resistance': 'moment against rolling and spinning over normal force times lever, 0 to 10; default 0.05. The lever is the geometric mean of reach and half the thickness: of a sphere, its radius',
         'flags': 'bits: `ContactFlags.NEVER_SLEEP`; default 0',
         'ground_effect': 'air cushion under a sheet that settles on a plane or heightfield, as a share of theory, 0 to 1; default 0. docs/maintainers/contact.md',
+        'min_thickness': 'm, at scale 1, -1 to 10: sheets thinner than this meet other bodies as if they were so thick, at most a tenth of their reach; 0: 1/32 of it, at most 1.25 mm; below 0: as thick as they are, for decks of cards; default 0',
     },
     'lr_event': {
         'kind': '`EventKind`',

@@ -201,7 +201,6 @@ HWY_INLINE Matrix frame_of(const PairBlock& block, size_t at) {
 void body_contact_way(const BodyContactInput& in, PairBlock& block) {
     const Gathered g(in, block);
     GatheredTwists twists(in, block);
-    alignas(64) LaneRow depth;
     for (size_t at = 0; at < contact_lanes; at += hn::Lanes(DF())) {
         const PairState s = state_of(in, block, g, at);
         store1(block.dust, at, constant(1e-3f) * s.slop);
@@ -212,29 +211,22 @@ void body_contact_way(const BodyContactInput& in, PairBlock& block) {
         store1(block.friction.drift[0], at, path.y);
         store1(block.friction.drift[1], at, path.z);
         const Reduced way = relative_motion(a, b, s.way[0], s.way[1]);
-        VF deepest = hn::Zero(DF()), guess[block_contacts];
+        VF guess[block_contacts];
         for (uint32_t k = 0; k < block.used; ++k) {
             PairBlock::Place& c = block.place[k];
             set_gaps(s, constant(in.h), block, c, at);
             store1(block.row[k].target, at,
                    dot(press_direction(block.row[k], at), way.press) - push_out(s, block, c, at));
             guess[k] = load1(c.start, at);
-            deepest = hn::Max(deepest, -load1(c.gap, at));
         }
         const Vec3 drag = frame * load3(block.start_drag, at);
         const Reduced impulse = started(block, at, guess, {drag.y, drag.z, load1(block.start_spin, at)});
         Twist ta = load6(twists.a, at), tb = load6(twists.b, at);
         push_pair(in, block, a, b, impulse, ta, tb);
-        store1(depth, at, deepest);
         store6(twists.a, at, ta);
         store6(twists.b, at, tb);
     }
     twists.put_back(in, block);
-    for (size_t lane = 0; lane < block.lanes; ++lane)
-        for (uint32_t body : {block.a[lane], block.b[lane]}) {
-            if (body == block.b[lane] && block.ratio[lane] == 0.0f) continue;
-            in.bodies[body].depth = HWY_MAX(in.bodies[body].depth, depth[lane]);
-        }
 }
 
 // Squares of impulses over a mass, m^2/s^2 and m^2. A unit with larger changes, or NaN, passes nothing on and is dropped for the substep.
@@ -384,6 +376,10 @@ bool body_contact_roll(const BodyContactInput& in, uint32_t kind, uint32_t begin
     return true;
 }
 
+// The velocity's impulse starts from that of the path over h. As with velocity and path, the first is twice the second for a body that was at
+// rest, equal after a blow, and nothing for one that has just come to its highest point: twice there would toss it up once more.
+constexpr float most_guess = 2.0f;
+
 void body_contact_move(const BodyContactInput& in, uint32_t kind, uint32_t begin) {
     GatheredBodies bodies(in, begin);
     auto& row = bodies.row;
@@ -398,6 +394,9 @@ void body_contact_move(const BodyContactInput& in, uint32_t kind, uint32_t begin
         Quaternion q = load4(row + at_q, at);
         store3(row + at_x, at, load3(row + at_x, at) + to_world(q, correction.v));
         const Twist met = twist_of(row, at_v, at, size.length);
+        const VF square = dot(way.v, way.v) + dot(way.u, way.u);
+        const VF ratio = constant(in.h) * (dot(met.v, way.v) + dot(met.u, way.u)) / hn::Max(square, constant(1e-30f));
+        store1(row[at_guess], at, hn::Max(hn::Min(ratio, constant(most_guess)), zero));
         const Twist seen{to_world(q, met.v), to_world(q, met.u)};
         q = normalised(turn(q, q, half * size.inverse, correction.u));
         store4(row + at_q, at, q);
@@ -450,9 +449,6 @@ void body_contact_touch(const BodyContactInput& in, PairBlock& block) {
     }
 }
 
-// The velocity's impulse starts from that of the path over h: of a body at rest it is twice that, after a blow just that.
-constexpr float resting_guess = 2.0f, moving_guess = 1.0f;
-
 void body_contact_velocity(const BodyContactInput& in, PairBlock& block) {
     bool bouncing = false;
     const Gathered g(in, block);
@@ -460,8 +456,8 @@ void body_contact_velocity(const BodyContactInput& in, PairBlock& block) {
     // The inverse of the shortest steps would overflow.
     const float frequency = 1.0f / HWY_MAX(in.h, 1e-30f);
     const VF zero = hn::Zero(DF()), slow = constant(2.0f * in.gravity * in.h), inverse_h = constant(frequency);
-    const VF fall = constant(in.gravity * (in.h * in.h));
     for (size_t at = 0; at < contact_lanes; at += hn::Lanes(DF())) {
+        const auto pair = load1(block.ratio, at) > zero;
         const Size size_a = size_of(in.kinds[block.kind_a], g.a, at), size_b = size_of(in.kinds[block.kind_b], g.b, at);
         PairBlock::Friction& f = block.friction;
         const Matrix frame = frame_of(block, at);
@@ -472,10 +468,8 @@ void body_contact_velocity(const BodyContactInput& in, PairBlock& block) {
         set_frame(in, g, block, at, size_a, size_b, a, b);
         store1(block.dust, at, constant(1e-4f) * slow);
         const auto load = [&](const LaneRow* row, size_t field) LR_LAMBDA { return load1(row[field], at); };
-        const auto asleep_a = load(g.a, at_depth) < constant(2.0f) * size_a.slop + fall;
-        const auto asleep_b = load(g.b, at_depth) < constant(2.0f) * size_b.slop + fall;
-        const VF guess = hn::IfThenElse(hn::And(asleep_a, asleep_b), constant(resting_guess * frequency),
-                                        constant(moving_guess * frequency));
+        const VF guess =
+            inverse_h * hn::IfThenElse(pair, hn::Min(load(g.a, at_guess), load(g.b, at_guess)), load(g.a, at_guess));
         const auto any = hn::Max(load(g.a, at_touches), load(g.b, at_touches)) > zero;
         const Vec3 drift = frame * load3(block.surface, at);
         store1(f.drift[0], at, drift.y);

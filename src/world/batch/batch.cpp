@@ -41,6 +41,7 @@ Batch* Batch::create(Allocator& allocator, const lr_asset& asset, uint32_t capac
     batch->asset_ = &asset;
     batch->reach_ = reach_of(asset.data);
     retain(asset);
+    batch->set_contact(initial_contact);
     batch->step.loads = settings.loads;
     batch->step.clock = settings.clock;
     batch->step.integrator = settings.integrator;
@@ -178,7 +179,7 @@ uint32_t Batch::fall_asleep(uint32_t index) {
 void Batch::lie_down(uint32_t index) {
     const uint32_t slot = unpack(ids()[index]).slot;
     const float scale = arrays_.field[field_scale][index];
-    if (!sleeping_->has_box(slot)) sleeping_->set_box(slot, bounds(asset_->pair_hull, scale, pose_of(arrays_, index)));
+    if (!sleeping_->has_box(slot)) sleeping_->set_box(slot, bounds(pair_hull_, scale, pose_of(arrays_, index)));
     sleeping_->enter(index, slot, vector_in(arrays_.field, field_x, index), scale);
 }
 
@@ -252,9 +253,17 @@ Box Batch::box() const {
     return {vector_of(low), vector_of(high)};
 }
 
+void Batch::set_contact(const lr_batch_contact& contact) {
+    // Bodies keep their boxes for the pose in which they slept.
+    const uint32_t boxes = sleeping_ && contact.min_thickness != contact_.min_thickness ? capacity_ : 0;
+    for (uint32_t slot = 0; slot < boxes; ++slot) sleeping_->forget_box(slot);
+    contact_ = contact;
+    pair_hull_ = thickened(asset_->pair_hull, contact.min_thickness);
+}
+
 bool Batch::reserve_sleep() {
-    // The contact shape can extend slightly beyond the reach.
-    const double most = std::max(reach(), static_cast<double>(asset_->pair_hull.shape.reach));
+    // The contact shape can extend slightly beyond the reach, and be thickened later.
+    const double most = std::max(reach(), (1.0 + 0.5 * most_thickened) * wide(asset_->pair_hull.shape.reach));
     return columns_.reserve(*allocator_, part_sleep, whole_blocks(capacity_)) &&
            sleeping_.reserve(*allocator_, capacity_, most, index_, columns_.row<double>(column_birth));
 }

@@ -186,7 +186,9 @@ public:
     Lifecycle* lifecycle() const { return lifecycle_.get(); } // null before the first rules or emitter
     bool reserve_lifecycle();                                 // false when out of memory
 
-    lr_batch_contact contact = initial_contact;
+    const lr_batch_contact& contact() const { return contact_; }
+    void set_contact(const lr_batch_contact& contact);       // while no body sleeps
+    const PairHull& pair_hull() const { return pair_hull_; } // with which bodies touch other bodies
     ContactCache contact_cache();
 
     ContactEvents* events() const { return events_.get(); }                   // null while events are off
@@ -220,6 +222,8 @@ private:
     Allocator* allocator_;
     const lr_asset* asset_ = nullptr;
     BatchSettings settings_;
+    lr_batch_contact contact_ = initial_contact;
+    PairHull pair_hull_{};
     uint32_t index_ = 0;
     uint32_t capacity_ = 0, count_ = 0, awake_ = 0;
     uint64_t revision_ = 0;

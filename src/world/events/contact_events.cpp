@@ -63,7 +63,7 @@ void ContactEvents::resume(const Batch& batch, const Colliders& colliders) {
     ended_.count = entries_.count = 0;
     all_ = false;
     for (uint32_t i = 0; i < noted_.size(); ++i) clear(i);
-    looks_ = colliders.any() && batch.contact.layers != 0;
+    looks_ = colliders.any() && batch.contact().layers != 0;
     for (uint32_t i = 0; i < batch.count(); ++i) held_[unpack(batch.ids()[i]).slot] = now_held(batch, i, colliders);
 }
 

@@ -50,7 +50,7 @@ ContactRun contact_run(const lr_world& world, Batch& batch, const WaterStep* wat
     const ContactStep step{world.target->contact,
                            &world.colliders,
                            &batch.asset().shape,
-                           &batch.contact,
+                           &batch.contact(),
                            gravity,
                            static_cast<float>(batch.settings().fluid_density),
                            seconds,
@@ -69,7 +69,7 @@ void StepChunks::step(const StepItem& item, uint32_t begin, uint32_t end) const 
 void StepChunks::move_bodies(const StepItem& item, uint32_t begin, uint32_t end) const {
     Batch& batch = *item.batch;
     const BatchArrays& arrays = batch.arrays();
-    const bool touching = colliders && batch.contact.layers != 0;
+    const bool touching = colliders && batch.contact().layers != 0;
     const auto contact_here = [&](const WaterStep* water) {
         ContactRun run = contact_run(*world_, batch, water, batch.pace.time(), static_cast<float>(batch.pace.behind()));
         run.book = batch.contact_cache();

@@ -33,7 +33,7 @@ void hide_by_colliders(const lr_world& world, uint32_t layers, const PairHull& h
 
 float open_to_wind(const lr_world& world, uint32_t slot, uint32_t index, const Pose& at, Hidden hidden) {
     const Batch& own = *world.batches[slot].batch;
-    const PairHull& hull = own.asset().pair_hull;
+    const PairHull& hull = own.pair_hull();
     const float scale = own.arrays().field[field_scale][index];
     const Box near = grown(bounds(hull, scale, at), covering_gap * scale * hull.shape.reach);
     world.pairs.visit_partners(slot, [&](uint32_t other) {
@@ -41,18 +41,18 @@ float open_to_wind(const lr_world& world, uint32_t slot, uint32_t index, const P
         const BatchArrays& arrays = batch.arrays();
         batch.visit_sleeping(near, [&](uint32_t i) {
             if (other == slot && i == index) return;
-            hide(hull, scale, at, batch.asset().pair_hull, arrays.field[field_scale][i], pose_of(arrays, i), hidden);
+            hide(hull, scale, at, batch.pair_hull(), arrays.field[field_scale][i], pose_of(arrays, i), hidden);
         });
     });
     if ((hidden.above | hidden.below) == 0) return 1.0f;
-    if (world.colliders.any() && hidden.above != hidden.below && own.contact.layers != 0)
-        hide_by_colliders(world, own.contact.layers, hull, scale, at, near, hidden);
+    if (world.colliders.any() && hidden.above != hidden.below && own.contact().layers != 0)
+        hide_by_colliders(world, own.contact().layers, hull, scale, at, near, hidden);
     return open_share(hull.face, hidden);
 }
 
 void uncover(lr_world& world, Batch& woken, uint32_t index, const Box& box) {
     const uint32_t slot = unpack(woken.ids()[index]).batch;
-    const float reach = woken.asset().pair_hull.shape.reach * woken.arrays().field[field_scale][index];
+    const float reach = woken.pair_hull().shape.reach * woken.arrays().field[field_scale][index];
     const Box near = grown(box, covering_gap * reach);
     if (world.pairs.has_contact(slot) && woken.columns().has(part_contact)) woken.set_lee(index, lee_unknown);
     world.pairs.visit_partners(slot, [&](uint32_t other) {

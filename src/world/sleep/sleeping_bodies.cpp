@@ -137,9 +137,9 @@ SleepingNeighbours::SleepingNeighbours(const lr_world& world, uint32_t slot) : w
 uint32_t SleepingNeighbours::touched_by(uint32_t noise_seed, float scale, const Pose& from, const Pose& to,
                                         float margin, SleepingTouch (&out)[most_sleeping]) const {
     const Batch& own = *world_->batches[slot_].batch;
-    const PairBody moving = pair_body(own.asset().pair_hull, scale, from, to);
+    const PairBody moving = pair_body(own.pair_hull(), scale, from, to);
     const float within = margin + moving.way();
-    const Box box = grown(bounds(own.asset().pair_hull, scale, from), within);
+    const Box box = grown(bounds(own.pair_hull(), scale, from), within);
     Neighbours near;
     world_->pairs.visit_partners(slot_, [&](uint32_t other) {
         const Batch& batch = *world_->batches[other].batch;
@@ -164,7 +164,7 @@ uint32_t SleepingNeighbours::touched_by(uint32_t noise_seed, float scale, const 
         const Neighbour& one = near.found[n];
         const Batch& batch = *world_->batches[one.batch].batch;
         const Pose pose = pose_of(batch.arrays(), one.index);
-        others[n] = {&batch.asset().pair_hull, batch.arrays().field[field_scale][one.index], pose, pose, {}, 0.0f};
+        others[n] = {&batch.pair_hull(), batch.arrays().field[field_scale][one.index], pose, pose, {}, 0.0f};
         pairs.find(moving, others[n], margin, 0.0f, n, found);
     }
     pairs.finish(found);
@@ -176,8 +176,8 @@ uint32_t SleepingNeighbours::touched_by(uint32_t noise_seed, float scale, const 
         const Batch& batch = *world_->batches[near.found[n].batch].batch;
         touch.batch = near.found[n].batch;
         touch.index = near.found[n].index;
-        touch.friction = pair_friction(own.contact, batch.contact);
-        touch.restitution = pair_restitution(own.contact, batch.contact);
+        touch.friction = pair_friction(own.contact(), batch.contact());
+        touch.restitution = pair_restitution(own.contact(), batch.contact());
     }
     return count;
 }

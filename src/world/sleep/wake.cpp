@@ -33,7 +33,7 @@ void note_ahead(lr_world& world, uint32_t slot, uint32_t i, float dt, float stil
     const float turns = reach * length(vector_in(a.field, field_wx, i));
     if (!(length(v) + turns > hits * still * std::sqrt(reach))) return;
     const Pose pose = pose_of(a, i);
-    const Box box = bounds(batch.asset().pair_hull, scale, pose);
+    const Box box = bounds(batch.pair_hull(), scale, pose);
     const Vector way = dt * rotate(pose.rotation, v), none{0.0f, 0.0f, 0.0f};
     const Box around = grown({box.low + low_of(way, none), box.high + high_of(way, none)},
                              std::min(dt * turns, 2.0f * reach) + 0.005f * reach);
@@ -48,7 +48,7 @@ WakeByFlow::WakeByFlow(lr_world& world, StepItem* items, const StepTime& time)
     : world_(&world), items_(items), time_(time), surface_{world.target, &world.surface, time, world.gravity} {
     world.each_batch([&](Batch& batch, uint32_t slot) {
         if (batch.awake() == batch.count() || !batch.columns().has(part_contact)) return;
-        if (batch.contact.layers == 0 && !world.pairs.has_contact(slot)) return;
+        if (batch.contact().layers == 0 && !world.pairs.has_contact(slot)) return;
         if (!world.wind.active() && !world.surface.present() && batch.sleeping()->withstood(world.wind.uniform.wind))
             return;
         items_[item_count_++] = {&batch, world.handle(slot), chunks_};

@@ -243,7 +243,7 @@ public:
         }
         b.external.set_batch(h.force);
         b.external.restored((h.parts >> part_forces & 1u) != 0);
-        b.contact = h.contact;
+        b.set_contact(h.contact);
         b.faults.noted = 1; // some can have diverged since the last step
         b.faults.last = 0;
         if (b.lifecycle_) b.lifecycle_->restore(h.lifecycle);
@@ -281,7 +281,7 @@ private:
         h.aerodynamics = b.aerodynamics_;
         h.pace = b.pace.record();
         if (b.awake_ < b.count_) h.sleep = b.sleeping_->state();
-        h.contact = b.contact;
+        h.contact = b.contact();
         to_saved(h.force, b.external.batch());
         if (b.lifecycle_) h.lifecycle = b.lifecycle_->state();
         return h;

@@ -182,7 +182,8 @@ void contact(Fuzzer& f) {
     Input& in = f.in;
     lr_batch_contact c = initialised(LR_CALL(lr_batch_contact_init));
     c.flags = in.handle(1) % 4 == 0;
-    in.change(c.layers, c.friction, c.restitution, c.rolling_resistance, c.flags, c.ground_effect, c.reserved);
+    in.change(c.layers, c.friction, c.restitution, c.rolling_resistance, c.flags, c.ground_effect, c.reserved,
+              c.min_thickness);
     const lr_batch id = f.pick_batch(w, in.handle(0));
     Expected e;
     if (!in.null(1)) {
@@ -190,6 +191,7 @@ void contact(Fuzzer& f) {
         e.range(c.restitution, 0.0, 1.0);
         e.range(c.rolling_resistance, 0.0, 10.0);
         e.range(c.ground_effect, 0.0, 1.0);
+        e.range(c.min_thickness, -1.0, 10.0);
         e.add_if(c.flags > 1 || c.reserved != 0, LR_ERROR_INVALID_ARGUMENT);
     }
     e.add_if(!w.find(id), LR_ERROR_STALE_BATCH);

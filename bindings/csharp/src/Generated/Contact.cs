@@ -231,6 +231,10 @@ namespace LangevinRigid
         public float GroundEffect;
         /// <summary>0.</summary>
         public uint Reserved;
+        /// <summary>m, at scale 1, -1 to 10: sheets thinner than this meet other bodies as if they were so thick, at
+        /// most a tenth of their reach; 0: 1/32 of it, at most 1.25 mm; below 0: as thick as they are, for decks of
+        /// cards; default 0</summary>
+        public float MinThickness;
 
         /// <summary>A struct with its initial values and its size.</summary>
         public static BatchContact Create()

@@ -882,6 +882,8 @@ export interface BatchContact {
   flags: number;
   /** air cushion under a sheet that settles on a plane or heightfield, as a share of theory, 0 to 1; default 0. docs/maintainers/contact.md */
   groundEffect: number;
+  /** m, at scale 1, -1 to 10: sheets thinner than this meet other bodies as if they were so thick, at most a tenth of their reach; 0: 1/32 of it, at most 1.25 mm; below 0: as thick as they are, for decks of cards; default 0 */
+  minThickness: number;
 }
 
 /** One event: 64 bytes in arrays without gaps. This struct never changes after 0.2. */

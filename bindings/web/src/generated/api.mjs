@@ -552,7 +552,7 @@ export const structs = {
     ],
   },
   lr_batch_contact: {
-    size: 32, init: 'lr_batch_contact_init', sized: true,
+    size: 36, init: 'lr_batch_contact_init', sized: true,
     fields: [
       ['layers', 4, 'u32', 0],
       ['friction', 8, 'f32', 0],
@@ -560,6 +560,7 @@ export const structs = {
       ['rollingResistance', 16, 'f32', 0],
       ['flags', 20, 'u32', 0],
       ['groundEffect', 24, 'f32', 0],
+      ['minThickness', 32, 'f32', 0],
     ],
   },
   lr_event: {
