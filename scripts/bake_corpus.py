@@ -4,7 +4,7 @@
 
     scripts/bake_corpus.py [--lr-bake PATH] [--most N] [--jobs N] [--only CORPUS] [--match TEXT]
 
-Fetches the packages into build/corpus with apt-get download; nothing is installed. Each bake has 60 s and 3 GB. A
+Fetches the packages into build/corpus with apt-get download; nothing is installed. Each bake has 60 s of processor time and 3 GB. A
 model that is refused is baked again with the first option that the message names. --most N takes about N models of each
 collection, evenly spread. Writes build/corpus/results.json and prints the table.
 """
@@ -13,13 +13,15 @@ import collections
 import concurrent.futures
 import hashlib
 import json
+import os
 import pathlib
 import re
 import resource
+import signal
 import subprocess
 import sys
 import tarfile
-import time
+import tempfile
 import zipfile
 
 LIMIT = argparse.Namespace(seconds=60)
@@ -76,16 +78,18 @@ def models(folder, most):
 
 def limit():
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    resource.setrlimit(resource.RLIMIT_CPU, (LIMIT.seconds, LIMIT.seconds + 1))
 
 
 def bake(command):
-    start = time.monotonic()
-    try:
-        run = subprocess.run(command, capture_output=True, timeout=LIMIT.seconds, preexec_fn=limit)
-        code, text = run.returncode, run.stderr.decode(errors="replace")
-    except subprocess.TimeoutExpired:
-        code, text = "time", ""
-    return code, text, time.monotonic() - start
+    """Exit code, messages, and seconds of processor time, which other work on the machine does not change."""
+    with tempfile.TemporaryFile() as errors:
+        run = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=errors, preexec_fn=limit)
+        _, status, usage = os.wait4(run.pid, 0)
+        run.returncode = code = os.waitstatus_to_exitcode(status)
+        errors.seek(0)
+        text = errors.read().decode(errors="replace")
+    return "time" if code in {-signal.SIGXCPU, -signal.SIGKILL} else code, text, usage.ru_utime + usage.ru_stime
 
 
 def outcome(code, text):
@@ -147,26 +151,28 @@ def main():
     parser.add_argument("--only", help="one collection")
     parser.add_argument("--match", default="", help="only paths with this text")
     parser.add_argument("--results", default=str(FOLDER / "results.json"))
-    parser.add_argument("--again", help="only models that this file of results does not show as baked")
-    parser.add_argument("--seconds", type=float, default=60, help="for each bake, on an idle machine")
+    parser.add_argument("--again", help="takes from this file of results what it shows as baked, and bakes the rest")
+    parser.add_argument("--seconds", type=int, default=60, help="of processor time for each bake")
     args = parser.parse_args()
     LIMIT.seconds = args.seconds
     (FOLDER / "out").mkdir(parents=True, exist_ok=True)
     work = []
-    failed = None
-    if args.again:
-        failed = {r["path"] for r in json.loads(pathlib.Path(args.again).read_text()) if r["outcome"] != "baked"}
     for name, package in PACKAGES.items():
         if args.only in {None, name, package}:
-            work += [(name, path) for path in models(unpack(package), args.most) if args.match in str(path)]
-    if failed is not None:
-        work = [(name, path) for name, path in work if str(path.relative_to(FOLDER)) in failed]
+            chosen = models(unpack(package), args.most)
+            work += [(i, name, path) for i, path in enumerate(chosen) if args.match in str(path)]
+    work = [(name, path) for _, name, path in sorted(work)]  # first results from all collections
     results = []
+    if args.again:
+        results = [r for r in json.loads(pathlib.Path(args.again).read_text()) if r["outcome"] == "baked"]
+        done = {r["path"] for r in results}
+        work = [(name, path) for name, path in work if str(path.relative_to(FOLDER)) not in done]
+    total = len(results) + len(work)
     with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
         for result in pool.map(lambda item: try_model(args.lr_bake, *item), work):
             results.append(result)
             pathlib.Path(args.results).write_text(json.dumps(results, indent=1))
-            print(f"{len(results)}/{len(work)} {result['outcome']}{' -> ' + result['then'] if 'then' in result else ''} "
+            print(f"{len(results)}/{total} {result['outcome']}{' -> ' + result['then'] if 'then' in result else ''} "
                   f"{result['seconds']} s {result['path']}", file=sys.stderr, flush=True)
     table(results)
 

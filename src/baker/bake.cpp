@@ -10,6 +10,7 @@
 #include "baker/bake_input.h"
 #include "baker/fault_text.h"
 #include "baker/file_faults.h"
+#include "baker/mass_mesh.h"
 #include "baker/mesh/body_parts.h"
 #include "baker/mesh/convex_hull.h"
 #include "baker/mesh/ellipsoid_mesh.h"
@@ -35,8 +36,9 @@ namespace {
 constexpr std::size_t max_name_bytes = 4096; // limit of check_asset
 // Largest thickness over length of a sheet: in a thicker sheet the edges matter, which the zero-thickness formulation omits.
 constexpr double max_thickness_share = 0.2;
+constexpr double longest_body = 1e3; // m
 // Sheets of more faces are solved on coarser ones unless --strict: 30,000 take most of a minute.
-constexpr std::size_t most_sheet_faces = 12000;
+constexpr std::size_t most_sheet_faces = 20000;
 
 bool in_range(double value, double low, double high, const char* where, const char* unit, Faults& faults) {
     if (value >= low && value <= high) return true; // false for NaN
@@ -111,11 +113,22 @@ public:
 
     bool run() {
         out_ = AssetData{};
+        try {
+            return make();
+        } catch (const std::bad_alloc&) {
+            return fail(faults_, FaultId::mesh_too_many_faces, mesh_.source ? printable(options_.mesh_path) : "memory",
+                        "The bake does not fit into memory" +
+                            (mesh_.source ? ": " + mesh_.source->largest() : std::string()) + ".",
+                        "Reduce the mesh (decimate), leave parts out with --mesh, or give a coarser --grid.");
+        }
+    }
+
+private:
+    bool make() {
         return check_options(options_, faults_) && (options_.semi_axes ? make_ellipsoid() : make_mesh_body()) &&
                phase("turbulence", [&] { return make_turbulence(); }) && finish();
     }
 
-private:
     template <class Work> bool phase(const char* name, const Work& work) {
         phase_ = name;
         report(0.0);
@@ -145,8 +158,12 @@ private:
         if (!(side > 0.0) || !std::isfinite(size_scale_) || !(size_scale_ > 0.0))
             return fail(faults_, FaultId::mesh_degenerate_face, options_.mesh_path,
                         "All of the mesh lies in one point.", "Export the mesh again.");
-        for (Eigen::Vector3d& v : mesh_.vertices) v *= size_scale_;
+        resize(mesh_, size_scale_);
         return true;
+    }
+    static void resize(Mesh& mesh, double factor) {
+        for (Eigen::Vector3d& v : mesh.vertices) v *= factor;
+        if (mesh.source) mesh.source->scale_by(factor);
     }
 
     bool make_ellipsoid() {
@@ -171,6 +188,16 @@ private:
     bool read() {
         if (!read_input(options_, mesh_, input_, faults_) || !resize()) return false;
         side_ = box_sides(mesh_).maxCoeff();
+        if (side_ > longest_body && !options_.size && !options_.card && !options_.strict &&
+            options_.unit == Unit::file) {
+            size_scale_ = 1e-3;
+            resize(mesh_, size_scale_);
+            faults_.push_back(
+                {FaultId::mesh_turned_or_scaled, Severity::warning, "unit",
+                 "The body would be " + two_digits(side_) + " m long: its lengths were taken as millimetres.",
+                 "Give its true length, as in --size 20cm, or the --unit that it was modelled in."});
+            side_ *= size_scale_;
+        }
         out_.provenance.source = source_name(options_);
         return true;
     }
@@ -191,8 +218,7 @@ private:
             faults_.insert(faults_.end(), found.begin(), found.end());
             return !has_error(found) && (!is_sheet() || set_thickness(mesh_, mesh_.faces));
         }
-        if (!find_parts(mesh_, parts_, faults_)) return false;
-        if (is_sheet()) parts_.solid_faces = 0;
+        if (!find_parts(mesh_, parts_, faults_, is_sheet())) return false;
         mesh_ = parts_.mesh;
         if (parts_.solid_faces == 0) {
             sheet_ = true;
@@ -232,9 +258,7 @@ private:
 
     // Of the union of the solids, and of the sheets outside them.
     MassProperties mixed_properties() {
-        Mesh part{parts_.mesh.vertices, parts_.solids(), {}};
-        const SolidRegion region(part, part.faces);
-        RegionMoments m = region.moments(compute_mass_properties(part));
+        const RegionMoments m = body_moments(parts_, thickness_, false);
         if (m.counted - m.volume > 1e-4 * m.counted)
             faults_.push_back({FaultId::mesh_several_components, Severity::warning, "mesh",
                                "Solids cross or lie in each other: they were taken as one body; " +
@@ -243,14 +267,6 @@ private:
                                "None needed. Unite them (boolean union) in the modelling program for the most exact "
                                "added mass; --strict "
                                "refuses such parts."});
-        part.faces = parts_.sheets();
-        if (!part.faces.empty()) {
-            const MassProperties s = compute_sheet_mass_properties(part, thickness_);
-            m.volume += s.volume;
-            m.first += s.volume * s.centroid;
-            m.second += 0.5 * s.inertia.trace() * Eigen::Matrix3d::Identity() - s.inertia +
-                        s.volume * s.centroid * s.centroid.transpose();
-        }
         return combined_mass_properties(mesh_, solid_faces_, m.volume, m.first, m.second);
     }
 
@@ -258,18 +274,23 @@ private:
         return is_sheet() ? compute_sheet_mass_properties(mesh, thickness_) : compute_mass_properties(mesh);
     }
 
-    // Mass properties of the mass mesh if there is one, else of the mesh.
+    // Mass properties of the mass mesh if there is one, else of the mesh without its cavities.
     bool read_mass(MassProperties& weighed) {
         weighed = solid_;
-        if (!options_.mass) return true;
+        if (!options_.mass) {
+            if (parts_.cavities.faces.empty()) return true;
+            if (!mixed_) parts_.mesh = mesh_, parts_.solid_faces = mesh_.faces.size();
+            const RegionMoments m = body_moments(parts_, thickness_, true);
+            weighed = combined_mass_properties(mesh_, solid_faces_, m.volume, m.first, m.second);
+            return true;
+        }
         Mesh mesh;
         const std::size_t before = faults_.size();
-        const bool good = read_mass_input(options_, mesh, input_, faults_) &&
-                          (is_sheet() ? check_layers(mesh, faults_) : check_and_repair(mesh, faults_));
-        for (Eigen::Vector3d& v : mesh.vertices) v *= size_scale_;
+        bool good = read_mass_input(options_, mesh, input_, faults_);
+        resize(mesh, size_scale_);
+        good = good && weigh(mesh, {is_sheet(), options_.strict, thickness_}, weighed, faults_);
         for (std::size_t i = before; i < faults_.size(); ++i)
             if (static_cast<uint32_t>(faults_[i].id) >= 200) faults_[i].where = "mass, " + faults_[i].where;
-        if (good) weighed = properties_of(mesh);
         return good;
     }
 
@@ -284,7 +305,7 @@ private:
             solid_.centroid = weighed.centroid;
         }
         const double size = solid_.extents.maxCoeff();
-        if (!(size >= 1e-6 && size <= 1e3))
+        if (!(size >= 1e-6 && size <= longest_body))
             return fail(faults_, FaultId::parameter_out_of_range, "unit",
                         "The body is " + shortest(size) + " m long; the limits are 1e-6 and 1000 m.",
                         "Give its true length, as in --size 20cm, or the --unit that it was modelled in.");
@@ -299,7 +320,7 @@ private:
         }
         out_.volume = solid_.volume;
         out_.mass = density_ * weighed.volume;
-        out_.density = options_.mass ? out_.mass / solid_.volume : density_;
+        out_.density = weighs_less_or_more() ? out_.mass / solid_.volume : density_;
         out_.center_of_mass = to_array(center_);
         out_.center_of_buoyancy = to_array(solid_.centroid - center_);
         for (std::size_t i = 0; i < 3; ++i)
@@ -310,13 +331,14 @@ private:
         out_.provenance.vertices = static_cast<uint32_t>(mesh_.vertices.size());
         for (Eigen::Vector3d& v : mesh_.vertices) v -= center_; // now in the body frame
         for (Eigen::Vector3d& v : parts_.mesh.vertices) v -= center_;
+        if (mesh_.source) mesh_.source->move_to(center_);
         if (hooks_.body) *hooks_.body = mesh_;
         return true;
     }
 
     bool make_hull() {
         ConvexHull hull;
-        if (!compute_convex_hull(thickness_ > 0.0 ? both_sides() : mesh_.vertices, hull, faults_)) return false;
+        if (!compute_convex_hull(is_sheet() || mixed_ ? both_sides() : mesh_.vertices, hull, faults_)) return false;
         for (const Face& f : hull.faces) {
             const Eigen::Vector3d& a = hull.vertices[f[0]];
             const Eigen::Vector3d normal = (hull.vertices[f[1]] - a).cross(hull.vertices[f[2]] - a);
@@ -333,7 +355,7 @@ private:
     bool make_aerodynamics() {
         // The axes follow the surface, not the mass.
         std::array<double, 9> inertia = out_.inertia;
-        if (options_.mass)
+        if (weighs_less_or_more())
             for (std::size_t i = 0; i < 9; ++i)
                 inertia[i] = solid_.inertia(static_cast<Eigen::Index>(i / 3), static_cast<Eigen::Index>(i % 3));
         const std::array<double, 9> axes = shape::principal_axes(inertia);
@@ -385,6 +407,8 @@ private:
     }
 
     bool is_sheet() const { return sheet_; }
+    // Its mass is not that of what it displaces.
+    bool weighs_less_or_more() const { return options_.mass || !parts_.cavities.faces.empty(); }
 
     std::vector<Eigen::Vector3d> both_sides() const {
         std::vector<Eigen::Vector3d> points;
@@ -402,7 +426,26 @@ private:
         return points;
     }
 
+    // The narrowest face: what is wrong with a mesh that cannot be solved is most often there.
+    std::string narrowest_face() const {
+        const auto narrowest =
+            std::min_element(mesh_.faces.begin(), mesh_.faces.end(),
+                             [&](const Face& a, const Face& b) { return face_shape(mesh_, a) < face_shape(mesh_, b); });
+        const Face& f = *narrowest;
+        return "mesh, its narrowest face at " +
+               place_of(mesh_, (mesh_.vertices[f[0]] + mesh_.vertices[f[1]] + mesh_.vertices[f[2]]) / 3.0,
+                        std::to_string(narrowest - mesh_.faces.begin()));
+    }
+
     bool solve_added_mass(AddedMass& added) {
+        const std::size_t before = faults_.size();
+        const bool good = solve_surface(added);
+        for (std::size_t i = before; !good && i < faults_.size(); ++i)
+            if (faults_[i].where == "mesh") faults_[i].where = narrowest_face();
+        return good;
+    }
+
+    bool solve_surface(AddedMass& added) {
         const auto report = [&](double f) { advance(f); };
         const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
         AddedMassOptions how;
@@ -583,11 +626,6 @@ const char* unit_name(Unit unit) {
 
 bool bake(const BakeOptions& options, AssetData& out, Faults& faults, BakeTimings* timings,
           const BakeProgress& progress, const BakeHooks& hooks) {
-    try {
-        return Pipeline(options, out, faults, timings, progress, hooks).run();
-    } catch (const std::bad_alloc&) {
-        return fail(faults, FaultId::mesh_too_many_faces, "memory", "The bake does not fit into memory.",
-                    "Decimate the mesh, or use a coarser --grid.");
-    }
+    return Pipeline(options, out, faults, timings, progress, hooks).run();
 }
 } // namespace lr::baker

@@ -26,6 +26,7 @@ MeshReadOptions reading_of(const BakeOptions& o) {
     if (o.unit != Unit::file) how.unit_scale = 1.0 / units_per_metre(o.unit);
     how.up = o.up;
     how.max_faces = max_faces;
+    how.repair = !o.strict;
     return how;
 }
 
@@ -46,7 +47,8 @@ void add_memory(const BakeOptions& o, InputFiles& input) {
 bool stands_alone(const std::string& path) {
     std::string extension = to_path(path).extension().string();
     for (char& c : extension) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-    return extension == ".obj" || extension == ".ply" || extension == ".stl";
+    return extension == ".obj" || extension == ".ply" || extension == ".stl" || extension == ".off" ||
+           extension == ".3mf";
 }
 
 bool trace_card(const BakeOptions& o, Mesh& mesh, InputFiles& input, Faults& faults) {

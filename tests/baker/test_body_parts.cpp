@@ -76,7 +76,7 @@ double volume_of(const BodyParts& parts) {
     return compute_mass_properties({parts.mesh.vertices, parts.solids(), {}}).volume;
 }
 
-bool baked(const Mesh& mesh, AssetData& out, bool strict = false) {
+bool baked(const Mesh& mesh, AssetData& out, bool strict = false, Faults* told = nullptr) {
     std::vector<double> positions;
     std::vector<uint32_t> indices;
     for (const Vector& v : mesh.vertices) positions.insert(positions.end(), v.data(), v.data() + 3);
@@ -90,7 +90,12 @@ bool baked(const Mesh& mesh, AssetData& out, bool strict = false) {
     Faults faults;
     const bool good = bake(options, out, faults);
     for (const Fault& f : faults) INFO(f.what);
+    if (told) *told = faults;
     return good;
+}
+
+void turn_inside_out(Mesh& mesh) {
+    for (Face& f : mesh.faces) std::swap(f[1], f[2]);
 }
 } // namespace
 
@@ -207,4 +212,67 @@ TEST_CASE("bake: boxes that cross bake as their union") {
     REQUIRE(baked(cross, asset));
     const double common = 0.22 * 0.2 * 0.2, volume = 0.6 * 0.04 + 0.6 * 0.22 * 0.22 - common;
     CHECK(asset.volume == doctest::Approx(volume).epsilon(0.005));
+}
+
+TEST_CASE("bake: a cavity displaces fluid and holds no mass, a solid in a solid counts once") {
+    const double outer = 0.2 * 0.2 * 0.2, inner = 0.1 * 0.1 * 0.1, ball = 0.02 * 0.02 * 0.02;
+    const Mesh shell = box({0, 0, 0}, {0.2, 0.2, 0.2}, 3), inside = box({0.02, 0.05, 0.05}, {0.12, 0.15, 0.15}, 2);
+    Mesh hollow = inside;
+    turn_inside_out(hollow);
+    add(hollow, shell);
+    AssetData asset;
+    Faults faults;
+    CHECK_FALSE(baked(hollow, asset, true));
+    REQUIRE(baked(hollow, asset, false, &faults));
+    CHECK(std::any_of(faults.begin(), faults.end(),
+                      [](const Fault& f) { return f.what == "1 enclosed cavities displace fluid and hold no mass."; }));
+    CHECK(asset.volume == doctest::Approx(outer).epsilon(1e-9));
+    CHECK(asset.mass == doctest::Approx(800.0 * (outer - inner)).epsilon(1e-9));
+    const double centre = (outer * 0.1 - inner * 0.07) / (outer - inner);
+    CHECK(asset.center_of_mass[0] == doctest::Approx(centre).epsilon(1e-9));
+    CHECK(asset.center_of_buoyancy[0] == doctest::Approx(0.1 - centre).epsilon(1e-9));
+    AssetData whole;
+    REQUIRE(baked(shell, whole));
+    CHECK(asset.added_mass[0] == doctest::Approx(whole.added_mass[0]).epsilon(1e-6));
+
+    Mesh rattle = hollow;
+    add(rattle, box({0.06, 0.08, 0.08}, {0.08, 0.1, 0.1}));
+    REQUIRE(baked(rattle, asset));
+    CHECK(asset.mass == doctest::Approx(800.0 * (outer - inner + ball)).epsilon(1e-6));
+
+    turn_inside_out(hollow); // the file as a whole
+    REQUIRE(baked(hollow, asset));
+    CHECK(asset.mass == doctest::Approx(800.0 * (outer - inner)).epsilon(1e-9));
+
+    Mesh full = shell;
+    add(full, inside);
+    REQUIRE(baked(full, asset));
+    CHECK(asset.mass == doctest::Approx(800.0 * outer).epsilon(1e-3));
+}
+
+TEST_CASE("bake: layers in one plane that are cut along other diagonals") {
+    Mesh mesh = fin(0, 0, 0.2, 0.1, 4), other = fin(0, 0, 0.2, 0.1, 4);
+    AssetData single, layered;
+    REQUIRE(baked(mesh, single));
+    for (std::size_t i = 0; i < other.faces.size(); i += 2) {
+        const Face a = other.faces[i], b = other.faces[i + 1];
+        other.faces[i] = {a[0], a[1], b[2]};
+        other.faces[i + 1] = {a[1], b[1], b[2]};
+    }
+    add(mesh, other);
+    REQUIRE(baked(mesh, layered));
+    const double error = layered.added_mass_error[0] + 0.1 * single.added_mass[0];
+    CHECK(std::abs(layered.added_mass[0] - single.added_mass[0]) < error);
+}
+
+TEST_CASE("bake: a body of thousands of metres is taken as one of millimetres, with a word") {
+    const Mesh mesh = box({0, 0, 0}, {1800, 400, 400}, 2);
+    AssetData asset, refused;
+    Faults faults;
+    CHECK_FALSE(baked(mesh, refused, true));
+    REQUIRE(baked(mesh, asset, false, &faults));
+    CHECK(asset.volume == doctest::Approx(1.8 * 0.4 * 0.4));
+    CHECK(std::any_of(faults.begin(), faults.end(), [](const Fault& f) {
+        return f.id == FaultId::mesh_turned_or_scaled && f.remedy.find("--size") != std::string::npos;
+    }));
 }

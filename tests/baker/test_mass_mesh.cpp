@@ -37,11 +37,15 @@ struct Arrays {
 Mesh strip(double length) {
     return shapes::patch(6, 3, [=](double u, double v) { return Eigen::Vector3d(length * u, 0.05 * (v - 0.5), 0.0); });
 }
+void append(Mesh& to, const Mesh& from) {
+    const auto shift = static_cast<uint32_t>(to.vertices.size());
+    to.vertices.insert(to.vertices.end(), from.vertices.begin(), from.vertices.end());
+    for (const Face& f : from.faces) to.faces.push_back({f[0] + shift, f[1] + shift, f[2] + shift});
+}
 Mesh strip_layers() {
     Mesh all = strip(0.12), flap = strip(0.04);
-    const auto shift = static_cast<uint32_t>(all.vertices.size());
-    all.vertices.insert(all.vertices.end(), flap.vertices.begin(), flap.vertices.end());
-    for (const Face& f : flap.faces) all.faces.push_back({f[0] + shift, f[2] + shift, f[1] + shift});
+    for (Face& f : flap.faces) std::swap(f[1], f[2]);
+    append(all, flap);
     return all;
 }
 
@@ -137,11 +141,37 @@ TEST_CASE("mass mesh: of a solid it is the solid parts") {
     CHECK(a.aerodynamics.axes == std::array<double, 9>{1, 0, 0, 0, 1, 0, 0, 0, 1});
 }
 
+TEST_CASE("mass mesh: of bodies of solids and sheets, and itself of parts that cross") {
+    // A box with a fin floats on it; its weight is two bars that cross, and a foil.
+    Mesh body = shapes::box({0.3, 0.1, 0.1}, {3, 1, 1});
+    Mesh fin = strip(0.1);
+    shapes::apply(fin, Eigen::Matrix3d::Identity(), {-0.05, 0.0, 0.3});
+    append(body, fin);
+    Mesh weight = shapes::box({0.2, 0.02, 0.02}, {2, 1, 1});
+    append(weight, shapes::box({0.02, 0.2, 0.02}, {1, 2, 1}));
+    Mesh foil = strip(0.1);
+    shapes::apply(foil, Eigen::Matrix3d::Identity(), {-0.05, 0.0, -0.1});
+    append(weight, foil);
+    BakeOptions options;
+    options.mesh_path = "body";
+    options.density = 2000.0;
+    options.thickness = 0.001;
+    options.cells = {16, 16, 8};
+    const AssetData a = baked(body, &weight, options);
+    const double bars = 2 * 0.2 * 0.0004 - 8e-6, sheet = 0.1 * 0.05 * 0.001;
+    CHECK(a.mass == Approx(2000.0 * (bars + sheet)).epsilon(2e-3));
+    CHECK(a.volume == Approx(3e-3 + sheet).epsilon(1e-6));
+    CHECK(a.density == Approx(a.mass / a.volume).epsilon(1e-12));
+    CHECK(a.center_of_mass[2] == Approx(-0.1 * sheet / (bars + sheet)).epsilon(1e-2));
+}
+
 TEST_CASE("mass mesh: what cannot be is a fault that names it") {
     const Mesh surface = strip(0.12);
     Mesh bad = strip_layers();
     bad.vertices[3].y() = std::nan("");
-    CHECK(refused(surface, &bad, sheet_options()) == 203);
+    BakeOptions strict = sheet_options();
+    strict.strict = true;
+    CHECK(refused(surface, &bad, strict) == 203);
     bad = strip_layers();
     bad.faces[2][1] = 99999;
     CHECK(refused(surface, &bad, sheet_options()) == 204);
@@ -150,6 +180,7 @@ TEST_CASE("mass mesh: what cannot be is a fault that names it") {
     const Mesh open = strip_layers(), box = shapes::box({0.3, 0.1, 0.1}, {3, 1, 1});
     BakeOptions solid;
     solid.mesh_path = "body";
+    solid.strict = true;
     CHECK(refused(box, &surface, solid) == 206); // the parts of a solid must be closed
     CHECK(refused(box, &open, solid) == 212);
     BakeOptions both = sheet_options();

@@ -208,6 +208,35 @@ TEST_CASE("concave polygons are cut without folding over") {
     CHECK(area == doctest::Approx(14.0)); // a fold would show as more
 }
 
+TEST_CASE("polygons of thousands of corners keep their area") {
+    const int n = 3001;
+    std::string star, face = "f";
+    for (int i = 0; i < n; ++i) {
+        const double turn = 6.283185307179586 * i / n, radius = i % 2 ? 1.0 : 0.5;
+        star += "v " + std::to_string(radius * std::cos(turn)) + " " + std::to_string(radius * std::sin(turn)) + " 0\n";
+        face += " " + std::to_string(i + 1);
+    }
+    Mesh mesh;
+    Faults faults;
+    REQUIRE(read_text(star + face + "\n", "obj", mesh, faults));
+    CHECK(mesh.faces.size() == n - 2);
+    double area = 0.0, turned = 0.0;
+    for (int i = 0; i < n; ++i) {
+        const Eigen::Vector3d &a = mesh.vertices[static_cast<std::size_t>(i)],
+                              &b = mesh.vertices[static_cast<std::size_t>((i + 1) % n)];
+        area += 0.5 * (a.x() * b.y() - a.y() * b.x());
+    }
+    double sum = 0.0;
+    for (const Face& f : mesh.faces) {
+        const double z =
+            0.5 * (mesh.vertices[f[1]] - mesh.vertices[f[0]]).cross(mesh.vertices[f[2]] - mesh.vertices[f[0]]).z();
+        sum += z;
+        turned += std::min(z, 0.0);
+    }
+    CHECK(sum == doctest::Approx(area));
+    CHECK(turned == 0.0);
+}
+
 TEST_CASE("PLY: binary of both byte orders, extra properties") {
     const Mesh source = test::icosphere(1);
     for (const bool big : {false, true}) {
@@ -266,7 +295,6 @@ TEST_CASE("every unreadable file has its fault number") {
         {"index 0", scratch.write("zero.obj", good + "f 0 1 2\n"), FaultId::mesh_bad_index},
         {"negative", scratch.write("negative.obj", good + "f -1 -2 -99\n"), FaultId::mesh_bad_index},
         {"word", scratch.write("word.obj", "v 0 zero 0\n"), FaultId::mesh_unreadable},
-        {"two corners", scratch.write("two.obj", good + "f 1 2\n"), FaultId::mesh_degenerate_face},
         {"garbage stl", scratch.write("garbage.stl", "\x01\x02garbage"), FaultId::mesh_unreadable},
         {"garbage ply", scratch.write("garbage.ply", "not a ply file at all"), FaultId::mesh_unreadable},
         {"garbage glb", scratch.write("garbage.glb", std::string(300, '\xff')), FaultId::mesh_unreadable},
@@ -291,8 +319,11 @@ TEST_CASE("every unreadable file has its fault number") {
     }
     Mesh mesh;
     Faults faults;
-    CHECK_FALSE(read_text("v 0 0 0\nv 0 0 nan\n", "obj", mesh, faults));
-    CHECK(faults[0].where == "line 2");
+    CHECK_FALSE(read_text("v 0 0 0\nv 0 0 nan\nf 1 2 2\n", "obj", mesh, faults));
+    CHECK(faults[0].where == "vertex 1");
+    faults.clear();
+    CHECK(read_text(good + "f 1 2\n", "obj", mesh, faults)); // a line
+    CHECK(warnings(faults, FaultId::mesh_empty) == 1);
 }
 
 TEST_CASE("NaN and bad indices in formats read by assimp") {

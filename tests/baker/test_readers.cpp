@@ -1,10 +1,13 @@
 // Files that are not as they should be: other encodings, strips, references out of their folder, and unknown kinds.
 #include "baker/fault_text.h"
 #include "baker/mesh/mesh.h"
+#include "baker/mesh/mesh_check.h"
 #include "scene_files.h"
 #include "scratch.h"
 
 #include <doctest/doctest.h>
+
+#include <Eigen/Geometry>
 
 #include <filesystem>
 
@@ -60,6 +63,22 @@ std::string triangle_bytes() {
            std::string(reinterpret_cast<const char*>(indices), sizeof indices);
 }
 
+// An archive of one file that is not packed.
+std::string zip_of(const std::string& name, const std::string& text) {
+    const auto number = [](uint32_t value, int bytes) {
+        std::string out;
+        for (int i = 0; i < bytes; ++i) out += static_cast<char>(value >> 8 * i & 255U);
+        return out;
+    };
+    const auto size = static_cast<uint32_t>(text.size()), length = static_cast<uint32_t>(name.size());
+    const std::string sizes = number(0, 4) + number(size, 4) + number(size, 4) + number(length, 2) + number(0, 2);
+    const std::string local = "PK\3\4" + number(20, 2) + number(0, 8) + sizes + name + text;
+    const std::string central = "PK\1\2" + number(20, 2) + number(20, 2) + number(0, 8) + sizes + number(0, 14) + name;
+    return local + central + "PK\5\6" + number(0, 4) + number(1, 2) + number(1, 2) +
+           number(static_cast<uint32_t>(central.size()), 4) + number(static_cast<uint32_t>(local.size()), 4) +
+           number(0, 2);
+}
+
 } // namespace
 
 TEST_CASE("readers: OFF keeps every face") {
@@ -81,7 +100,7 @@ TEST_CASE("readers: OFF keeps every face") {
 TEST_CASE("readers: damaged OFF files name the line") {
     CHECK(contains(only_fault("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n", "off"), "error 204 at line 6"));
     CHECK(contains(only_fault("OFF\n3 1 0\n0 0 0\n1 0\n", "off"), "error 201 at line"));
-    CHECK(contains(only_fault("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 nan\n3 0 1 2\n", "off"), "error 203 at line 5"));
+    CHECK(contains(only_fault("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 nan\n3 0 1 2\n", "off"), "error 203 at vertex 2"));
     CHECK(contains(only_fault("OFF BINARY\n", "off"), "binary OFF"));
     CHECK(contains(only_fault("4OFF\n", "off"), "four or more dimensions"));
     CHECK(contains(only_fault("OFF\n1000000000 1 0\n0 0 0\n", "off"), "error 201"));
@@ -167,5 +186,74 @@ TEST_CASE("readers: what a file is, and the way out, in a modeller's words") {
     CHECK(contains(only_fault("anything", "c4d"), "own file"));
     CHECK(contains(only_fault("anything", "txt"), "No reader knows this kind of file"));
     CHECK(contains(only_fault(std::string("glTF\1\0\0\0\x14\0\0\0", 12), "glb"), "glTF 1"));
+    CHECK(contains(only_fault("PK anything", "3mf"), "no 3MF archive"));
     CHECK(contains(only_fault("v 0 0 0\nv 1 0 0\nl 1 2\n", "obj"), "2 points, lines or curves"));
+}
+
+TEST_CASE("readers: 3MF has a unit, and objects made of placed components") {
+    const std::string triangle =
+        "<mesh><vertices><vertex x='0' y='0' z='0'/><vertex x='2' y='0' z='0'/><vertex x='0' y='2' z='0'/></vertices>"
+        "<triangles><triangle v1='0' v2='1' v3='2'/></triangles></mesh>";
+    const std::string model =
+        "<?xml version='1.0'?><model unit='centimeter'><resources>"
+        "<object id='1' name='blade'>" +
+        triangle + "</object><object id='7' name='spare'>" + triangle +
+        "</object>"
+        "<object id='2' name='fan'><components><component objectid='1'/>"
+        "<component objectid='1' transform='-1 0 0 0 1 0 0 0 1 10 0 5'/></components></object></resources>"
+        "<build><item objectid='2' transform='1 0 0 0 1 0 0 0 1 0 0 1'/></build></model>";
+    const std::string bytes = zip_of("3D/3dmodel.model", model);
+    MeshReadOptions options;
+    Mesh mesh;
+    Faults faults;
+    REQUIRE(read_mesh_memory(bytes.data(), bytes.size(), "3mf", options, mesh, faults));
+    REQUIRE(mesh.faces.size() == 2);
+    REQUIRE(mesh.vertices.size() == 6);
+    CHECK(mesh.vertices[1].isApprox(Eigen::Vector3d(0.02, 0.0, 0.01)));
+    CHECK(mesh.vertices[4].isApprox(Eigen::Vector3d(0.08, 0.0, 0.06)));
+    const Face& f = mesh.faces[1]; // mirrored, and wound back
+    CHECK((mesh.vertices[f[1]] - mesh.vertices[f[0]]).cross(mesh.vertices[f[2]] - mesh.vertices[f[0]]).z() > 0.0);
+    options.mesh = "spare";
+    CHECK_FALSE(read_mesh_memory(bytes.data(), bytes.size(), "3mf", options, mesh, faults));
+    for (std::size_t n = 0; n < bytes.size(); n += 7) { // cut or damaged, it is read or refused
+        std::string changed = bytes;
+        changed[n] = '\xff';
+        for (const std::string& damaged : {bytes.substr(0, n), changed}) {
+            faults.clear();
+            const bool good = read_mesh_memory(damaged.data(), damaged.size(), "3mf", MeshReadOptions{}, mesh, faults);
+            CHECK(good != has_error(faults));
+        }
+    }
+}
+
+TEST_CASE("readers: faults name object, material and the place in the file") {
+    const std::string text = "o lid\nv 0 0 0\nv 40 0 0\nv 0 40 0\nusemtl tin\nf 1 2 3\n"
+                             "o rim\nv 100 7 3\nv 200 7 3\nv 300 7 3\nusemtl zinc\nf 4 5 6\n";
+    MeshReadOptions options;
+    options.unit_scale = 0.001;
+    options.up = UpAxis::y;
+    Mesh mesh;
+    Faults faults;
+    REQUIRE(read_mesh_memory(text.data(), text.size(), "obj", options, mesh, faults));
+    CHECK_FALSE(check_sheet(mesh, faults));
+    CHECK(faults.back().where == "face 1 at (200, 7, 3) of object 'rim', material 'zinc'");
+    mesh.source->scale_by(2.0);
+    mesh.source->move_to({0.02, 0.0, 0.0});
+    CHECK(mesh.source->place({0.0, 0.0, 0.0}) == "(10, 0, 0) of object 'lid', material 'tin'");
+    CHECK(contains(mesh.source->largest(), "of 2 faces"));
+}
+
+TEST_CASE("readers: vertices without a position are left out where meshes are repaired") {
+    const std::string text = "v 0 0 0\nv nan 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 1 3 4\nf 3 5 4\n";
+    MeshReadOptions options;
+    Mesh mesh;
+    Faults faults;
+    CHECK_FALSE(read_mesh_memory(text.data(), text.size(), "obj", options, mesh, faults));
+    options.repair = true;
+    faults.clear();
+    REQUIRE(read_mesh_memory(text.data(), text.size(), "obj", options, mesh, faults));
+    CHECK(mesh.vertices.size() == 4);
+    CHECK(mesh.faces.size() == 2);
+    REQUIRE(faults.size() == 1);
+    CHECK(contains(faults[0].what, "1 faces at them"));
 }

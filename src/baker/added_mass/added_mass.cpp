@@ -242,15 +242,34 @@ bool solve_in_double(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right
     return true;
 }
 
+// Sheets that cross or nearly coincide can leave the matrix, whose diagonal is one, without a solution: the quadratures of their panels are too coarse.
+// Holds the potential at zero where a pivot is next to nothing, which makes the energy smaller.
+bool solve_without_weak(Eigen::MatrixXd& matrix, Eigen::MatrixXd& right, Solution& out) {
+    constexpr float least = 0.01F;
+    constexpr double most = 0.6; // of the unknowns: of two layers half are without effect
+    const std::vector<Eigen::Index> weak = SingleCholesky().weak_unknowns(matrix, least);
+    if (static_cast<double>(weak.size()) > most * static_cast<double>(matrix.rows())) return false;
+    for (const Eigen::Index i : weak) {
+        matrix.row(i).setZero();
+        matrix.col(i).setZero();
+        matrix(i, i) = 1.0;
+        right.row(i).setZero();
+    }
+    return solve_refined(matrix, right, out);
+}
+
 bool fail(FaultId id, const char* what, const char* remedy, Faults& faults) {
     faults.push_back({id, Severity::error, "mesh", what, remedy});
     return false;
 }
 
-bool refuse_singular(Faults& faults) {
-    return fail(FaultId::mesh_ill_conditioned, "The equations for the added mass are singular.",
-                "Look for faces that cross or touch each other and for needle-shaped faces; bake the middle surface of "
-                "a very thin solid with --sheet.",
+bool refuse_singular(bool sheet, Faults& faults) {
+    return fail(FaultId::mesh_ill_conditioned,
+                sheet ? "Faces cross, or lie so close to each other that the flow between them cannot be computed."
+                      : "Faces cross, or the solid is so thin that the flow around it cannot be computed.",
+                sheet ? "Delete one of two layers that lie on each other, and merge vertices by distance."
+                      : "Unite parts that cross (boolean union), or model a very thin solid by its middle surface and "
+                        "bake it with --sheet.",
                 faults);
 }
 
@@ -262,14 +281,15 @@ bool solve_dense(const Mesh& unit, const SurfaceBasis& basis, const Eigen::Matri
     if (position.cols() > 0) image = matrix.selfadjointView<Eigen::Lower>() * position;
     fix_constants(unit, basis, op.panels, matrix);
     const Eigen::VectorXd scaling = matrix.diagonal().cwiseSqrt().cwiseInverse();
-    if (!scaling.allFinite()) return refuse_singular(faults);
+    if (!scaling.allFinite()) return refuse_singular(basis.sheet, faults);
     for (Eigen::Index column = 0; column < matrix.cols(); ++column)
         matrix.col(column).array() *= scaling.array() * scaling[column];
     report(0.85);
-    const Eigen::MatrixXd right = scaling.asDiagonal() * op.right_side;
+    Eigen::MatrixXd right = scaling.asDiagonal() * op.right_side;
     Solution solution;
-    if (!solve_refined(matrix, right, solution) && !solve_in_double(matrix, right, solution))
-        return refuse_singular(faults);
+    if (!solve_refined(matrix, right, solution) && !solve_in_double(matrix, right, solution) &&
+        !(basis.sheet && solve_without_weak(matrix, right, solution)))
+        return refuse_singular(basis.sheet, faults);
     phi = scaling.asDiagonal() * solution.value;
     out.residual = solution.residual;
     out.condition_estimate = solution.condition;
@@ -294,7 +314,7 @@ bool solve_fast(const Mesh& unit, const SurfaceBasis& basis, const Eigen::Matrix
     system.assemble(share(0.2, 0.5));
     if (position.cols() > 0) image = system.multiply(position);
     FastSystem::Result result;
-    if (!system.solve(op.right_side, share(0.5, 0.95), result)) return refuse_singular(faults);
+    if (!system.solve(op.right_side, share(0.5, 0.95), result)) return refuse_singular(basis.sheet, faults);
     phi = result.value;
     out.residual = result.residual;
     out.condition_estimate = result.condition;

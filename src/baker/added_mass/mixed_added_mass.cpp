@@ -1,5 +1,6 @@
 #include "baker/added_mass/mixed_added_mass.h"
 
+#include "baker/mesh/convex_hull.h"
 #include "baker/mesh/mesh_check.h"
 #include "baker/mesh/solid_region.h"
 
@@ -16,7 +17,8 @@ namespace {
 constexpr std::size_t most_faces[] = {5000, 2500, 1000, 400};
 // With the strips that refine its free rims: what a dense matrix holds.
 constexpr std::size_t most_panels = 8000;
-constexpr double needle = 1e-4; // face_shape() of faces that coarser meshes do without
+constexpr double too_much_lost = 0.2; // of the largest added mass: then a coarser surface is tried
+constexpr double needle = 1e-4;       // face_shape() of faces that coarser meshes do without
 constexpr double trapped_error =
     0.05;                            // of the trapped fluid's inertia: a box of 48 cells has 1 to 2 %, thin walls more
 constexpr double coarse_error = 2.0; // relative, times the size of the cubes over that of the body
@@ -81,19 +83,54 @@ Matrix6 trapped_fluid(const BodyParts& parts, const Eigen::Vector3d& centre, Mat
     return m;
 }
 
-// Rounding and coarseness can leave less than nothing in a direction in which the body hardly moves fluid.
-void make_positive(Matrix6& m, double size) {
+// Rounding and coarseness can leave less than nothing in a direction in which the body hardly moves fluid. Returns how much less, over the most.
+double make_positive(Matrix6& m, double size) {
     Eigen::Matrix<double, 6, 1> scale;
     scale.head<3>().setOnes();
     scale.tail<3>().setConstant(1.0 / size);
     const Matrix6 scaled = scale.asDiagonal() * m * scale.asDiagonal();
     const Eigen::SelfAdjointEigenSolver<Matrix6> solver(scaled);
-    const Eigen::Matrix<double, 6, 1> values = solver.eigenvalues().cwiseMax(1e-3 * solver.eigenvalues().maxCoeff());
-    if (values == solver.eigenvalues()) return;
+    const double largest = solver.eigenvalues().maxCoeff();
+    if (!(largest > 0.0)) return HUGE_VAL;
+    const Eigen::Matrix<double, 6, 1> values = solver.eigenvalues().cwiseMax(1e-3 * largest);
+    if (values == solver.eigenvalues()) return 0.0;
     const Eigen::Matrix<double, 6, 1> back = scale.cwiseInverse();
     const Matrix6 vectors = solver.eigenvectors();
     const Matrix6 good = back.asDiagonal() * (vectors * values.asDiagonal() * vectors.transpose()) * back.asDiagonal();
     m = 0.5 * (good + good.transpose());
+    return -solver.eigenvalues().minCoeff() / largest;
+}
+
+// What is left when no surface can be solved: the convex hull, as a solid, or one side of it where it is flat.
+bool solve_hull(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMass& out, Faults& faults,
+                const Progress& progress, const AddedMassOptions& options) {
+    constexpr std::size_t most = 3000;
+    constexpr double flat = 1e-4; // of the size
+    Mesh solid = mesh;
+    Faults found;
+    drop_unused_vertices(solid);
+    for (double cube = size_of(mesh) / 256.0;; cube *= 2.0) {
+        ConvexHull hull;
+        if (!compute_convex_hull(solid.vertices, hull, found)) return false;
+        solid.vertices = hull.vertices;
+        solid.faces = hull.faces;
+        if (solid.faces.size() <= most) break;
+        cluster_to(solid, cube);
+    }
+    const Eigen::Vector3d up = normal_of(solid, solid.faces[0]);
+    const bool is_flat = std::all_of(solid.vertices.begin(), solid.vertices.end(), [&](const Eigen::Vector3d& v) {
+        return std::abs(up.dot(v - solid.vertices[solid.faces[0][0]])) < flat * size_of(mesh);
+    });
+    if (is_flat) std::erase_if(solid.faces, [&](const Face& f) { return normal_of(solid, f).dot(up) < 0.0; });
+    if (!(is_flat ? compute_sheet_added_mass(solid, centre, {}, out, found, progress, options)
+                  : compute_added_mass(solid, centre, out, found, progress, options)))
+        return false;
+    out.error += 0.5 * out.value.cwiseAbs();
+    faults.push_back({FaultId::mesh_ill_conditioned, Severity::warning, "mesh",
+                      "The added mass is that of the convex hull: faces cross, or lie so close to each other that the "
+                      "flow between them cannot be computed.",
+                      "Delete one of two layers that lie on each other, and unite parts that cross (boolean union)."});
+    return true;
 }
 } // namespace
 
@@ -141,7 +178,9 @@ bool compute_mixed_added_mass(const BodyParts& parts, const Eigen::Vector3d& cen
         const Matrix6 trapped = trapped_fluid(shell.parts, centre, error);
         out.value -= trapped;
         out.error += error + std::min(0.5, coarse_error * shell.cube / size) * out.value.cwiseAbs();
-        make_positive(out.value, size);
+        const double lost = make_positive(out.value, size);
+        if (lost > (round + 1 < std::size(most_faces) ? too_much_lost : 1.0)) continue;
+        out.error += std::max(lost, 0.0) * out.value.cwiseAbs();
         if (shell.cube > 0.0)
             faults.push_back({FaultId::mesh_ill_conditioned, Severity::warning, "mesh",
                               "The added mass was solved on a coarser surface of " +
@@ -153,6 +192,7 @@ bool compute_mixed_added_mass(const BodyParts& parts, const Eigen::Vector3d& cen
                               "mesh is more exact."});
         return true;
     }
+    if (solve_hull(parts.mesh, centre, out, faults, progress, options)) return true;
     faults.insert(faults.end(), found.begin(), found.end());
     return false;
 }

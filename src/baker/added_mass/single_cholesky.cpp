@@ -104,7 +104,10 @@ HWY_NOINLINE void solve_rows(float* a, const float* l, size_t m, size_t n, size_
     solve_rows(a + half * stride, l + half * stride + half, m, n - half, stride, packed);
 }
 
-HWY_NOINLINE bool factorise(float* a, size_t n, size_t stride, Packed& packed) {
+// Where a pivot is not above `least`, leaves out its unknown, whose number it appends to `weak`; false without such a list. first: number of the
+// first unknown.
+HWY_NOINLINE bool factorise(float* a, size_t n, size_t stride, Packed& packed, float least, size_t first,
+                            std::vector<size_t>* weak) {
     if (n == tile) {
         const D d;
         for (size_t j = 0; j < n; ++j) {
@@ -117,8 +120,12 @@ HWY_NOINLINE bool factorise(float* a, size_t n, size_t stride, Packed& packed) {
                                        hn::Mul(hn::LoadU(d, a + p * stride + i), hn::Set(d, factor))),
                                d, column + i);
             }
-            const float pivot = column[j];
-            if (!(pivot > 0.0f)) return false;
+            float pivot = column[j];
+            if (!(pivot > least)) {
+                if (!weak) return false;
+                weak->push_back(first + j);
+                pivot = 1e36f; // leaves next to nothing of its column
+            }
             const float root = __builtin_sqrtf(pivot), inverse = 1.0f / root;
             for (size_t i = j + 1; i < n; ++i) column[i] *= inverse;
             column[j] = root;
@@ -126,10 +133,10 @@ HWY_NOINLINE bool factorise(float* a, size_t n, size_t stride, Packed& packed) {
         return true;
     }
     const size_t half = n / 2 / tile * tile;
-    if (!factorise(a, half, stride, packed)) return false;
+    if (!factorise(a, half, stride, packed, least, first, weak)) return false;
     solve_rows(a + half, a, n - half, half, stride, packed);
     multiply(a + half * stride + half, a + half, a + half, n - half, n - half, half, stride, true, packed);
-    return factorise(a + half * stride + half, n - half, stride, packed);
+    return factorise(a + half * stride + half, n - half, stride, packed, least, first + half, weak);
 }
 
 // x has right_sides values per row. Lanes are right sides; both sweeps read the factor along its columns.
@@ -182,7 +189,7 @@ namespace lr::baker {
 HWY_EXPORT(factorise);
 HWY_EXPORT(substitute);
 
-bool SingleCholesky::factorise(const Eigen::MatrixXd& matrix) {
+bool SingleCholesky::factorise(const Eigen::MatrixXd& matrix, float least, std::vector<std::size_t>* weak) {
     size_ = matrix.rows();
     const auto n = static_cast<std::size_t>(size_);
     padded_ = (n + tile - 1) / tile * tile;
@@ -193,7 +200,13 @@ bool SingleCholesky::factorise(const Eigen::MatrixXd& matrix) {
                 static_cast<float>(matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
     for (std::size_t j = n; j < padded_; ++j) factor_[j * padded_ + j] = 1.0f;
     Packed packed;
-    return HWY_DYNAMIC_DISPATCH(factorise)(factor_.data(), padded_, padded_, packed);
+    return HWY_DYNAMIC_DISPATCH(factorise)(factor_.data(), padded_, padded_, packed, least, 0, weak);
+}
+
+std::vector<Eigen::Index> SingleCholesky::weak_unknowns(const Eigen::MatrixXd& matrix, float least) {
+    std::vector<std::size_t> weak;
+    factorise(matrix, least, &weak);
+    return {weak.begin(), weak.end()};
 }
 
 void SingleCholesky::solve(Eigen::MatrixXd& right) const {

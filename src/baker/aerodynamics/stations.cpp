@@ -122,7 +122,8 @@ Plan plan_of(Part part, const AerodynamicData& loads, double size) {
     Vector3d length = solver.eigenvectors().col(2);
     length = (length - out.normal.dot(length) * out.normal).normalized();
     // Equal moments define no axes: the body's are as good.
-    if (longest < 1.05 * shortest) {
+    if (!(longest >= 1.05 * shortest) || !(length.squaredNorm() > 0.5)) {
+        length = out.normal.unitOrthogonal();
         Vector3d best = across * row(loads.axes, (broad + 1) % 3);
         const Vector3d other = across * row(loads.axes, (broad + 2) % 3);
         if (other.squaredNorm() > 1.01 * best.squaredNorm()) best = other;
@@ -203,7 +204,10 @@ StationData station_of(const Part& part, const Plan& plan, const Grid& grid, dou
     if (grid.along_span > 1) move_to(m.centroid, m.second, plan.span, span_node);
     if (!whole_chord) move_to(m.centroid, m.second, plan.chord, chord_node);
     const Vector3d normal = common_normal(m, plan.normal);
-    const Vector3d span = (plan.span - normal.dot(plan.span) * normal).normalized(), chord = span.cross(normal);
+    Vector3d span = plan.span - normal.dot(plan.span) * normal;
+    if (!(span.squaredNorm() > 1e-6)) span = normal.cross(plan.chord); // a piece that lies across the span
+    span.normalize();
+    const Vector3d chord = span.cross(normal);
     shape::SurfaceMeasures measures(rows_of(chord, span, normal), to_array(m.centroid), body.size);
     for (const Facet& f : part) measures.add(to_array(f.at[0]), to_array(f.at[1]), to_array(f.at[2]), f.sides);
     shape::AerodynamicGeometry g = measures.geometry();
@@ -443,14 +447,17 @@ Stations make_stations(const Mesh& mesh, const AerodynamicData& loads, const Vec
 void share_added_mass(const AerodynamicData& loads, const std::array<double, 36>& added_mass,
                       std::vector<StationData>& stations) {
     const Vector3d n = row(loads.axes, broadside_of(loads));
-    double whole = 0.0, sum = 0.0;
+    constexpr double least = 0.05; // share of stations that all stand edgewise
+    double whole = 0.0, sum = 0.0, all = 0.0;
     for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j)
             whole += n[static_cast<Eigen::Index>(i)] * added_mass[6 * i + j] * n[static_cast<Eigen::Index>(j)];
     for (const StationData& s : stations) {
         const double cosine = row(s.axes, 2).dot(n);
         sum += s.separated_shedding * cosine * cosine;
+        all += s.separated_shedding;
     }
+    sum = std::max(sum, least * all);
     for (StationData& s : stations) {
         const double m = sum > 0.0 ? s.separated_shedding * whole / sum : 0.0;
         for (std::size_t k = 0; k < 2; ++k) {

@@ -7,6 +7,7 @@
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
+#include <assimp/material.h>
 #include <assimp/scene.h>
 
 #include <Eigen/LU>
@@ -67,6 +68,7 @@ private:
         part.object = object_;
         part.own_names = {node, mesh_name(mesh)};
         part.group_names = above_;
+        part.material = material_name(mesh);
         for (unsigned i = 0; i < mesh.mNumVertices; ++i)
             soup_.vertices.emplace_back(transform.topLeftCorner<3, 3>() * to_eigen(mesh.mVertices[i]) +
                                         transform.topRightCorner<3, 1>());
@@ -83,6 +85,15 @@ private:
             soup_.polygons.push_back(std::move(polygon));
         }
         if (soup_.polygons.size() > part.first_polygon) soup_.parts.push_back(std::move(part));
+    }
+
+    std::string material_name(const aiMesh& mesh) const {
+        aiString name;
+        if (mesh.mMaterialIndex >= scene_.mNumMaterials ||
+            scene_.mMaterials[mesh.mMaterialIndex]->Get(AI_MATKEY_NAME, name) != aiReturn_SUCCESS)
+            return {};
+        const std::string text = name.C_Str();
+        return text == AI_DEFAULT_MATERIAL_NAME ? std::string() : text; // made by assimp
     }
 
     // assimp numbers the primitives of a glTF mesh: "leaf-0", "leaf-1".

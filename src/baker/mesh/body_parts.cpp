@@ -30,47 +30,74 @@ class Parts {
 public:
     Parts(Mesh& mesh, Faults& faults) : mesh_(mesh), faults_(faults) {}
 
-    bool run(BodyParts& out) {
+    bool run(BodyParts& out, bool all_sheets) {
         clean_up();
         if (mesh_.faces.empty()) {
-            faults_.push_back({FaultId::mesh_empty, Severity::error, "mesh",
-                               "No face has an area: all " + std::to_string(without_area_) + " are points or lines.",
-                               "Check the object's scale, and export again."});
+            faults_.push_back(
+                {FaultId::mesh_empty, Severity::error, "mesh",
+                 "No face has an area: all " + std::to_string(without_area_.number) + " are points or lines.",
+                 "Check the object's scale, and export again."});
             return false;
         }
-        std::vector<Face> solids, sheets;
-        for (std::vector<uint32_t>& part : connected()) sort_out(part, solids, sheets);
-        out.mesh.name = mesh_.name;
-        out.mesh.vertices = mesh_.vertices;
-        out.solid_faces = solids.size();
-        out.mesh.faces = std::move(solids);
+        std::vector<Face> sheets;
+        if (all_sheets)
+            sheets = mesh_.faces;
+        else
+            for (const std::vector<uint32_t>& part : connected()) sort_out(part, sheets);
+        out.mesh = mesh_;
+        out.mesh.faces.clear();
+        find_cavities(out.cavities);
+        for (const Solid& solid : solids_) {
+            out.mesh.faces.insert(out.mesh.faces.end(), solid.faces.begin(), solid.faces.end());
+            turned_ += solid.turned;
+        }
+        out.solid_faces = out.mesh.faces.size();
         out.mesh.faces.insert(out.mesh.faces.end(), sheets.begin(), sheets.end());
         report();
         return true;
     }
 
 private:
+    struct Solid {
+        std::vector<Face> faces; // wound outward
+        bool inward = false;     // in the file
+        std::size_t turned = 0;
+    };
+    // How often something was done, and where first.
+    struct Count {
+        std::size_t number = 0;
+        Eigen::Vector3d first = Eigen::Vector3d::Zero();
+        void add(const Eigen::Vector3d& where, std::size_t more = 1) {
+            if (number == 0) first = where;
+            number += more;
+        }
+    };
+
     const Eigen::Vector3d& at(uint32_t v) const { return mesh_.vertices[v]; }
     Eigen::Vector3d twice_area(const Face& f) const { return (at(f[1]) - at(f[0])).cross(at(f[2]) - at(f[0])); }
     double area(const Face& f) const { return 0.5 * twice_area(f).norm(); }
 
+    Eigen::Vector3d middle(const Face& f) const { return (at(f[0]) + at(f[1]) + at(f[2])) / 3.0; }
+
     bool is_flat(const Face& f) const { return !(face_shape(mesh_, f) > degenerate_shape); }
 
-    std::size_t drop_flat() {
-        const std::size_t before = mesh_.faces.size();
-        mesh_.faces.erase(
-            std::remove_if(mesh_.faces.begin(), mesh_.faces.end(), [&](const Face& f) { return is_flat(f); }),
-            mesh_.faces.end());
-        return before - mesh_.faces.size();
+    void drop_flat(bool counted = true) {
+        std::size_t kept = 0;
+        for (const Face& f : mesh_.faces)
+            if (!is_flat(f))
+                mesh_.faces[kept++] = f;
+            else if (counted)
+                without_area_.add(middle(f));
+        mesh_.faces.resize(kept);
     }
 
     void clean_up() {
-        without_area_ = drop_flat();
+        drop_flat();
         joined_ = join_near_vertices(mesh_, weld);
-        if (joined_ > 0) without_area_ += drop_flat();
+        if (joined_ > 0) drop_flat();
         // A vertex inside an edge: where a face without area was dropped, and at T-junctions.
         joined_ += close_cracks(mesh_, crack);
-        drop_flat();
+        drop_flat(false);
         find_copies();
     }
 
@@ -87,7 +114,7 @@ private:
             if (first)
                 kept.push_back(f);
             else
-                ++copies_;
+                copies_.add(middle(f));
         }
         mesh_.faces = std::move(kept);
         wall_.assign(mesh_.faces.size(), 0);
@@ -119,25 +146,64 @@ private:
     }
 
     // Looks for a closed surface in a part, with its walls and without them; the larger one is its solid.
-    void sort_out(const std::vector<uint32_t>& part, std::vector<Face>& solids, std::vector<Face>& sheets) {
+    void sort_out(const std::vector<uint32_t>& part, std::vector<Face>& sheets) {
         std::vector<Face> all, bare, walls;
         for (const uint32_t i : part) {
             all.push_back(mesh_.faces[i]);
             (wall_[i] ? walls : bare).push_back(mesh_.faces[i]);
         }
-        std::vector<Face> flaps, closed = close(all, flaps);
+        std::vector<Face> flaps;
+        Solid closed = close(all, flaps);
         if (!walls.empty() && !bare.empty()) {
-            std::vector<Face> other_flaps, other = close(bare, other_flaps);
-            if (area_of(other) > area_of(closed)) {
+            std::vector<Face> other_flaps;
+            Solid other = close(bare, other_flaps);
+            if (area_of(other.faces) > area_of(closed.faces)) {
                 closed = std::move(other);
                 flaps = std::move(other_flaps);
                 flaps.insert(flaps.end(), walls.begin(), walls.end()); // those inside the solid are left out later
             }
         }
-        if (!closed.empty()) ++solid_parts_;
-        if (!flaps.empty()) ++sheet_parts_;
-        solids.insert(solids.end(), closed.begin(), closed.end());
+        if (!flaps.empty()) sheet_parts_.add(middle(flaps.front()));
+        if (!closed.faces.empty()) solids_.push_back(std::move(closed));
         sheets.insert(sheets.end(), flaps.begin(), flaps.end());
+    }
+
+    double volume_of(const std::vector<Face>& faces) const {
+        double sum = 0.0;
+        for (const Face& f : faces)
+            sum +=
+                (at(f[0]) - at(faces[0][0])).dot((at(f[1]) - at(faces[0][0])).cross(at(f[2]) - at(faces[0][0]))) / 6.0;
+        return sum;
+    }
+
+    // A solid that faces the other way than the one around it, as the walls of a hollow do.
+    void find_cavities(Mesh& out) {
+        constexpr std::size_t samples = 64;
+        double sum = 0.0; // as the file winds them: it may have all inside out
+        for (const Solid& s : solids_) sum += s.inward ? -volume_of(s.faces) : volume_of(s.faces);
+        std::vector<Face> outer;
+        for (Solid& s : solids_) {
+            s.inward = s.inward == (sum >= 0.0);
+            if (!s.inward) outer.insert(outer.end(), s.faces.begin(), s.faces.end());
+        }
+        std::vector<Solid> kept;
+        const SolidRegion region(mesh_, outer);
+        for (Solid& s : solids_) {
+            bool enclosed = s.inward;
+            for (std::size_t i = 0; enclosed && i < s.faces.size(); i += 1 + s.faces.size() / samples)
+                enclosed = region.contains(middle(s.faces[i]));
+            if (!enclosed) {
+                kept.push_back(std::move(s));
+                continue;
+            }
+            cavities_.add(middle(s.faces[0]));
+            turned_ += s.faces.size() - s.turned;
+            for (const Face& f : s.faces) out.faces.push_back({f[0], f[2], f[1]});
+        }
+        solids_ = std::move(kept);
+        if (out.faces.empty()) return;
+        out.vertices = mesh_.vertices;
+        drop_unused_vertices(out);
     }
 
     static std::vector<HalfEdge> half_edges(const std::vector<Face>& faces) {
@@ -147,19 +213,22 @@ private:
     }
 
     // Returns the faces of a closed surface, wound outward, and appends the others to `flaps`.
-    std::vector<Face> close(std::vector<Face> faces, std::vector<Face>& flaps) {
+    Solid close(std::vector<Face> faces, std::vector<Face>& flaps) {
         const std::vector<Face> before = faces;
-        const std::size_t filled = fill_small_holes(faces);
-        if (filled > 0) {
-            std::vector<Face> rest, whole = peel(faces, rest);
+        const Count filled = fill_small_holes(faces);
+        Solid whole;
+        if (filled.number > 0) {
+            std::vector<Face> rest;
+            whole.faces = peel(faces, rest);
             if (rest.empty() && wind(whole)) {
-                filled_ += filled;
+                filled_.add(filled.first, filled.number);
                 return whole;
             }
             faces = before;
         }
-        std::vector<Face> rest, whole = peel(std::move(faces), rest);
-        if (whole.empty() || !wind(whole)) {
+        std::vector<Face> rest;
+        whole.faces = peel(std::move(faces), rest);
+        if (whole.faces.empty() || !wind(whole)) {
             flaps.insert(flaps.end(), before.begin(), before.end());
             return {};
         }
@@ -189,7 +258,8 @@ private:
     }
 
     // Closes each loop of free edges by a fan, if all of a part's loops are small.
-    std::size_t fill_small_holes(std::vector<Face>& faces) {
+    Count fill_small_holes(std::vector<Face>& faces) {
+        Count filled;
         std::map<uint32_t, std::vector<uint32_t>> next;
         const std::vector<HalfEdge> halves = half_edges(faces);
         for (std::size_t i = 0, end = 0; i < halves.size(); i = end) {
@@ -198,9 +268,9 @@ private:
             next[halves[i].low].push_back(halves[i].high);
             next[halves[i].high].push_back(halves[i].low);
         }
-        if (next.empty()) return 0;
+        if (next.empty()) return filled;
         for (const auto& [v, others] : next)
-            if (others.size() != 2) return 0; // loops that meet
+            if (others.size() != 2) return filled; // loops that meet
         std::vector<std::vector<uint32_t>> loops;
         while (!next.empty()) {
             std::vector<uint32_t> loop{next.begin()->first};
@@ -232,15 +302,17 @@ private:
                 holes += 0.5 * (at(a) - centre).cross(at(b) - centre).norm();
             }
         }
-        if (!(holes <= small_holes * area_of(faces))) return 0;
+        if (!(holes <= small_holes * area_of(faces))) return filled;
         mesh_.vertices.insert(mesh_.vertices.end(), centres.begin(), centres.end());
         for (const Face& cap : caps)
             if (!is_flat(cap)) faces.push_back(cap);
-        return loops.size();
+        filled.add(at(loops[0][0]), loops.size());
+        return filled;
     }
 
     // Winds a surface without free edges so that it encloses volume. False if it has no inside.
-    bool wind(std::vector<Face>& faces) {
+    bool wind(Solid& solid) const {
+        std::vector<Face>& faces = solid.faces;
         const std::vector<HalfEdge> halves = half_edges(faces);
         std::vector<std::array<std::pair<uint32_t, bool>, 3>> neighbours(faces.size());
         std::vector<std::size_t> count(faces.size(), 0);
@@ -307,45 +379,56 @@ private:
         if (total < 0.0)
             for (char& f : flip) f = !f;
         if (!(std::abs(total) > no_volume * std::pow(area_of(faces), 1.5))) return false;
+        solid.turned = 0;
         for (std::size_t i = 0; i < faces.size(); ++i)
             if (flip[i]) {
                 std::swap(faces[i][1], faces[i][2]);
-                ++turned_;
+                ++solid.turned;
             }
+        solid.inward = 2 * solid.turned > faces.size();
         return true;
     }
 
     void report() {
-        const auto warn = [&](FaultId id, std::size_t count, const char* what, const char* remedy) {
-            if (count > 0) faults_.push_back({id, Severity::warning, "mesh", std::to_string(count) + what, remedy});
+        const auto warn = [&](FaultId id, const Count& count, const std::string& what, const char* remedy) {
+            if (count.number > 0)
+                faults_.push_back(
+                    {id, Severity::warning, place_of(mesh_, count.first, "mesh"),
+                     std::to_string(count.number) + what + (count.number > 1 ? "; this is the first." : "."), remedy});
         };
         const char* none = "None needed; --strict refuses such a mesh.";
-        warn(FaultId::mesh_degenerate_face, without_area_, " faces without area were left out.", none);
-        warn(FaultId::mesh_merged_vertices, joined_,
-             " vertices were joined: they are closer than 1e-5 of the size, or lie on an edge.", none);
-        warn(FaultId::mesh_duplicate_face, copies_, " faces lie on another face and were left out.", none);
-        warn(FaultId::mesh_open_edge, filled_, " small holes were closed.", none);
-        warn(FaultId::mesh_inconsistent_winding, turned_, " faces were turned so that all look outward.", none);
-        if (sheet_parts_ > 0)
-            faults_.push_back(
-                {FaultId::mesh_open_edge, Severity::warning, "mesh",
-                 std::to_string(solid_parts_) + " parts are closed and were taken as solid, " +
-                     std::to_string(sheet_parts_) + " are open and were taken as sheets.",
-                 "To make a part solid, close its holes in the modelling program (fill, cap) or give it a thickness "
-                 "(solidify); --strict refuses open parts."});
+        warn(FaultId::mesh_degenerate_face, without_area_, " faces without area were left out", none);
+        if (joined_ > 0)
+            faults_.push_back({FaultId::mesh_merged_vertices, Severity::warning, "mesh",
+                               std::to_string(joined_) +
+                                   " vertices were joined: they are closer than 1e-5 of the size, or lie on an edge.",
+                               none});
+        warn(FaultId::mesh_duplicate_face, copies_, " faces lie on another face and were left out", none);
+        warn(FaultId::mesh_open_edge, filled_, " small holes were closed", none);
+        if (turned_ > 0)
+            faults_.push_back({FaultId::mesh_inconsistent_winding, Severity::warning, "mesh",
+                               std::to_string(turned_) + " faces were turned so that all look outward.", none});
+        warn(FaultId::mesh_several_components, cavities_, " enclosed cavities displace fluid and hold no mass",
+             "None needed. To fill a cavity, delete its faces; --strict refuses it.");
+        warn(FaultId::mesh_open_edge, sheet_parts_,
+             " parts are open and were taken as sheets, and " + std::to_string(solids_.size()) +
+                 " are closed and solid",
+             "To make a part solid, close its holes in the modelling program (fill, cap) or give it a thickness "
+             "(solidify); --strict refuses open parts.");
     }
 
     Mesh& mesh_;
     Faults& faults_;
     std::vector<char> wall_;
-    std::size_t without_area_ = 0, joined_ = 0, copies_ = 0, filled_ = 0, turned_ = 0, solid_parts_ = 0,
-                sheet_parts_ = 0;
+    std::vector<Solid> solids_;
+    std::size_t joined_ = 0, turned_ = 0;
+    Count without_area_, copies_, filled_, cavities_, sheet_parts_;
 };
 
 } // namespace
 
-bool find_parts(Mesh& mesh, BodyParts& out, Faults& faults) {
-    if (!Parts(mesh, faults).run(out)) return false;
+bool find_parts(Mesh& mesh, BodyParts& out, Faults& faults, bool all_sheets) {
+    if (!Parts(mesh, faults).run(out, all_sheets)) return false;
     if (out.solid_faces == 0) return true;
     Mesh solids = out.mesh;
     solids.faces.resize(out.solid_faces);
@@ -360,6 +443,28 @@ bool find_parts(Mesh& mesh, BodyParts& out, Faults& faults) {
             if (f.id == FaultId::mesh_several_components) faults.push_back(f);
     }
     return true;
+}
+
+RegionMoments body_moments(const BodyParts& parts, double thickness, bool hollow) {
+    RegionMoments m;
+    Mesh part;
+    part.vertices = parts.mesh.vertices;
+    part.faces = parts.solids();
+    if (hollow) {
+        const auto first = static_cast<uint32_t>(part.vertices.size());
+        part.vertices.insert(part.vertices.end(), parts.cavities.vertices.begin(), parts.cavities.vertices.end());
+        for (const Face& f : parts.cavities.faces) part.faces.push_back({first + f[0], first + f[1], first + f[2]});
+    }
+    if (!part.faces.empty()) m = SolidRegion(part, part.faces).moments(compute_mass_properties(part));
+    part.faces = parts.sheets();
+    if (part.faces.empty()) return m;
+    const MassProperties s = compute_sheet_mass_properties(part, thickness);
+    m.volume += s.volume;
+    m.counted += s.volume;
+    m.first += s.volume * s.centroid;
+    m.second += 0.5 * s.inertia.trace() * Eigen::Matrix3d::Identity() - s.inertia +
+                s.volume * s.centroid * s.centroid.transpose();
+    return m;
 }
 
 double sheet_length(const Mesh& mesh, const std::vector<Face>& sheets) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "baker/mesh/mesh.h"
+#include "baker/mesh/solid_region.h"
 
 #include <cstddef>
 #include <vector>
@@ -12,6 +13,7 @@ namespace lr::baker {
 struct BodyParts {
     Mesh mesh; // the vertices, and all faces: those of the solids, then those of the sheets
     std::size_t solid_faces = 0;
+    Mesh cavities;      // wound inward in the file and enclosed in a solid, with vertices of its own
     bool clean = false; // the solids pass check_and_repair: they neither cross nor touch each other
 
     bool has_sheets() const { return mesh.faces.size() > solid_faces; }
@@ -24,9 +26,13 @@ struct BodyParts {
 };
 
 // A part is connected by edges. Joins cracks, removes faces without area and second copies, closes holes of a hundredth of a part's area, and
-// winds each solid outward. A part that is closed then is a solid; flaps without a back that hang on a solid, and all else, are sheets. Each change
-// is one warning with its number of faces. False only if nothing is left.
-bool find_parts(Mesh& mesh, BodyParts& out, Faults& faults);
+// winds each solid outward. A part that is closed then is a solid; one in another solid, wound the other way in the file, is a cavity; flaps without
+// a back that hang on a solid, and all else, are sheets. Each change is one warning with its number of faces. False only if nothing is left.
+// all_sheets: only cleans up, and takes all faces as sheets.
+bool find_parts(Mesh& mesh, BodyParts& out, Faults& faults, bool all_sheets = false);
+
+// Of the union of the solids and of the sheets, plates of this thickness. hollow: less the cavities; else they count as filled.
+RegionMoments body_moments(const BodyParts& parts, double thickness, bool hollow);
 
 // A typical length of sheets: the mean extent of connected parts, weighted by their area.
 double sheet_length(const Mesh& mesh, const std::vector<Face>& sheets);

@@ -1,5 +1,7 @@
 #include "baker/mesh/collada_check.h"
 
+#include "baker/mesh/xml_tags.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -14,37 +16,14 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r\n";
 
-struct Tag {
-    std::string_view name; // of a start tag; empty for other tags
-    std::string_view attributes;
-    std::string_view content; // up to the next tag
-    std::size_t at = 0;
-};
-
 struct Accessor {
     std::string source;
     uint64_t count = 0, stride = 1, offset = 0, params = 0;
     std::size_t at = 0, end = 0;
 };
 
-std::optional<std::string_view> attribute(const Tag& tag, std::string_view name) {
-    std::string_view rest = tag.attributes;
-    while (true) {
-        const std::size_t begin = rest.find_first_not_of(blanks);
-        if (begin == std::string_view::npos) return std::nullopt;
-        rest.remove_prefix(begin);
-        const std::size_t quote = rest.find_first_of("\"'");
-        if (quote == std::string_view::npos) return std::nullopt;
-        const std::size_t end = rest.find(rest[quote], quote + 1);
-        if (end == std::string_view::npos) return std::nullopt;
-        const std::string_view key = rest.substr(0, rest.find_first_of("= \t\r\n"));
-        if (key == name) return rest.substr(quote + 1, end - quote - 1);
-        rest.remove_prefix(end + 1);
-    }
-}
-
 // False if the attribute exists but is not a number of at most nine digits. Without it `value` stays unchanged.
-bool read_count(const Tag& tag, std::string_view name, uint64_t& value) {
+bool read_count(const XmlTag& tag, std::string_view name, uint64_t& value) {
     const std::optional<std::string_view> text = attribute(tag, name);
     if (!text) return true;
     const char* const end = text->data() + text->size();
@@ -74,8 +53,8 @@ public:
     bool run() {
         std::size_t at = 0;
         while ((at = text_.find('<', at)) != std::string_view::npos) {
-            Tag tag;
-            if (!next_tag(at, tag)) return fail(at, "A tag does not end.");
+            XmlTag tag;
+            if (!next_tag(text_, at, tag)) return fail(at, "A tag does not end.");
             if (!tag.name.empty() && !check(tag)) return false;
         }
         for (const Accessor& a : accessors_) {
@@ -92,39 +71,7 @@ private:
     static constexpr uint64_t not_floats = UINT64_MAX;
 
     // Moves `at` from the beginning of a tag to its end.
-    bool next_tag(std::size_t& at, Tag& tag) const {
-        constexpr std::array<std::array<std::string_view, 2>, 3> special = {
-            {{"<!--", "-->"}, {"<![CDATA[", "]]>"}, {"<?", "?>"}}};
-        for (const auto& [open, close] : special)
-            if (text_.substr(at, open.size()) == open) {
-                const std::size_t end = text_.find(close, at + open.size());
-                if (end == std::string_view::npos) return false;
-                at = end + close.size();
-                return true;
-            }
-        std::size_t end = at + 1;
-        char quote = 0;
-        for (; end < text_.size() && (quote != 0 || text_[end] != '>'); ++end) {
-            const char c = text_[end];
-            if (quote != 0)
-                quote = c == quote ? '\0' : quote;
-            else if (c == '"' || c == '\'')
-                quote = c;
-        }
-        if (end >= text_.size()) return false;
-        const std::string_view inside = text_.substr(at + 1, end - at - 1);
-        tag.at = at;
-        if (!inside.empty() && inside.front() != '/' && inside.front() != '!') {
-            const std::size_t name_end = std::min(inside.find_first_of(" \t\r\n/"), inside.size());
-            tag.name = inside.substr(0, name_end);
-            tag.attributes = inside.substr(name_end);
-            if (inside.back() != '/') tag.content = text_.substr(end + 1, text_.find('<', end) - end - 1);
-        }
-        at = end + 1;
-        return true;
-    }
-
-    bool check(const Tag& tag) {
+    bool check(const XmlTag& tag) {
         const std::string_view n = tag.name;
         if (among(n, {"p", "h", "vcount", "v"}) &&
             tag.content.find_first_not_of("0123456789+- \t\r\n") != std::string_view::npos)

@@ -6,6 +6,7 @@
 #include "baker/mesh/obj_reader.h"
 #include "baker/mesh/off_reader.h"
 #include "baker/mesh/ply_reader.h"
+#include "baker/mesh/threemf_reader.h"
 #include "baker/mesh/unknown_file.h"
 #include "baker/printable_text.h"
 
@@ -37,17 +38,8 @@ std::string lower_case(std::string text) {
     return text;
 }
 
-// At most twenty different names.
-std::string list_names(const std::vector<std::string>& names) {
-    constexpr std::size_t most = 20;
-    std::vector<std::string> distinct;
-    std::set<std::string> seen;
-    for (const std::string& name : names)
-        if (!name.empty() && seen.insert(name).second) distinct.push_back(name);
-    std::string text;
-    for (std::size_t i = 0; i < std::min(most, distinct.size()); ++i)
-        text += (i > 0 ? ", '" : "'") + printable(distinct[i]) + "'";
-    if (distinct.size() > most) text += " and " + std::to_string(distinct.size() - most) + " more";
+std::string all_names(const std::vector<std::string>& names) {
+    const std::string text = list_names(names, 20);
     return text.empty() ? "objects without names" : text;
 }
 
@@ -75,7 +67,7 @@ bool select(PolygonSoup& soup, const std::string& name, const std::string& where
         for (const SoupPart& part : soup.parts) names.insert(names.end(), part.own_names.begin(), part.own_names.end());
         report(faults, FaultId::parameter_unknown, Severity::error, "mesh",
                "The file has no mesh, node or object named '" + printable(name) + "'.",
-               "It has: " + list_names(names) + ".");
+               "It has: " + all_names(names) + ".");
         return false;
     }
     enum : uint8_t { unused, dropped, kept };
@@ -114,9 +106,23 @@ bool select(PolygonSoup& soup, const std::string& name, const std::string& where
     soup.parts = std::move(parts);
     if (!left_out.empty())
         report(faults, FaultId::mesh_several_meshes, Severity::warning, where,
-               "Only '" + printable(name) + "' was baked; ignored: " + list_names(left_out) + ".",
+               "Only '" + printable(name) + "' was baked; ignored: " + all_names(left_out) + ".",
                "None needed if intended; without --mesh all form one body.");
     return true;
+}
+
+std::string largest_object(const PolygonSoup& soup) {
+    const SoupPart* largest = nullptr;
+    std::size_t most = 0;
+    for (std::size_t i = 0; i < soup.parts.size(); ++i) {
+        const std::size_t end = i + 1 < soup.parts.size() ? soup.parts[i + 1].first_polygon : soup.polygons.size();
+        if (end - soup.parts[i].first_polygon <= most) continue;
+        most = end - soup.parts[i].first_polygon;
+        largest = &soup.parts[i];
+    }
+    const std::string name = largest ? object_name(*largest) : std::string();
+    return name.empty() ? "no object has a name"
+                        : "the largest object is '" + printable(name) + "' with " + std::to_string(most);
 }
 
 void report_several(const PolygonSoup& soup, const std::string& where, Faults& faults) {
@@ -128,7 +134,7 @@ void report_several(const PolygonSoup& soup, const std::string& where, Faults& f
     }
     if (objects.size() > 1)
         report(faults, FaultId::mesh_several_meshes, Severity::warning, where,
-               std::to_string(objects.size()) + " objects were baked as one body: " + list_names(names) + ".",
+               std::to_string(objects.size()) + " objects were baked as one body: " + all_names(names) + ".",
                "Choose one with --mesh if they are separate bodies.");
 }
 
@@ -149,10 +155,41 @@ double scale_of(const PolygonSoup& soup, const MeshReadOptions& options, const s
     return *options.unit_scale;
 }
 
+// Leaves out the polygons at vertices without a finite position, and these vertices.
+void drop_not_finite(PolygonSoup& soup, const std::string& where, Faults& faults) {
+    std::vector<uint32_t> renumbered(soup.vertices.size(), UINT32_MAX);
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < soup.vertices.size(); ++i)
+        if (soup.vertices[i].allFinite()) {
+            renumbered[i] = static_cast<uint32_t>(n);
+            soup.vertices[n++] = soup.vertices[i];
+        }
+    if (n == soup.vertices.size()) return;
+    const std::size_t vertices = soup.vertices.size() - n, before = soup.polygons.size();
+    soup.vertices.resize(n);
+    std::size_t kept = 0, part = 0;
+    for (std::size_t i = 0; i < before; ++i) {
+        for (; part < soup.parts.size() && soup.parts[part].first_polygon <= i; ++part)
+            soup.parts[part].first_polygon = kept;
+        bool finite = true;
+        for (uint32_t& v : soup.polygons[i]) {
+            if (v >= renumbered.size()) continue; // refused later
+            v = renumbered[v];
+            finite = finite && v != UINT32_MAX;
+        }
+        if (finite) std::swap(soup.polygons[kept++], soup.polygons[i]);
+    }
+    soup.polygons.resize(kept);
+    report(faults, FaultId::mesh_not_finite, Severity::warning, where,
+           std::to_string(vertices) + " vertices have no position (not a number, or infinite); " +
+               std::to_string(before - kept) + " faces at them were left out.",
+           "Delete these vertices and fill the hole, if it matters.");
+}
+
 // Importers deliver these formats corner by corner, and programs duplicate vertices for each normal and texture coordinate:
 // joining them is part of reading and needs no warning.
 bool repeats_corners(const std::string& extension) {
-    return extension.empty() || extension == "stl" || extension == "dae" || extension == "fbx";
+    return extension.empty() || extension == "stl" || extension == "dae" || extension == "fbx" || extension == "3mf";
 }
 
 bool finish(PolygonSoup& soup, const std::string& extension, const MeshReadOptions& options, const std::string& where,
@@ -172,8 +209,14 @@ bool finish(PolygonSoup& soup, const std::string& extension, const MeshReadOptio
     if (soup.polygons.size() > options.max_faces) {
         report(faults, FaultId::mesh_too_many_faces, Severity::error, where,
                "The mesh has " + std::to_string(soup.polygons.size()) + " faces, more than " +
-                   std::to_string(options.max_faces) + ".",
-               "Decimate it before baking.");
+                   std::to_string(options.max_faces) + "; " + largest_object(soup) + ".",
+               "Reduce it before baking (decimate), or leave parts out with --mesh.");
+        return false;
+    }
+    if (options.repair) drop_not_finite(soup, where, faults);
+    if (soup.polygons.empty()) {
+        report(faults, FaultId::mesh_not_finite, Severity::error, where,
+               "Each face has a vertex whose position is not a finite number.", "Export the file again.");
         return false;
     }
     const double unit_scale = scale_of(soup, options, where, faults);
@@ -190,7 +233,12 @@ bool finish(PolygonSoup& soup, const std::string& extension, const MeshReadOptio
         report(faults, FaultId::mesh_turned_or_scaled, Severity::warning, where,
                std::string("The mesh was turned: its ") + up_name(options.up) + " axis is now +z.",
                "None needed if intended.");
-    if (!triangulate(soup, out, faults)) return false;
+    std::vector<std::size_t> first_face;
+    if (!triangulate(soup, out, first_face, faults)) return false;
+    std::vector<MeshSource::Part> parts;
+    for (std::size_t i = 0; i < soup.parts.size(); ++i)
+        parts.push_back({first_face[i], object_name(soup.parts[i]), soup.parts[i].material});
+    out.source = std::make_shared<MeshSource>(out, std::move(parts), unit_scale, rotation);
     if (soup.ignored_points > 0)
         report(faults, FaultId::mesh_empty, Severity::warning, where,
                std::to_string(soup.ignored_points) + " points or lines have no surface and were ignored.",
@@ -238,6 +286,8 @@ bool read_any(SceneFile file, const MeshReadOptions& options, Mesh& out, Faults&
             read = parse_ply(as_utf8(text, storage), soup, faults);
         } else if (file.extension == "off") {
             read = parse_off(as_utf8(text, storage), soup, faults);
+        } else if (file.extension == "3mf") {
+            read = read_3mf(file.bytes, file.size, file.where, soup, faults);
         } else if (file.extension == "zae") {
             report(faults, FaultId::mesh_unreadable, Severity::error, file.where, "This is packed Collada.",
                    "Unpack it (it is a zip archive) and bake the .dae inside.");
@@ -306,7 +356,7 @@ Eigen::Matrix3d up_rotation(UpAxis up) {
 
 bool declares_unit(const std::string& path_utf8) {
     const std::string extension = extension_of(path_utf8);
-    return extension == "dae" || extension == "fbx";
+    return extension == "dae" || extension == "fbx" || extension == "3mf";
 }
 
 bool read_mesh(const std::string& path_utf8, const MeshReadOptions& options, Mesh& out, Faults& faults,

@@ -2,12 +2,14 @@
 #pragma once
 
 #include "asset/input_faults.h"
+#include "baker/mesh/mesh_source.h"
 
 #include <Eigen/Core>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,6 +26,7 @@ struct Mesh {
     std::vector<Eigen::Vector3d> vertices;
     std::vector<Face> faces;
     std::string name;
+    std::shared_ptr<MeshSource> source = nullptr; // shared by copies, for messages; null: made by the baker itself
 };
 
 // The axis of the file that becomes +z.
@@ -42,6 +45,7 @@ struct MeshReadOptions {
     UpAxis up = UpAxis::z; // z: no rotation
     // Read only the objects with this name (of a mesh, its node or a parent node) instead of all.
     std::optional<std::string> mesh;
+    bool repair = false;                // leave out faces without a position, instead of a fault
     std::size_t max_faces = 20'000'000; // more: fault 211 right after parsing
 };
 

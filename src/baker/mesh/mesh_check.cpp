@@ -62,13 +62,25 @@ private:
     void warn(FaultId id, std::string where, std::string what, std::string remedy) {
         faults_.push_back({id, Severity::warning, std::move(where), std::move(what), std::move(remedy)});
     }
-    static std::string name_faces(const std::vector<uint32_t>& faces) {
-        return "face " + list(faces.size(), [&](std::size_t i) { return std::to_string(faces[i]); });
+    // Numbers of faces, and the place of the first.
+    std::string name_faces(const std::vector<uint32_t>& faces) const {
+        return "face " + list(faces.size(), [&](std::size_t i) { return std::to_string(faces[i]); }) +
+               at_face(faces.front());
     }
-    static std::string name_edges(const std::vector<Edge>& edges) {
-        return "edge " + list(edges.size(), [&](std::size_t i) {
-                   return std::to_string(edges[i].low) + "-" + std::to_string(edges[i].high);
-               });
+    std::string name_edges(const std::vector<Edge>& edges) const {
+        return "edge " +
+               list(edges.size(),
+                    [&](std::size_t i) { return std::to_string(edges[i].low) + "-" + std::to_string(edges[i].high); }) +
+               at(0.5 * (mesh_.vertices[edges[0].low] + mesh_.vertices[edges[0].high]));
+    }
+    std::string at(const Eigen::Vector3d& point) const {
+        const std::string place = place_of(mesh_, point, "");
+        return place.empty() ? place : " at " + place;
+    }
+    std::string at_face(std::size_t i) const {
+        const Face& f = mesh_.faces[i];
+        if (std::max({f[0], f[1], f[2]}) >= mesh_.vertices.size()) return {};
+        return at((corner(f, 0) + corner(f, 1) + corner(f, 2)) / 3.0);
     }
     const Eigen::Vector3d& corner(const Face& face, std::size_t i) const { return mesh_.vertices[face[i]]; }
 
@@ -254,8 +266,7 @@ private:
                         members.push_back(other);
                         stack.push_back(other);
                     } else if (flip[other] != wanted) {
-                        return error(FaultId::mesh_inconsistent_winding,
-                                     "face " + std::to_string(face) + ", " + std::to_string(other),
+                        return error(FaultId::mesh_inconsistent_winding, name_faces({face, other}),
                                      "The surface has no inside (like a Klein bottle).",
                                      "Rebuild the surface around these faces.");
                     }
@@ -410,6 +421,7 @@ private:
                                 return std::to_string(pairs[i].first) + " and " + std::to_string(pairs[i].second);
                             });
         if (!found.complete) where += " at least";
+        where += at_face(pairs.front().first);
         // Overlapping solids gave errors of tens of percent in mass and added mass.
         if (!sheet_ && std::any_of(pairs.begin(), pairs.end(),
                                    [&](const auto& pair) { return component_[pair.first] != component_[pair.second]; }))
@@ -423,11 +435,10 @@ private:
         return true;
     }
 
-    // Winding number of a component around a point, by signed solid angles (van Oosterom and Strackee 1983).
-    double winding_number(uint32_t component, const Eigen::Vector3d& point) const {
+    // Winding number of faces around a point, by signed solid angles (van Oosterom and Strackee 1983).
+    double winding_number(const std::vector<uint32_t>& faces, const Eigen::Vector3d& point) const {
         double sum = 0.0;
-        for (std::size_t i = 0; i < mesh_.faces.size(); ++i) {
-            if (component_[i] != component) continue;
+        for (const uint32_t i : faces) {
             const Eigen::Vector3d a = corner(mesh_.faces[i], 0) - point, b = corner(mesh_.faces[i], 1) - point,
                                   c = corner(mesh_.faces[i], 2) - point;
             const double na = a.norm(), nb = b.norm(), nc = c.norm();
@@ -438,16 +449,21 @@ private:
 
     // A part inside another is a cavity or an error; the common volume of overlapping parts would count twice.
     bool check_nesting(const std::vector<uint32_t>& first) {
-        constexpr uint32_t max_components = 64; // limits the quadratic cost of this diagnosis
+        constexpr uint32_t max_components = 5000; // limits the quadratic cost of this diagnosis
         if (component_count_ > max_components) return true;
+        std::vector<Eigen::AlignedBox3d> box(component_count_);
+        std::vector<std::vector<uint32_t>> faces(component_count_);
+        for (uint32_t i = 0; i < mesh_.faces.size(); ++i) {
+            for (std::size_t k = 0; k < 3; ++k) box[component_[i]].extend(corner(mesh_.faces[i], k));
+            faces[component_[i]].push_back(i);
+        }
         for (uint32_t inner = 0; inner < component_count_; ++inner)
             for (uint32_t outer = 0; outer < component_count_; ++outer) {
                 if (inner == outer) continue;
                 const Face& face = mesh_.faces[first[inner]];
                 const Eigen::Vector3d centre = (corner(face, 0) + corner(face, 1) + corner(face, 2)) / 3.0;
-                if (std::abs(winding_number(outer, centre)) < 0.75) continue;
-                return error(FaultId::mesh_several_components,
-                             "face " + std::to_string(first[inner]) + ", " + std::to_string(first[outer]),
+                if (!box[outer].contains(centre) || std::abs(winding_number(faces[outer], centre)) < 0.75) continue;
+                return error(FaultId::mesh_several_components, name_faces({first[inner], first[outer]}),
                              "A part is inside another part or crosses it.",
                              "Delete the inner part, or unite the parts (boolean union).");
             }

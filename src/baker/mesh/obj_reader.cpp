@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -65,6 +66,9 @@ public:
             }
             if (!parse_line(line)) return false;
         }
+        if (free_form_ && soup_.polygons.empty())
+            return fail(FaultId::mesh_unreadable, "The file has free-form curves or surfaces, and no polygons.",
+                        "Convert them to a mesh in the modelling program, and export again.");
         return true;
     }
 
@@ -83,17 +87,26 @@ private:
         if (keyword == "f") return parse_face(line);
         if (keyword == "p" || keyword == "l") ++soup_.ignored_points;
         if (keyword == "o" || keyword == "g") begin_part(keyword == "o", line);
-        // Report free-form surfaces, which would be lost silently.
-        if (keyword == "surf" || keyword == "curv" || keyword == "cstype")
-            return fail(FaultId::mesh_unreadable, "The file has free-form curves or surfaces.",
-                        "Export the surface as polygons.");
+        if (keyword == "usemtl") {
+            material_ = trimmed(line);
+            part_open_ = false;
+        }
+        if (keyword == "surf" || keyword == "curv") {
+            free_form_ = true;
+            ++soup_.ignored_points;
+        }
         return true;
+    }
+
+    static std::string_view trimmed(std::string_view text) {
+        while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
+        while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
+        return text;
     }
 
     // Groups belong to an object and are not objects: many exporters write one for every material.
     void begin_part(bool is_object, std::string_view names) {
-        while (!names.empty() && is_space(names.front())) names.remove_prefix(1);
-        while (!names.empty() && is_space(names.back())) names.remove_suffix(1);
+        names = trimmed(names);
         part_open_ = false;
         group_names_.clear();
         if (is_object) {
@@ -111,9 +124,6 @@ private:
         for (int axis = 0; axis < 3; ++axis)
             if (!parse_number(next_word(line), position[axis]))
                 return fail(FaultId::mesh_unreadable, "A vertex needs three numbers.", "Export the file again.");
-        if (!position.allFinite())
-            return fail(FaultId::mesh_not_finite, "A vertex position is not a finite number.",
-                        "Correct or delete this vertex.");
         soup_.vertices.push_back(position);
         return true;
     }
@@ -132,11 +142,13 @@ private:
                             "Vertex numbers start at 1; export the file again.");
             polygon.push_back(static_cast<uint32_t>(zero_based));
         }
-        if (polygon.size() < 3)
-            return fail(FaultId::mesh_degenerate_face, "A face has fewer than three corners.", "Delete this face.");
+        if (polygon.size() < 3) {
+            ++soup_.ignored_points;
+            return true;
+        }
         if (!part_open_) {
             const std::string group = group_names_.empty() ? std::string() : group_names_.front();
-            soup_.parts.push_back({soup_.polygons.size(), object_, {object_name_, group}, group_names_});
+            soup_.parts.push_back({soup_.polygons.size(), object_, {object_name_, group}, group_names_, material_});
         }
         part_open_ = true;
         soup_.polygons.push_back(std::move(polygon));
@@ -151,9 +163,9 @@ private:
     PolygonSoup& soup_;
     Faults& faults_;
     std::size_t line_ = 0;
-    bool part_open_ = false;
+    bool part_open_ = false, free_form_ = false;
     std::size_t object_ = 0;
-    std::string object_name_;
+    std::string object_name_, material_;
     std::vector<std::string> group_names_;
 };
 
@@ -187,33 +199,40 @@ void clip_ears(const PolygonSoup& soup, const std::vector<uint32_t>& polygon, st
     const std::vector<Eigen::Vector2d> flat = flatten(soup, polygon);
     std::vector<std::size_t> ring(polygon.size());
     for (std::size_t i = 0; i < ring.size(); ++i) ring[i] = i;
+    // Shape of the triangle at a corner, 0 if it is no ear.
+    const auto quality_of = [&](std::size_t i) {
+        const std::size_t n = ring.size(), before = ring[(i + n - 1) % n], after = ring[(i + 1) % n];
+        const Eigen::Vector2d &a = flat[before], &b = flat[ring[i]], &c = flat[after];
+        const double area = cross2(b - a, c - b);
+        if (!(area > 0.0)) return 0.0;
+        for (const std::size_t other : ring)
+            if (other != before && other != ring[i] && other != after && inside_triangle(flat[other], a, b, c))
+                return 0.0;
+        return area / ((b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm());
+    };
+    std::vector<double> quality;
+    bool known = false;
     while (ring.size() > 3) {
-        const std::size_t n = ring.size();
-        std::size_t ear = n;
-        double best = 0.0;
-        for (std::size_t i = 0; i < n; ++i) {
-            const std::size_t before = ring[(i + n - 1) % n];
-            const std::size_t after = ring[(i + 1) % n];
-            const Eigen::Vector2d &a = flat[before], &b = flat[ring[i]], &c = flat[after];
-            const double area = cross2(b - a, c - b);
-            if (area <= 0.0) continue;
-            // Cut the ear with the best-shaped triangle: slivers make the added mass less accurate.
-            const double quality = area / ((b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm());
-            if (quality <= best) continue;
-            bool empty = true;
-            for (std::size_t k = 0; empty && k < n; ++k) {
-                const std::size_t other = ring[k];
-                if (other == before || other == ring[i] || other == after) continue;
-                empty = !inside_triangle(flat[other], a, b, c);
-            }
-            if (!empty) continue;
-            best = quality;
-            ear = i;
+        if (!known) {
+            quality.clear();
+            for (std::size_t i = 0; i < ring.size(); ++i) quality.push_back(quality_of(i));
         }
-        if (ear == n) ear = 1; // self-crossing or collapsed: make a fan and leave the verdict to the mesh check
-        const std::size_t m = ring.size();
-        faces.push_back({polygon[ring[(ear + m - 1) % m]], polygon[ring[ear]], polygon[ring[(ear + 1) % m]]});
+        // Cut the ear with the best-shaped triangle: slivers make the added mass less accurate.
+        const std::size_t n = ring.size();
+        const auto best = std::max_element(quality.begin(), quality.end());
+        // A corner that was no ear can have become one: all are tried before the polygon counts as crossing itself or collapsed. Then a fan is made, and
+        // the verdict left to the mesh check.
+        const bool none = !(*best > 0.0);
+        if (none && known) {
+            known = false;
+            continue;
+        }
+        const std::size_t ear = none ? 1 : static_cast<std::size_t>(best - quality.begin());
+        faces.push_back({polygon[ring[(ear + n - 1) % n]], polygon[ring[ear]], polygon[ring[(ear + 1) % n]]});
         ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(ear));
+        quality.erase(quality.begin() + static_cast<std::ptrdiff_t>(ear));
+        known = true;
+        for (const std::size_t i : {(ear + n - 2) % (n - 1), ear % (n - 1)}) quality[i] = quality_of(i);
     }
     faces.push_back({polygon[ring[0]], polygon[ring[1]], polygon[ring[2]]});
 }
@@ -224,12 +243,15 @@ bool parse_obj(std::string_view text, PolygonSoup& out, Faults& faults) {
     return ObjParser(out, faults).parse(text);
 }
 
-bool triangulate(const PolygonSoup& soup, Mesh& out, Faults& faults) {
-    // Ear clipping is cubic in the number of corners; larger polygons only occur in broken files.
-    constexpr std::size_t max_corners = 1000;
+bool triangulate(const PolygonSoup& soup, Mesh& out, std::vector<std::size_t>& first_face, Faults& faults) {
+    // Ear clipping takes the square of the number of corners; larger polygons only occur in broken files.
+    constexpr std::size_t max_corners = 20000;
     out.vertices = soup.vertices;
     out.faces.clear();
+    first_face.clear();
     for (std::size_t i = 0; i < soup.polygons.size(); ++i) {
+        while (first_face.size() < soup.parts.size() && soup.parts[first_face.size()].first_polygon <= i)
+            first_face.push_back(out.faces.size());
         const std::vector<uint32_t>& polygon = soup.polygons[i];
         const std::string where = "face " + std::to_string(i);
         for (const uint32_t index : polygon) {
@@ -251,6 +273,7 @@ bool triangulate(const PolygonSoup& soup, Mesh& out, Faults& faults) {
         else
             clip_ears(soup, polygon, out.faces);
     }
+    first_face.resize(soup.parts.size(), out.faces.size());
     return true;
 }
 } // namespace lr::baker

@@ -101,9 +101,6 @@ private:
             if (!read_number(position[axis]))
                 return fail(FaultId::mesh_unreadable,
                             "Vertex " + std::to_string(number) + " has no three numbers, or the file ends early.");
-        if (!position.allFinite())
-            return fail(FaultId::mesh_not_finite, "A vertex position is not a finite number.",
-                        "Correct or delete this vertex.");
         end_line();
         soup_.vertices.push_back(position);
         return true;

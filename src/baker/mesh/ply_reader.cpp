@@ -213,11 +213,7 @@ private:
                 (strip ? strips_ : polygon).push_back(static_cast<uint32_t>(value));
             }
         }
-        if (element.name == "vertex") {
-            if (!position.allFinite())
-                return fail(FaultId::mesh_not_finite, where, "A vertex position is not a finite number.");
-            soup_.vertices.push_back(position);
-        }
+        if (element.name == "vertex") soup_.vertices.push_back(position);
         if (element.name == "tristrips") strips_.push_back(strip_end);
         if (element.name == "face") soup_.polygons.push_back(std::move(polygon));
         return true;

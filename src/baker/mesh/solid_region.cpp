@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t rays = 192; // along each side, for overlaps
 constexpr std::size_t trapped_cells = 48;
 
-double cross2(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+double wedge(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
 } // namespace
@@ -70,7 +70,7 @@ void SolidRegion::cross(std::size_t axis, double p, double q, Crossings& out) co
     const auto side = [&](const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
         const bool swap = to.x() < from.x() || (to.x() == from.x() && to.y() < from.y());
         const Eigen::Vector2d &low = swap ? to : from, &high = swap ? from : to;
-        const bool left = cross2(high - low, at - low) >= 0.0;
+        const bool left = wedge(high - low, at - low) >= 0.0;
         return left != swap;
     };
     for (uint32_t i = start_[axis][cell]; i < start_[axis][cell + 1]; ++i) {
@@ -78,8 +78,8 @@ void SolidRegion::cross(std::size_t axis, double p, double q, Crossings& out) co
         const Eigen::Vector2d u(t[0][a], t[0][b]), v(t[1][a], t[1][b]), w(t[2][a], t[2][b]);
         const bool one = side(u, v), two = side(v, w), three = side(w, u);
         if (one != two || two != three) continue;
-        const double area = cross2(v - u, w - u);
-        const double x = cross2(at - u, w - u), y = cross2(v - u, at - u);
+        const double area = wedge(v - u, w - u);
+        const double x = wedge(at - u, w - u), y = wedge(v - u, at - u);
         const double depth =
             area != 0.0 ? t[0][along] + (x * (t[1] - t[0])[along] + y * (t[2] - t[0])[along]) / area : t[0][along];
         out.emplace_back(depth, one ? -1 : 1); // a normal along the line leaves the region
