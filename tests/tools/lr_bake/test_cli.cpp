@@ -262,7 +262,7 @@ TEST_CASE("lr_bake: bad input is a numbered fault and leaves the old asset alone
     refused(scratch.write("garbage.obj", std::string("\x00\x01\xff\xfe{}", 6)), 202);
     refused(scratch.write("garbage.stl", "\x01 garbage"), 201);
     refused(scratch.write("nothing.stl", "solid nothing"), 202);
-    refused(scratch.write("nan.obj", "v nan 0 0\n" + small_mesh()), 203);
+    refused(scratch.write("nan.obj", "v nan 0 0\n" + small_mesh()), 203, {"--strict"});
     const std::string text = small_mesh();
     refused(scratch.write("open.obj", text.substr(0, text.rfind("f "))), 206, {"--strict"});
     refused(scratch.write("asset.lrb", before), 201); // not a mesh
