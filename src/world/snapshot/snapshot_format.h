@@ -62,8 +62,10 @@ struct SnapshotBatch {
     SleepingBodies::State sleep;
     lr_batch_contact contact;
     float force[force_components];
+    uint32_t unused; // 0: padding would differ from machine to machine
     Lifecycle::State lifecycle;
 };
+static_assert(offsetof(SnapshotBatch, lifecycle) == offsetof(SnapshotBatch, unused) + sizeof(uint32_t));
 static_assert(std::is_trivially_copyable_v<SnapshotHeader> && std::is_trivially_copyable_v<SnapshotBatch>);
 static_assert(sizeof(SnapshotHeader) >= 64);
 static_assert(sizeof(SnapshotHeader) % 8 == 0 && sizeof(SnapshotBatch) % 8 == 0);
