@@ -28,7 +28,7 @@ public:
     bool clip(float height, float rise_u, float rise_v, float rise) {
         constexpr float far = std::numeric_limits<float>::max();
         Int4 some{};
-        for (uint32_t k = 0; k < vectors; ++k) {
+        for (size_t k = 0; k < vectors; ++k) {
             const Float4 at = height + rise_u * load(face_->u + 4 * k) + rise_v * load(face_->v + 4 * k);
             if (rise > 0.0f)
                 last_[k] = less(last_[k], -1.0f / rise * at);
