@@ -101,7 +101,7 @@ double make_positive(Matrix6& m, double size) {
     return -solver.eigenvalues().minCoeff() / largest;
 }
 
-// What is left when no surface can be solved: the convex hull, as a solid, or one side of it where it is flat.
+// The last resort when no surface can be solved: the convex hull as a solid, or one side of it where it is flat.
 bool solve_hull(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMass& out, Faults& faults,
                 const Progress& progress, const AddedMassOptions& options) {
     constexpr std::size_t most = 3000;

@@ -15,12 +15,12 @@ struct alignas(64) SolverBody {
     // Results of contact.
     float way[6]; // displacement, twist (v, d s w) times seconds; in the second projection: the velocity before it
     float correction[6]; // of the displacement
-    float guess;         // s h: of a velocity impulse over that of the path, as the body moved without contact
-    float shallow;       // m, the least gap with a collider at the beginning, at most 0
-    float carried;       // m/s, of the fastest surface that it touches
-    float touches;       // 1: touches something
-    float rolled[3];     // angular impulse against rolling
-    float dust;          // m or m/s: smaller changes do not count
+    float guess;     // h v . s / s^2 of the motion without contact: a first velocity impulse over the path's, times h
+    float shallow;   // m, the least gap with a collider at the beginning, at most 0
+    float carried;   // m/s, of the fastest surface that it touches
+    float touches;   // 1: touches something
+    float rolled[3]; // angular impulse against rolling
+    float dust;      // m or m/s: smaller changes do not count
     float spare;
 };
 // The part of a body that sweeps change.
