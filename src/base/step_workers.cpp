@@ -30,27 +30,41 @@ template <class Ready> bool spin_until(const Ready& ready) {
 }
 } // namespace
 
-void ChunkQueue::open(uint32_t chunks, Task task, void* context) {
+void ChunkQueue::open(uint32_t chunks, uint32_t threads, Task task, void* context) {
     task_ = task;
     context_ = context;
     chunks_ = chunks;
-    undone_.store(chunks, std::memory_order_relaxed);
-    left_.store(chunks, std::memory_order_release);
+    const uint32_t claims = std::min(chunks, most_claims);
+    undone_.store(claims, std::memory_order_relaxed);
+    const uint64_t number = (round_.load(std::memory_order_relaxed) >> (claim_bits + thread_bits)) + 1;
+    round_.store((number << claim_bits | claims) << thread_bits | threads, std::memory_order_release);
 }
 
-void ChunkQueue::take() {
-    uint32_t left = left_.load(std::memory_order_acquire);
-    if (left == 0) return;
+// Threads share the claims evenly. Even ones go upwards from the first of theirs, odd ones downwards from the last: two that have finished
+// their own meet in between.
+uint64_t ChunkQueue::take(uint32_t thread) {
+    const uint64_t round = round_.load(std::memory_order_acquire), number = round >> (claim_bits + thread_bits);
+    const uint32_t claims = round >> thread_bits & ((1u << claim_bits) - 1),
+                   threads = round & ((1u << thread_bits) - 1);
+    if (claims == 0) return round;
     const FloatMode mode;
-    uint32_t done = 0;
-    while (left != 0) {
-        // Only a thread that holds a chunk may read the round, which lasts until that chunk is done.
-        if (!left_.compare_exchange_weak(left, left - 1, std::memory_order_acquire)) continue;
-        task_(context_, chunks_ - left);
+    const uint32_t place = thread % threads;
+    const bool down = place % 2 != 0;
+    uint32_t at = claims * (down ? place + 1 : place) / threads, done = 0;
+    for (uint32_t n = 0; n < claims; ++n) {
+        if (down) at = at == 0 ? claims - 1 : at - 1;
+        const uint32_t claim = at % claims;
+        if (!down) at = claim + 1;
+        // When a round is done all its claims bear its number or a later one: a late thread gets none.
+        std::atomic<uint64_t>& stamp = claimed_[claims <= most_claims / apart ? apart * claim : claim];
+        uint64_t last = stamp.load(std::memory_order_relaxed);
+        if (last >= number || !stamp.compare_exchange_strong(last, number, std::memory_order_acquire)) continue;
+        const auto share = [&](uint64_t of) { return static_cast<uint32_t>(of * chunks_ / claims); };
+        for (uint32_t chunk = share(claim), past = share(claim + 1); chunk < past; ++chunk) task_(context_, chunk);
         ++done;
-        left = left_.load(std::memory_order_acquire);
     }
     if (done != 0 && undone_.fetch_sub(done, std::memory_order_acq_rel) == done) undone_.notify_one();
+    return round;
 }
 
 void ChunkQueue::wait() {
@@ -64,7 +78,8 @@ void ChunkQueue::wait() {
 #if LR_HAS_THREADS
 bool WorkerPool::start(uint32_t workers) {
     try {
-        for (; workers_ < workers; ++workers_) threads_[workers_] = std::thread([this] { work(); });
+        for (; workers_ < workers; ++workers_)
+            threads_[workers_] = std::thread([this, thread = workers_ + 1] { work(thread); });
     } catch (...) { // std::system_error, or std::bad_alloc from the thread's own state
         stop();
         return false;
@@ -96,15 +111,15 @@ void WorkerPool::wake(uint32_t helpers) {
         for (; helpers != 0; --helpers) round_.notify_one();
 }
 
-void WorkerPool::work() {
-    uint32_t seen = 0;
+void WorkerPool::work(uint32_t thread) {
     for (;;) {
-        // Rounds of one step follow each other within microseconds; rounds of different frames do not.
-        const auto called = [&] { return round_.load(std::memory_order_acquire) != seen; };
-        if (!spin_until(called)) round_.wait(seen);
-        seen = round_.load(std::memory_order_acquire);
+        // Before the round: one that begins later changes it.
+        const uint32_t seen = round_.load(std::memory_order_acquire);
         if (stopping_.load(std::memory_order_relaxed)) return;
-        queue_->take();
+        const uint64_t round = queue_->take(thread);
+        // Rounds of one step follow each other within microseconds; rounds of different frames do not.
+        const auto called = [&] { return queue_->opened_since(round) || stopping_.load(std::memory_order_relaxed); };
+        if (!spin_until(called)) round_.wait(seen);
     }
 }
 
@@ -120,20 +135,19 @@ uint32_t StepWorkers::usual_helpers() {
 
 void StepWorkers::job(void* step_workers, uint32_t begin, uint32_t end) {
     if (begin >= end) return;
-    // All indices are equal: each takes chunks that are left.
     StepWorkers& self = *static_cast<StepWorkers*>(step_workers);
-    self.stay();
+    self.stay(begin + 1);
     self.present_.fetch_sub(end - begin, std::memory_order_release);
 }
 
 // A job system can run its tasks inside enqueue, on the caller's thread or while it waits: then no more work can come.
-void StepWorkers::stay() {
-    queue_.take();
+void StepWorkers::stay(uint32_t thread) {
+    uint64_t round = queue_.take(thread);
     if (this_thread() == caller_) return;
     const auto leaves = [this] {
         return !gathered_.load(std::memory_order_relaxed) || calling_.load(std::memory_order_relaxed);
     };
-    while (!leaves() && spin_until([&] { return queue_.any() || leaves(); })) queue_.take();
+    while (!leaves() && spin_until([&] { return queue_.opened_since(round) || leaves(); })) round = queue_.take(thread);
 }
 
 void StepWorkers::call(uint32_t helpers, const FloatMode& mode) {
@@ -171,12 +185,12 @@ void StepWorkers::run(uint32_t chunks, uint32_t helpers, ChunkQueue::Task task, 
         for (uint32_t i = 0; i < chunks; ++i) task(context, i);
         return;
     }
-    queue_.open(chunks, task, context);
+    queue_.open(chunks, helpers + 1, task, context);
     if (jobs_.enqueue)
         call(helpers, mode);
     else
         pool_.wake(std::min(helpers, chunks - 1));
-    queue_.take();
+    queue_.take(0);
     if (!gathered) finish(mode);
     queue_.wait();
 }

@@ -12,26 +12,32 @@
 
 namespace lr {
 
-// Chunks of work: any number of threads take them, one thread waits for all.
+// Chunks of work: any number of threads take them, one thread waits for all. Threads start at places of their own, the same in each round:
+// a line of memory that another core has written comes ten to a hundred times as slowly as one's own.
 class ChunkQueue {
 public:
     using Task = void (*)(void* context, uint32_t chunk);
 
-    // Starts a round of task(context, 0 .. chunks - 1). The previous round is done.
-    void open(uint32_t chunks, Task task, void* context);
-    // Runs chunks until none are left. Any thread, any time: a late one finds none and reads nothing.
-    void take();
-    bool any() const { return left_.load(std::memory_order_relaxed) != 0; }
+    // Starts a round of task(context, 0 .. chunks - 1) for so many threads. The previous round is done.
+    void open(uint32_t chunks, uint32_t threads, Task task, void* context);
+    // Runs chunks until none are left; returns the round. Any thread, any time: a late one finds none and reads nothing.
+    uint64_t take(uint32_t thread);
+    bool opened_since(uint64_t round) const { return round_.load(std::memory_order_acquire) != round; }
     // Waits until all chunks are done, also those taken by others.
     void wait();
 
 private:
-    // Two cache lines that every chunk changes; the first also holds the fields read with it.
-    alignas(64) std::atomic<uint32_t> left_{0}; // chunks not taken yet
+    static constexpr uint32_t most_claims = 512, claim_bits = 10, thread_bits = 7;
+
+    // The number of the round, of claims and of threads: whoever holds no claim must read nothing else.
+    alignas(64) std::atomic<uint64_t> round_{0};
     uint32_t chunks_ = 0;
     Task task_ = nullptr;
     void* context_ = nullptr;
-    alignas(64) WaitedCount undone_{0}; // chunks that are not done
+    alignas(64) WaitedCount undone_{0}; // claims that are not done
+    // Of each piece of the chunks: the round in which it was last claimed. A few lie on lines of their own.
+    static constexpr uint32_t apart = 8;
+    alignas(64) std::array<std::atomic<uint64_t>, most_claims> claimed_{};
 };
 
 // The world's own threads.
@@ -53,7 +59,7 @@ public:
     void wake(uint32_t helpers);
 
 private:
-    void work();
+    void work(uint32_t thread);
 
     ChunkQueue* queue_;
 #if LR_HAS_THREADS
@@ -88,7 +94,7 @@ public:
 
 private:
     static void job(void* step_workers, uint32_t begin, uint32_t end);
-    void stay();
+    void stay(uint32_t thread);
     void call(uint32_t helpers, const FloatMode& mode);
     void finish(const FloatMode& mode);
 

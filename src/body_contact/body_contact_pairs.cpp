@@ -179,45 +179,47 @@ bool BodyContactStep::find_pairs(uint32_t substep) {
     return true;
 }
 
-// Bodies that touch others get places: batch by batch, each in the order of noise seeds and starting at a whole group of lanes.
+// Bodies that touch others get places: batch by batch, each starting at a whole group of lanes, in the order of tiles and noise seeds.
 bool BodyContactStep::number_touching() {
     constexpr auto lanes = static_cast<uint32_t>(contact_lanes);
     BodyContactBuffers& c = *buffers_;
     Allocator& allocator = world_->allocator;
-    if (!grow(allocator, c.place, body_count_) || !grow(allocator, c.order, body_count_)) return false;
+    if (!grow(allocator, c.place, body_count_) || !grow(allocator, c.tiled, body_count_)) return false;
     std::fill_n(c.place.data(), body_count_, none);
     const uint32_t pair_count = c.first_pair[body_count_];
     for (uint32_t i = 0; i < pair_count; ++i)
         if (c.pairs[i].count != 0) c.place[c.pairs[i].a] = c.place[c.pairs[i].b] = 0;
-    uint32_t count = 0;
+    uint32_t places = 0, count = 0;
     for (uint32_t m = 0; m < member_count_; ++m) {
         BodyContactBatch& member = c.members[m];
-        count = (count + lanes - 1) / lanes * lanes;
-        member.first_place = count;
-        for (uint32_t i = 0; i < member.count; ++i)
-            if (c.place[member.first + i] == 0) ++count;
+        places = (places + lanes - 1) / lanes * lanes;
+        member.first_place = places;
+        const BatchArrays& arrays = member.item.batch->arrays();
+        for (uint32_t i = 0; i < member.count; ++i) {
+            if (c.place[member.first + i] != 0) continue;
+            const Vector x = pose_of(arrays, i).position;
+            c.tiled[count++] = {{x.x, x.y, x.z}, m, arrays.noise_seed[i], member.first + i, 0};
+            ++places;
+        }
     }
-    const uint32_t padded = (count + lanes - 1) / lanes * lanes;
+    const uint32_t padded = (places + lanes - 1) / lanes * lanes;
     if (padded == 0) return true;
-    if (!grow_all(allocator, padded, c.body_at, c.first_held, c.held_count, c.first_unit, c.touches_body) ||
+    if (!grow_all(allocator, padded, c.body_at, c.tile, c.first_held, c.held_count, c.first_unit, c.touches_body) ||
         !grow_all(allocator, size_t{contact_slots} * padded, c.held, c.held_contacts) ||
         !c.solver.reserve_bodies(padded)) {
         std::fill_n(c.place.data(), body_count_, none);
         return false;
     }
     std::fill_n(c.body_at.data(), padded, none);
-    for (uint32_t m = 0; m < member_count_; ++m) {
-        const BodyContactBatch& member = c.members[m];
-        const uint32_t* const noise_seed = member.item.batch->arrays().noise_seed;
-        uint32_t found = 0;
-        for (uint32_t i = 0; i < member.count; ++i)
-            if (c.place[member.first + i] == 0) c.order[found++] = uint64_t{noise_seed[i]} << 32 | (member.first + i);
-        std::sort(c.order.data(), c.order.data() + found);
-        for (uint32_t i = 0; i < found; ++i) {
-            const auto body = static_cast<uint32_t>(c.order[i]);
-            c.place[body] = member.first_place + i;
-            c.body_at[member.first_place + i] = body;
-        }
+    std::fill_n(c.tile.data(), padded, 0u);
+    tile_levels_ = tile_levels(count);
+    cut_into_tiles(c.tiled.data(), count, tile_levels_);
+    for (uint32_t i = 0, place = 0; i < count; ++i, ++place) {
+        const TiledBody& one = c.tiled[i];
+        if (i == 0 || one.member != c.tiled[i - 1].member) place = c.members[one.member].first_place;
+        c.place[one.body] = place;
+        c.body_at[place] = one.body;
+        c.tile[place] = one.tile;
     }
     place_count_ = padded;
     held_used_ = 0;

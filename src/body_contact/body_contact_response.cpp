@@ -178,7 +178,8 @@ bool BodyContactStep::solve() {
         if (begin < end) c.ranges[ranges++] = {m, begin, end - begin};
     }
     const auto h = static_cast<float>(time_.h);
-    const BodyContactScene scene{c.kinds.data(), c.ranges.data(), ranges, c.units.data(), unit_count};
+    const BodyContactScene scene{c.kinds.data(), c.ranges.data(), ranges,      c.units.data(),
+                                 unit_count,     c.tile.data(),   tile_levels_};
     if (!c.solver.solve(*world_->target->body_contact, h, c.members[0].run.step.gravity, scene, workers_)) return false;
     for (const BodyContactPair& unit : std::span(scene.units, unit_count)) {
         if (unit.b == BodyContactPair::nobody) continue;

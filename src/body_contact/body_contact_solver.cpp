@@ -11,18 +11,22 @@ namespace lr {
 namespace {
 
 constexpr auto lanes = static_cast<uint32_t>(contact_lanes);
-constexpr uint32_t usual_colours = 64; // as bits; units without a free colour get blocks of their own
 constexpr uint32_t body_contact_sweeps = 30, roll_every = 4;
 constexpr uint32_t bounce_rounds = 2, bounce_sweeps = 3;
 constexpr uint32_t held_sweeps = 4; // extra sweeps over fixed things: a heap must not press a body into a collider
-// Blocks and groups of bodies that justify another thread: some microseconds of work.
-constexpr uint32_t block_grain = 4, group_grain = 16;
+constexpr uint32_t lanes_grain = 4;
+
+// Groups of units: of each tile its pairs, then its fixed things, which must hold better than bodies do; then the pairs across cuts, level
+// after level. A task sweeps a tile, with both its groups, or those across one cut.
+constexpr uint32_t first_task(uint32_t levels, uint32_t level) {
+    return (2u << levels) - (2u << levels >> level);
+}
 } // namespace
 
 bool BodyContactSolver::reserve_bodies(uint32_t count) {
     if (!grow(*allocator_, bodies_, size_t{count} + 1) || !grow(*allocator_, twists_, size_t{count} + 1) ||
         !grow(*allocator_, twists_before_, count) || !grow(*allocator_, directions_, count) ||
-        !grow(*allocator_, used_colours_, count) || !grow(*allocator_, kind_of_, count / lanes + 1))
+        !grow(*allocator_, holding_, count) || !grow(*allocator_, kind_of_, count / lanes + 1))
         return false;
     body_count_ = count;
     return true;
@@ -33,63 +37,34 @@ float BodyContactSolver::mass(const SolverBodyKind* kinds, uint32_t body) const 
     return kinds[kind_of(body)].body->unit_mass * s * s * s;
 }
 
-// Impulses are in the lighter body's mass unit: with sizes that differ by a thousand, the heavier one's would overflow.
-void BodyContactSolver::order_pairs(const BodyContactScene& scene) {
-    for (BodyContactPair& unit : std::span(scene.units, scene.unit_count)) {
-        unit.swapped = unit.b != BodyContactPair::nobody && mass(scene.kinds, unit.b) < mass(scene.kinds, unit.a);
-        if (unit.swapped) std::swap(unit.a, unit.b);
-    }
+uint32_t BodyContactSolver::group_of(const BodyContactScene& scene, const BodyContactPair& unit) const {
+    if (!scene.tile) return unit.b == BodyContactPair::nobody ? 1 : 0;
+    const uint32_t a = scene.tile[unit.a];
+    if (unit.b == BodyContactPair::nobody) return 2 * a + 1;
+    const auto level = static_cast<uint32_t>(std::bit_width(a ^ scene.tile[unit.b]));
+    return level == 0 ? 2 * a : (1u << tile_levels_) + first_task(tile_levels_, level) + (a >> level);
 }
 
-// Each pair takes the lowest colour that its bodies do not have yet. Fixed things come last in a sweep: they must hold better than bodies do.
-void BodyContactSolver::colour(const BodyContactScene& scene) {
-    const std::span units(scene.units, scene.unit_count);
-    std::fill_n(used_colours_.data(), body_count_, uint64_t{0});
-    colour_count_ = 0;
-    uint32_t late = usual_colours;
-    for (BodyContactPair& unit : units) {
-        if (unit.b == BodyContactPair::nobody) continue;
-        uint64_t &of_a = used_colours_[unit.a], &of_b = used_colours_[unit.b];
-        const uint64_t used = of_a | of_b;
-        unit.colour = used == ~uint64_t{0} ? late++ : static_cast<uint32_t>(std::countr_one(used));
-        colour_count_ = std::max(colour_count_, unit.colour + 1);
-        if (unit.colour >= usual_colours) continue;
-        of_a |= uint64_t{1} << unit.colour;
-        of_b |= uint64_t{1} << unit.colour;
-    }
-    pair_colours_ = colour_count_;
-    uint32_t before = BodyContactPair::nobody, colour = 0;
-    for (BodyContactPair& unit : units) {
-        if (unit.b != BodyContactPair::nobody) continue;
-        colour = unit.a == before ? colour + 1 : pair_colours_;
-        before = unit.a;
-        unit.colour = colour;
-        colour_count_ = std::max(colour_count_, colour + 1);
-    }
-}
-
-// Blocks hold units of one colour and the same kinds, grouped by similar numbers of contacts.
-bool BodyContactSolver::lay_out(const BodyContactScene& scene) {
+// By group, kinds and number of contacts.
+bool BodyContactSolver::sort_units(const BodyContactScene& scene) {
     BodyContactPair* const units = scene.units;
     const uint32_t unit_count = scene.unit_count;
     if (!grow(*allocator_, order_, unit_count) || !grow(*allocator_, spare_, unit_count)) return false;
-    group_count_ = 0;
     uint32_t kind_count = 1;
-    for (const BodyContactRange& range : std::span(scene.ranges, scene.range_count)) {
-        const uint32_t first = range.begin / lanes, groups = (range.count + lanes - 1) / lanes;
-        std::fill_n(kind_of_.data() + first, groups, range.kind);
-        group_count_ = std::max(group_count_, first + groups);
+    for (const BodyContactRange& range : std::span(scene.ranges, scene.range_count))
         kind_count = std::max(kind_count, range.kind + 1);
+    for (uint32_t i = 0; i < unit_count; ++i) {
+        BodyContactPair& unit = units[i];
+        // Impulses are in the lighter body's mass unit: with sizes that differ by a thousand, the heavier one's would overflow.
+        unit.swapped = unit.b != BodyContactPair::nobody && mass(scene.kinds, unit.b) < mass(scene.kinds, unit.a);
+        if (unit.swapped) std::swap(unit.a, unit.b);
+        unit.group = group_of(scene, unit);
+        order_[i] = &unit;
     }
-    order_pairs(scene);
-    colour(scene);
-    const auto of_a = [&](const BodyContactPair& u) { return kind_of(u.a); };
-    const auto of_b = [&](const BodyContactPair& u) { return kind_b(u); };
-    for (uint32_t i = 0; i < unit_count; ++i) order_[i] = units + i;
     // Sorts by the last criterion first: each pass is stable.
     const auto sort_by = [&](uint32_t values, auto&& value) {
-        if (values == 1) return true;
         if (!grow(*allocator_, first_unit_, values + 1)) return false;
+        if (values == 1) return true;
         std::fill_n(first_unit_.data(), values + 1, 0u);
         for (uint32_t i = 0; i < unit_count; ++i) ++first_unit_[value(*order_[i]) + 1];
         for (uint32_t v = 0; v < values; ++v) first_unit_[v + 1] += first_unit_[v];
@@ -97,40 +72,104 @@ bool BodyContactSolver::lay_out(const BodyContactScene& scene) {
         order_.swap(spare_);
         return true;
     };
-    if (!sort_by(block_contacts, [](const BodyContactPair& u) { return block_contacts - u.count; }) ||
-        !sort_by(kind_count, of_b) || !sort_by(kind_count, of_a) ||
-        !sort_by(colour_count_, [](const BodyContactPair& u) { return u.colour; }))
-        return false;
-    if (!grow(*allocator_, first_unit_, unit_count + 1) || !grow(*allocator_, first_block_, colour_count_ + 1))
-        return false;
+    return sort_by(block_contacts, [](const BodyContactPair& u) { return block_contacts - u.count; }) &&
+           sort_by(kind_count, [&](const BodyContactPair& u) { return kind_b(u); }) &&
+           sort_by(kind_count, [&](const BodyContactPair& u) { return kind_of(u.a); }) &&
+           sort_by(group_count_, [](const BodyContactPair& u) { return u.group; });
+}
+
+// Each unit goes into the first block of its group and kinds that holds neither of its bodies. After the last sort first_unit_ has the ends.
+void BodyContactSolver::fill_blocks(const BodyContactScene& scene) {
+    constexpr uint32_t window_blocks = 64;
+    std::fill_n(holding_.data(), body_count_, Holding{});
+    uint32_t window = 0, used[window_blocks], opened = 0, at = 0;
+    uint64_t full = 0;
     block_count_ = 0;
-    uint32_t colours = 0;
-    for (uint32_t i = 0; i < unit_count;) {
-        const BodyContactPair& first = *order_[i];
-        while (colours <= first.colour) first_block_[colours++] = block_count_;
-        first_unit_[block_count_] = i;
-        for (uint32_t n = 0; n < lanes && i < unit_count; ++n, ++i) {
-            const BodyContactPair& u = *order_[i];
-            if (u.colour != first.colour || of_a(u) != of_a(first) || of_b(u) != of_b(first)) break;
+    const auto open_window = [&] {
+        ++window;
+        block_count_ += opened;
+        opened = 0;
+        full = 0;
+    };
+    const auto held_by = [&](uint32_t body) -> uint64_t& {
+        Holding& holding = holding_[body];
+        if (holding.window != window) holding = {window, 0};
+        return holding.blocks;
+    };
+    uint64_t none = 0;
+    for (uint32_t group = 0; group < group_count_; ++group) {
+        open_window();
+        first_block_[group] = block_count_;
+        for (const uint32_t past = first_unit_[group], first = at; at < past; ++at) {
+            BodyContactPair& unit = scene.units[order_[at] - scene.units];
+            const bool pair = unit.b != BodyContactPair::nobody;
+            if (at != first &&
+                (kind_of(unit.a) != kind_of(order_[at - 1]->a) || kind_b(unit) != kind_b(*order_[at - 1])))
+                open_window();
+            if ((held_by(unit.a) | (pair ? held_by(unit.b) : none) | full) == ~uint64_t{0}) open_window();
+            uint64_t &of_a = held_by(unit.a), &of_b = pair ? held_by(unit.b) : none;
+            const auto block = static_cast<uint32_t>(std::countr_one(of_a | of_b | full));
+            if (block == opened) used[opened++] = 0;
+            const uint64_t bit = uint64_t{1} << block;
+            of_a |= bit;
+            if (pair) of_b |= bit;
+            unit.block = block_count_ + block;
+            unit.lane = used[block]++;
+            if (used[block] == lanes) full |= bit;
         }
-        ++block_count_;
     }
-    while (colours <= colour_count_) first_block_[colours++] = block_count_;
-    first_unit_[block_count_] = unit_count;
-    if (!grow(*allocator_, blocks_, block_count_)) return false;
-    for (uint32_t b = 0; b < block_count_; ++b)
-        for (uint32_t i = first_unit_[b]; i < first_unit_[b + 1]; ++i) {
-            BodyContactPair& unit = units[order_[i] - units];
-            unit.block = b;
-            unit.lane = i - first_unit_[b];
+    open_window();
+    first_block_[group_count_] = block_count_;
+}
+
+// The bodies of each tile, as runs of neighbours.
+bool BodyContactSolver::list_tiles(const BodyContactScene& scene) {
+    const uint32_t tiles = 1u << tile_levels_;
+    const auto tile_of = [&](uint32_t body) { return scene.tile ? scene.tile[body] : 0; };
+    if (!grow(*allocator_, first_run_, size_t{tiles} + 2)) return false;
+    std::fill_n(first_run_.data(), tiles + 2, 0u);
+    uint32_t count = 0;
+    const auto each_run = [&](const auto& function) {
+        for (uint32_t begin = 0, end; begin < body_count_; begin = end) {
+            for (end = begin + 1; end < body_count_ && tile_of(end) == tile_of(begin);) ++end;
+            function(tile_of(begin), Run{begin, end});
         }
+    };
+    each_run([&](uint32_t tile, Run) { ++count, ++first_run_[tile + 2]; });
+    if (!grow(*allocator_, runs_, count)) return false;
+    for (uint32_t tile = 0; tile < tiles; ++tile) first_run_[tile + 2] += first_run_[tile + 1];
+    each_run([&](uint32_t tile, Run run) { runs_[first_run_[tile + 1]++] = run; });
+    return true;
+}
+
+bool BodyContactSolver::lay_out(const BodyContactScene& scene) {
+    tile_levels_ = scene.tile ? scene.tile_levels : 0;
+    const uint32_t tiles = 1u << tile_levels_;
+    task_count_ = first_task(tile_levels_, tile_levels_ + 1);
+    group_count_ = tiles + task_count_;
+    lanes_count_ = 0;
+    for (const BodyContactRange& range : std::span(scene.ranges, scene.range_count)) {
+        const uint32_t first = range.begin / lanes, count = (range.count + lanes - 1) / lanes;
+        std::fill_n(kind_of_.data() + first, count, range.kind);
+        lanes_count_ = std::max(lanes_count_, first + count);
+    }
+    if (!grow(*allocator_, first_block_, size_t{group_count_} + 1) || !grow(*allocator_, swept_, task_count_) ||
+        !list_tiles(scene) || !sort_units(scene))
+        return false;
+    fill_blocks(scene);
+    if (!grow(*allocator_, blocks_, block_count_) || !grow(*allocator_, unit_of_, size_t{lanes} * block_count_))
+        return false;
+    std::fill_n(unit_of_.data(), size_t{lanes} * block_count_, nullptr);
+    for (const BodyContactPair& unit : std::span(scene.units, scene.unit_count))
+        unit_of_[size_t{lanes} * unit.block + unit.lane] = &unit;
     return true;
 }
 
 void BodyContactSolver::fill(const SolverBodyKind* kinds, uint32_t index) {
     PairBlock& block = blocks_[index];
-    const uint32_t count = first_unit_[index + 1] - first_unit_[index];
-    const BodyContactPair* const* const units = order_.data() + first_unit_[index];
+    const BodyContactPair* const* const units = unit_of_.data() + size_t{lanes} * index;
+    uint32_t count = 0;
+    while (count < lanes && units[count]) ++count;
     block.kind_a = kind_of(units[0]->a);
     block.kind_b = kind_b(*units[0]);
     block.lanes = count;
@@ -167,75 +206,102 @@ void BodyContactSolver::fill(const SolverBodyKind* kinds, uint32_t index) {
         }
 }
 
-// Blocks of a colour in parallel, colours one after the other.
-template <class Function>
-void BodyContactSolver::each_block(const Workers& workers, uint32_t from, Function&& function) {
-    for (uint32_t colour = from; colour < colour_count_; ++colour) {
-        const uint32_t first = first_block_[colour], count = first_block_[colour + 1] - first;
-        workers.run(count, block_grain, [&](uint32_t begin, uint32_t end) {
-            for (uint32_t i = begin; i < end; ++i) function(blocks_[first + i]);
-        });
+std::span<PairBlock> BodyContactSolver::blocks_of(uint32_t task) {
+    const uint32_t tiles = 1u << tile_levels_;
+    const uint32_t first = task < tiles ? 2 * task : tiles + task, past = task < tiles ? first + 2 : first + 1;
+    return {blocks_.data() + first_block_[first], blocks_.data() + first_block_[past]};
+}
+
+// Calls function(task) for the tasks of each level, which share no body, in parallel; levels one after the other.
+template <class Function> void BodyContactSolver::each_task(const Workers& workers, const Function& function) {
+    for (uint32_t level = 0; level <= tile_levels_; ++level) {
+        const uint32_t first = first_task(tile_levels_, level), past = first_task(tile_levels_, level + 1);
+        workers.run(past - first, 1, [&](uint32_t at, uint32_t) { function(first + at); });
     }
 }
 
-template <class Function> void BodyContactSolver::each_group(const Workers& workers, Function&& function) {
-    workers.run(group_count_, group_grain, [&](uint32_t begin, uint32_t end) {
-        for (uint32_t g = begin; g < end; ++g) function(kind_of_[g], g * lanes);
+template <class Function> void BodyContactSolver::each_block(const Workers& workers, const Function& function) {
+    each_task(workers, [&](uint32_t task) {
+        for (PairBlock& block : blocks_of(task)) function(block);
+    });
+}
+
+template <class Function> void BodyContactSolver::each_lanes(const Workers& workers, const Function& function) {
+    workers.run(lanes_count_, lanes_grain, [&](uint32_t begin, uint32_t end) {
+        for (uint32_t i = begin; i < end; ++i) function(kind_of_[i], i * lanes);
     });
 }
 
 // Nonsmooth nonlinear conjugate gradients (Silcowitz-Hansen, Niebe and Erleben 2010): the changes of the impulses in a sweep serve
-// as the gradient; 16 sweeps then do as much as 60. Bodies follow the search direction after a sweep, impulses in the next one. Sums
-// go over blocks in order: the same on every machine.
+// as the gradient; 16 sweeps then do as much as 60. Bodies follow the search direction before the next sweep, impulses in it. Sums
+// go over tasks in order: the same on every machine.
 void BodyContactSolver::sweep(const BodyContactTarget& target, const BodyContactInput& in, const Workers& workers,
                               bool rolls) {
     std::copy_n(twists_.data(), body_count_, twists_before_.data());
     std::fill_n(directions_.data(), body_count_, SolverTwist{});
     const SolverSearch search{twists_before_.data(), directions_.data()};
+    const uint32_t tiles = 1u << tile_levels_;
+    const auto follow = [&](uint32_t tile, float part) {
+        for (uint32_t i = first_run_[tile]; i < first_run_[tile + 1]; ++i)
+            target.follow(in, search, runs_[i].begin, runs_[i].end, part);
+    };
     double former = 0.0;
     float part = 0.0f;
+    bool follows = false;
     for (uint32_t n = 0; n < body_contact_sweeps; ++n) {
-        std::atomic<bool> changed{false};
-        const auto note = [&](bool change) {
-            if (change) changed.store(true, std::memory_order_relaxed);
-        };
-        each_block(workers, 0, [&](PairBlock& block) { note(target.sweep(in, block, part)); });
-        const bool last = n + 1 == body_contact_sweeps; // respects all bounds
-        double squares = 0.0;
-        if (!last && changed) {
-            for (uint32_t b = 0; b < block_count_; ++b) {
-                double sum = 0.0;
-                for (uint32_t lane = 0; lane < blocks_[b].lanes; ++lane)
-                    sum += static_cast<double>(blocks_[b].changed[lane]);
-                squares += sum;
+        each_task(workers, [&](uint32_t task) {
+            if (follows && task < tiles) follow(task, part);
+            Swept swept{0.0, false};
+            for (PairBlock& block : blocks_of(task)) {
+                if (!target.sweep(in, block, part)) continue;
+                swept.changed = true;
+                for (uint32_t lane = 0; lane < block.lanes; ++lane)
+                    swept.squares += static_cast<double>(block.changed[lane]);
             }
+            swept_[task] = swept;
+        });
+        std::atomic<bool> changed{false};
+        double squares = 0.0;
+        for (const Swept& swept : std::span(swept_.data(), task_count_)) {
+            if (swept.changed) changed = true;
+            squares += swept.squares;
+        }
+        const bool last = n + 1 == body_contact_sweeps; // respects all bounds
+        follows = !last && changed;
+        if (follows) {
             const bool onward = former > 0.0 && squares <= former; // else it restarts
             part = onward ? static_cast<float>(squares / former) : 0.0f;
             former = squares;
-            each_group(workers, [&](uint32_t, uint32_t begin) { target.follow(in, search, begin, part); });
         }
-        if (rolls && (n % roll_every == roll_every - 1))
-            each_group(workers, [&](uint32_t kind, uint32_t begin) {
+        if (rolls && (n % roll_every == roll_every - 1)) {
+            if (follows) workers.run(tiles, 1, [&](uint32_t tile, uint32_t) { follow(tile, part); });
+            follows = false;
+            each_lanes(workers, [&](uint32_t kind, uint32_t begin) {
                 if (!target.roll(in, kind, begin)) return;
-                note(true);
+                changed.store(true, std::memory_order_relaxed);
                 std::copy_n(in.twists + begin, lanes, search.before + begin);
             });
+        }
         if (last || !changed) break;
     }
-    for (uint32_t n = 0; n < held_sweeps; ++n)
-        each_block(workers, pair_colours_, [&](PairBlock& block) { target.sweep(in, block, 0.0f); });
+    const auto hold = [&](uint32_t tile, uint32_t) {
+        for (uint32_t n = 0; n < held_sweeps; ++n)
+            for (uint32_t b = first_block_[2 * tile + 1]; b < first_block_[2 * tile + 2]; ++b)
+                target.sweep(in, blocks_[b], 0.0f);
+    };
+    workers.run(tiles, 1, hold);
 }
 
 // Restitution and friction together can add energy (Kane 1984): reduces the bounce of such contacts.
 void BodyContactSolver::restrain(const BodyContactTarget& target, const BodyContactInput& in, const Workers& workers) {
     for (uint32_t round = 0; round < bounce_rounds; ++round) {
         std::atomic<bool> some{false};
-        each_block(workers, 0, [&](PairBlock& block) {
+        each_block(workers, [&](PairBlock& block) {
             if (target.restrain(in, block)) some.store(true, std::memory_order_relaxed);
         });
         if (!some) return;
         for (uint32_t n = 0; n < bounce_sweeps; ++n)
-            each_block(workers, 0, [&](PairBlock& block) { target.sweep(in, block, 0.0f); });
+            each_block(workers, [&](PairBlock& block) { target.sweep(in, block, 0.0f); });
     }
 }
 
@@ -249,18 +315,17 @@ bool BodyContactSolver::solve(const BodyContactTarget& target, float h, float gr
     bool rolls = false;
     for (uint32_t r = 0; r < scene.range_count; ++r) rolls = rolls || scene.kinds[scene.ranges[r].kind].rolling != 0.0f;
     const BodyContactInput in{h, gravity, scene.kinds, bodies_.data(), twists_.data()};
-    workers.run(block_count_, block_grain, [&](uint32_t begin, uint32_t end) {
-        for (uint32_t b = begin; b < end; ++b) fill(scene.kinds, b);
-    });
-    each_group(workers, [&](uint32_t kind, uint32_t begin) { target.begin(in, kind, begin); });
-    each_block(workers, 0, [&](PairBlock& block) { target.way(in, block); });
+    each_block(workers,
+               [&](const PairBlock& block) { fill(scene.kinds, static_cast<uint32_t>(&block - blocks_.data())); });
+    each_lanes(workers, [&](uint32_t kind, uint32_t begin) { target.begin(in, kind, begin); });
+    each_block(workers, [&](PairBlock& block) { target.way(in, block); });
     sweep(target, in, workers, rolls);
-    each_group(workers, [&](uint32_t kind, uint32_t begin) { target.move(in, kind, begin); });
-    each_block(workers, 0, [&](PairBlock& block) { target.touch(in, block); });
-    each_block(workers, 0, [&](PairBlock& block) { target.velocity(in, block); });
+    each_lanes(workers, [&](uint32_t kind, uint32_t begin) { target.move(in, kind, begin); });
+    each_block(workers, [&](PairBlock& block) { target.touch(in, block); });
+    each_block(workers, [&](PairBlock& block) { target.velocity(in, block); });
     sweep(target, in, workers, rolls);
     restrain(target, in, workers);
-    each_group(workers, [&](uint32_t kind, uint32_t begin) { target.finish(in, kind, begin); });
+    each_lanes(workers, [&](uint32_t kind, uint32_t begin) { target.finish(in, kind, begin); });
     return true;
 }
 } // namespace lr

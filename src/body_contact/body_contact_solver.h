@@ -1,4 +1,4 @@
-// Solves touching bodies together: colours pairs so that a colour shares no body, and sweeps over them. docs/maintainers/contact.md
+// Solves touching bodies together: Gauss-Seidel over the pairs of each tile, then over those between tiles. docs/maintainers/contact.md
 #pragma once
 
 #include "base/allocator.h"
@@ -7,6 +7,7 @@
 #include "kernel/contact/body_contact.h"
 
 #include <cstdint>
+#include <span>
 
 namespace lr {
 
@@ -35,7 +36,7 @@ struct BodyContactPair {
     uint32_t count;
     PathFriction friction{}; // a guess
     // Set by the solver.
-    uint32_t colour = 0, block = 0, lane = 0;
+    uint32_t group = 0, block = 0, lane = 0;
     bool swapped = false; // a and b are swapped relative to the contacts
 };
 
@@ -51,6 +52,8 @@ struct BodyContactScene {
     // In the same order on every machine; a body's units with fixed things are consecutive. The bodies of a unit can be swapped.
     BodyContactPair* units;
     uint32_t unit_count;
+    const uint32_t* tile = nullptr; // by body; null: all are in one
+    uint32_t tile_levels = 0;       // tiles are below 2^tile_levels (contact_tiles.h)
 };
 
 class BodyContactSolver {
@@ -86,24 +89,44 @@ private:
     uint32_t kind_b(const BodyContactPair& u) const { return kind_of(u.b == BodyContactPair::nobody ? u.a : u.b); }
     float mass(const SolverBodyKind* kinds, uint32_t body) const;
     bool lay_out(const BodyContactScene& scene);
-    void order_pairs(const BodyContactScene& scene);
-    void colour(const BodyContactScene& scene);
+    uint32_t group_of(const BodyContactScene& scene, const BodyContactPair& unit) const;
+    bool sort_units(const BodyContactScene& scene);
+    void fill_blocks(const BodyContactScene& scene);
     void fill(const SolverBodyKind* kinds, uint32_t index);
-    template <class Function> void each_block(const Workers& workers, uint32_t from, Function&& function);
-    template <class Function> void each_group(const Workers& workers, Function&& function);
+    bool list_tiles(const BodyContactScene& scene);
+    std::span<PairBlock> blocks_of(uint32_t task);
+    template <class Function> void each_task(const Workers& workers, const Function& function);
+    template <class Function> void each_block(const Workers& workers, const Function& function);
+    template <class Function> void each_lanes(const Workers& workers, const Function& function);
     void sweep(const BodyContactTarget& target, const BodyContactInput& in, const Workers& workers, bool rolls);
     void restrain(const BodyContactTarget& target, const BodyContactInput& in, const Workers& workers);
 
     Allocator* allocator_;
-    uint32_t body_count_ = 0, block_count_ = 0, group_count_ = 0;
-    uint32_t colour_count_ = 0, pair_colours_ = 0; // fixed things have the last colours
-    Buffer<SolverBody> bodies_;                    // the last one stands for fixed things
+    uint32_t body_count_ = 0, block_count_ = 0, lanes_count_ = 0;
+    uint32_t tile_levels_ = 0, task_count_ = 0, group_count_ = 0;
+    Buffer<SolverBody> bodies_; // the last one stands for fixed things
     Buffer<SolverTwist> twists_, twists_before_, directions_;
-    Buffer<uint64_t> used_colours_; // by body
-    Buffer<uint32_t> kind_of_;      // by group of bodies
+    Buffer<uint32_t> kind_of_; // by contact_lanes of bodies
+    struct Run {
+        uint32_t begin, end; // bodies
+    };
+    Buffer<uint32_t> first_run_; // by tile, and the end
+    Buffer<Run> runs_;
+    Buffer<uint32_t> first_unit_, first_block_; // by group, and the end
     Buffer<const BodyContactPair*> order_, spare_;
+    Buffer<const BodyContactPair*> unit_of_; // by block and lane; null: none
     Buffer<PairBlock> blocks_;
-    Buffer<uint32_t> first_block_; // by colour, and the end
-    Buffer<uint32_t> first_unit_;  // by block, and the end
+    // Of a task's last sweep: on lines of their own, as each is written by the core that sweeps it.
+    struct alignas(64) Swept {
+        double squares;
+        bool changed;
+    };
+    Buffer<Swept> swept_;
+    // Blocks that hold a body already, as bits from the first block of a window of 64.
+    struct Holding {
+        uint32_t window;
+        uint64_t blocks;
+    };
+    Buffer<Holding> holding_; // by body
 };
 } // namespace lr

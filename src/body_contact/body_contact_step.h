@@ -4,6 +4,7 @@
 #include "base/float_mode.h"
 #include "base/step_workers.h"
 #include "body_contact/body_contact_solver.h"
+#include "body_contact/contact_tiles.h"
 #include "body_contact/pair_cache.h"
 #include "collision/body_broad_phase.h"
 #include "collision/body_narrow_phase.h"
@@ -83,9 +84,9 @@ struct BodyContactBuffers {
     static constexpr Hidden unasked{UINT32_MAX, UINT32_MAX}; // no face has so many points
     Buffer<Hidden> hidden;  // by body; unasked: its shelter is not found in this substep
     Buffer<uint32_t> place; // by body: its number among those that touch others, or UINT32_MAX
-    Buffer<uint64_t> order; // noise seed and body
+    Buffer<TiledBody> tiled;
     // By place; padding is UINT32_MAX.
-    Buffer<uint32_t> body_at, first_held, held_count, first_unit;
+    Buffer<uint32_t> body_at, tile, first_held, held_count, first_unit;
     Buffer<uint8_t> touches_body;
     Buffer<Held> held;
     Buffer<BodyContactPoint> held_contacts;
@@ -160,7 +161,7 @@ private:
     BodyContactBuffers* buffers_;
     const StepItem* items_;
     Workers workers_;
-    uint32_t member_count_, body_count_ = 0, place_count_ = 0, unit_count_ = 0;
+    uint32_t member_count_, body_count_ = 0, place_count_ = 0, unit_count_ = 0, tile_levels_ = 0;
     StepTime time_{};
     WaterStep surface_{};
     bool wet_, starved_ = false;

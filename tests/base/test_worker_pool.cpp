@@ -31,9 +31,9 @@ TEST_CASE("every chunk runs once, for any number of workers and helpers, and all
         for (uint32_t chunks : {0u, 1u, 2u, 3u, 100u, 1000u}) {
             for (uint32_t round = 0; round < 20; ++round) {
                 Counts counts(chunks);
-                queue.open(chunks, &Counts::run, &counts);
+                queue.open(chunks, workers + 1, &Counts::run, &counts);
                 pool.wake(round % 5 == 4 ? workers : round % 5);
-                queue.take();
+                queue.take(0);
                 queue.wait();
                 REQUIRE(counts.wrong() == 0);
             }
@@ -51,9 +51,9 @@ TEST_CASE("rounds in quick succession do not mix") {
     REQUIRE(pool.start(3));
     for (uint32_t round = 0; round < 3000; ++round) {
         Counts counts(1 + round % 7);
-        queue.open(1 + round % 7, &Counts::run, &counts);
+        queue.open(1 + round % 7, 4, &Counts::run, &counts);
         pool.wake(3);
-        queue.take();
+        queue.take(0);
         queue.wait();
         REQUIRE(counts.wrong() == 0);
     }
@@ -65,7 +65,7 @@ TEST_CASE("workers alone do all of it") {
     REQUIRE(pool.start(2));
     for (uint32_t round = 0; round < 50; ++round) {
         Counts counts(40);
-        queue.open(40, &Counts::run, &counts);
+        queue.open(40, 3, &Counts::run, &counts);
         pool.wake(1 + round % 2);
         queue.wait();
         REQUIRE(counts.wrong() == 0);
@@ -74,12 +74,12 @@ TEST_CASE("workers alone do all of it") {
 
 TEST_CASE("a thread that comes too late, or for nothing, finds nothing to do") {
     ChunkQueue queue;
-    queue.take();
+    queue.take(0);
     queue.wait();
     Counts counts(5);
-    queue.open(5, &Counts::run, &counts);
-    queue.take();
-    queue.take();
+    queue.open(5, 1, &Counts::run, &counts);
+    queue.take(0);
+    queue.take(0);
     queue.wait();
     CHECK(counts.wrong() == 0);
 }

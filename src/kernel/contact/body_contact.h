@@ -1,4 +1,4 @@
-// Body contact as the kernel sees it: bodies by index, blocks of pairs, a lane each. Pairs of a colour share no body (docs/maintainers/contact.md).
+// Body contact as the kernel sees it: bodies by index, blocks of pairs, a lane each. Pairs of a block share no body (docs/maintainers/contact.md).
 #pragma once
 
 #include "kernel/contact/collider_contact.h"
@@ -107,13 +107,14 @@ struct BodyContactInput {
     SolverTwist* twists;
 };
 
-// Functions of bodies: [begin, begin + contact_lanes) of one kind. Functions of blocks: one block; blocks of a colour can run in parallel.
+// Functions of bodies: [begin, begin + contact_lanes) of one kind. Functions of blocks: one block; blocks that share no body can run in parallel.
 struct BodyContactTarget {
     void (*begin)(const BodyContactInput&, uint32_t kind, uint32_t begin); // first of all
     void (*way)(const BodyContactInput&, PairBlock&);                      // rows of the first projection
     // First moves the impulses on by `part` of the search direction, as follow() has moved the bodies. False: nothing has changed.
     bool (*sweep)(const BodyContactInput&, PairBlock&, float part);
-    void (*follow)(const BodyContactInput&, const SolverSearch&, uint32_t begin, float part); // after a sweep
+    void (*follow)(const BodyContactInput&, const SolverSearch&, uint32_t begin, uint32_t end,
+                   float part); // after a sweep: bodies [begin, end)
     bool (*roll)(const BodyContactInput&, uint32_t kind, uint32_t begin);
     void (*move)(const BodyContactInput&, uint32_t kind,
                  uint32_t begin); // applies the displacement's correction; velocities are next

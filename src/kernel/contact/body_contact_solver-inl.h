@@ -201,7 +201,7 @@ HWY_INLINE Matrix frame_of(const PairBlock& block, size_t at) {
 void body_contact_way(const BodyContactInput& in, PairBlock& block) {
     const Gathered g(in, block);
     GatheredTwists twists(in, block);
-    for (size_t at = 0; at < contact_lanes; at += hn::Lanes(DF())) {
+    for (size_t at = 0; at < block.lanes; at += hn::Lanes(DF())) {
         const PairState s = state_of(in, block, g, at);
         store1(block.dust, at, constant(1e-3f) * s.slop);
         Side a, b;
@@ -273,7 +273,7 @@ template <bool kFull, bool kPair> HWY_INLINE bool sweep(const BodyContactInput& 
     const VF zero = hn::Zero(DF());
     GatheredTwists twists(in, block);
     bool changed = false;
-    for (size_t at = 0; at < contact_lanes; at += hn::Lanes(DF())) {
+    for (size_t at = 0; at < block.lanes; at += hn::Lanes(DF())) {
         const Side a = side_a(in, block, at), b = side_b(in, block, at);
         const VF dust = load1(block.dust, at);
         Twist ta = load6(twists.a, at), tb = load6(twists.b, at);
@@ -336,13 +336,16 @@ bool body_contact_sweep(const BodyContactInput& in, PairBlock& block, float part
 }
 
 // Each body moves on along its search direction, which then takes the last sweep's change in.
-void body_contact_follow(const BodyContactInput& in, const SolverSearch& search, uint32_t begin, float part) {
-    float* const twist = in.twists[begin].v;
-    float *const before = search.before[begin].v, *const direction = search.direction[begin].v;
-    const DF d;
-    for (size_t at = 0; at < contact_lanes * twist_floats; at += hn::Lanes(d)) {
-        const VF now = hn::LoadU(d, twist + at), more = constant(part) * hn::LoadU(d, direction + at), on = now + more;
-        hn::StoreU(more + (now - hn::LoadU(d, before + at)), d, direction + at);
+void body_contact_follow(const BodyContactInput& in, const SolverSearch& search, uint32_t begin, uint32_t end,
+                         float part) {
+    // Not beyond a body: its neighbours can be another thread's.
+    const hn::CappedTag<float, twist_floats> d;
+    float *const twist = in.twists[0].v, *const before = search.before[0].v, *const direction = search.direction[0].v;
+    const auto share = hn::Set(d, part);
+    for (size_t at = begin * twist_floats; at < end * twist_floats; at += hn::Lanes(d)) {
+        const auto now = hn::LoadU(d, twist + at), more = hn::Mul(share, hn::LoadU(d, direction + at)),
+                   on = hn::Add(now, more);
+        hn::StoreU(hn::Add(more, hn::Sub(now, hn::LoadU(d, before + at))), d, direction + at);
         hn::StoreU(on, d, before + at);
         hn::StoreU(on, d, twist + at);
     }
@@ -415,7 +418,7 @@ void body_contact_touch(const BodyContactInput& in, PairBlock& block) {
     const Gathered g(in, block);
     const VF zero = hn::Zero(DF()), one = constant(1.0f), empty = constant(0.5f * no_contact);
     alignas(64) LaneRow carried, shallow, touching;
-    for (size_t at = 0; at < contact_lanes; at += hn::Lanes(DF())) {
+    for (size_t at = 0; at < block.lanes; at += hn::Lanes(DF())) {
         const Size size_a = size_of(in.kinds[block.kind_a], g.a, at), size_b = size_of(in.kinds[block.kind_b], g.b, at);
         const auto pair = load1(block.ratio, at) > zero, solid = load1(block.solid, at) > zero;
         const VF slop = hn::Min(size_a.slop, hn::IfThenElse(pair, size_b.slop, size_a.slop));
@@ -456,7 +459,7 @@ void body_contact_velocity(const BodyContactInput& in, PairBlock& block) {
     // The inverse of the shortest steps would overflow.
     const float frequency = 1.0f / HWY_MAX(in.h, 1e-30f);
     const VF zero = hn::Zero(DF()), slow = constant(2.0f * in.gravity * in.h), inverse_h = constant(frequency);
-    for (size_t at = 0; at < contact_lanes; at += hn::Lanes(DF())) {
+    for (size_t at = 0; at < block.lanes; at += hn::Lanes(DF())) {
         const auto pair = load1(block.ratio, at) > zero;
         const Size size_a = size_of(in.kinds[block.kind_a], g.a, at), size_b = size_of(in.kinds[block.kind_b], g.b, at);
         PairBlock::Friction& f = block.friction;
@@ -514,7 +517,7 @@ bool body_contact_restrain(const BodyContactInput& in, PairBlock& block) {
     GatheredTwists twists(in, block);
     const VF zero = hn::Zero(DF()), most_gain = constant(1.01f);
     bool restrained = false;
-    for (size_t at = 0; at < contact_lanes; at += hn::Lanes(DF())) {
+    for (size_t at = 0; at < block.lanes; at += hn::Lanes(DF())) {
         const Reduced now =
             relative_motion(side_a(in, block, at), side_b(in, block, at), load6(twists.a, at), load6(twists.b, at));
         const PairBlock::Friction& f = block.friction;
