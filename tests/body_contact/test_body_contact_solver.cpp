@@ -46,7 +46,11 @@ BodyConstants ball() {
 // Balls without spin at the start of a substep, and their contacts.
 struct Balls {
     StepWorkers step_workers;
-    std::vector<std::vector<BodyContactPoint>> contacts;
+    struct Contact {
+        BodyContactFrame frame;
+        BodyContactPoint point;
+    };
+    std::vector<Contact> contacts;
     std::vector<BodyContactPair> units;
     Allocator allocator;
     BodyContactSolver solver{allocator};
@@ -80,37 +84,21 @@ struct Balls {
         }
         b.scale = scale;
     }
-    void add(uint32_t a, uint32_t b, const BodyContactPoint& contact) {
-        contacts.push_back({contact});
-        units.push_back({a, b, nullptr, 1, 0, 0, 0, false});
+    void add(uint32_t a, uint32_t b, const BodyContactFrame& frame, const BodyContactPoint& point) {
+        contacts.push_back({frame, point});
+        units.push_back({a, b, nullptr, nullptr, 1});
     }
     // At the nearest points of their surfaces.
     void touch(uint32_t a, uint32_t b, float friction = 0.0f, float restitution = 0.0f) {
         const Vector from = vector_of(at(a).x0) - vector_of(at(b).x0);
         const float far = length(from);
         const Vector n = 1.0f / far * from;
-        add(a, b,
-            {-at(a).scale * n,
-             at(b).scale * n,
-             n,
-             far - at(a).scale - at(b).scale,
-             {},
-             {},
-             friction,
-             restitution,
-             false});
+        add(a, b, {n, {}, {}, friction, restitution, false},
+            {-at(a).scale * n, at(b).scale * n, far - at(a).scale - at(b).scale});
     }
     void stand_on(uint32_t a, float floor, float friction = 0.0f) {
-        add(a, nobody,
-            {{0.0f, -at(a).scale, 0.0f},
-             {},
-             {0.0f, 1.0f, 0.0f},
-             at(a).x[1] - at(a).scale - floor,
-             {},
-             {},
-             friction,
-             0.0f,
-             true});
+        add(a, nobody, {{0.0f, 1.0f, 0.0f}, {}, {}, friction, 0.0f, true},
+            {{0.0f, -at(a).scale, 0.0f}, {}, at(a).x[1] - at(a).scale - floor});
     }
     void cut(uint32_t into) {
         std::vector<TiledBody> placed;
@@ -121,7 +109,8 @@ struct Balls {
         for (const TiledBody& one : placed) tiles[one.body] = one.tile;
     }
     void solve() {
-        for (size_t i = 0; i < units.size(); ++i) units[i].contact = contacts[i].data();
+        for (size_t i = 0; i < units.size(); ++i)
+            units[i].frame = &contacts[i].frame, units[i].contact = &contacts[i].point;
         const SolverBodyKind kind{&body, 1.0f, 0.0f};
         const BodyContactRange range{0, 0, count};
         const FloatMode mode;
@@ -346,7 +335,7 @@ TEST_CASE("small systems without friction come to the velocities of the exact so
             const Vector from = vector_of(balls.at(a).x0), to = vector_of(balls.at(b).x0);
             const Vector p =
                 0.5f * (from + to) + Vector{random.real(-0.5, 0.5), random.real(-0.5, 0.5), random.real(-0.5, 0.5)};
-            balls.add(a, b, {p - from, p - to, n, 0.0f, {}, {}, 0.0f, 0.0f, false});
+            balls.add(a, b, {n, {}, {}, 0.0f, 0.0f, false}, {p - from, p - to, 0.0f});
             all.push_back({a, b, {wide(n.x), wide(n.y), wide(n.z)}, {wide(p.x), wide(p.y), wide(p.z)}});
         }
         // Rows over all bodies: normals and their moments about the centres.
