@@ -20,7 +20,7 @@ packages=(
     libpng-dev libboost-dev                      # baker: images and triangulation of cards
     libcli11-dev nlohmann-json3-dev              # command lines, reports
     libegl-dev libopengl-dev libgl-dev libegl1 libopengl0 libgl1-mesa-dri   # pictures without a display
-    libglfw3-dev                                 # the viewer's window
+    libglfw3-dev libimgui-dev                    # the viewer: its window and its panel
 )
 if [ "${1:-build}" = bench ]; then               # test, plus the tools for docs/maintainers/performance.md
     packages+=(libmujoco-dev libbullet-dev libode-dev)   # peers of lr_bench, each optional
