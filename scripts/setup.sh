@@ -29,7 +29,8 @@ if [ "${1:-build}" = bench ]; then               # test, plus the tools for docs
 fi
 if [ "${1:-build}" = test ]; then
     packages+=(
-        doctest-dev libbenchmark-dev binutils clang-14 libclang-rt-14-dev clang-format clang-tidy doxygen
+        doctest-dev libbenchmark-dev binutils clang-14 libclang-rt-14-dev clang-format clang-tidy
+        doxygen mkdocs-material                      # scripts/site.py
         ccache                                       # cuts the second run to a third: scripts/compiler_cache.sh
         python3-clang-14                             # generators of bindings
         mono-mcs mono-runtime libmono-corlib4.5-cil libmono-system-core4.0-cil libmono-system4.0-cil   # C#, Unity, Unreal's rules

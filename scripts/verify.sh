@@ -16,7 +16,7 @@ steps=( # name, minutes on two cores, title
     "tidy          2 clang-tidy on the runtime"
     "abi           1 ABI of the library; refused targets"
     "security      1 Hardening, imports and system calls of the library"
-    "doxygen       1 API reference without warnings"
+    "site          1 Documentation site with the API reference, without warnings"
     "bench         2 lr_bench: its columns, and equal hashes"
     "long          5 Long tests, and load"
     "scorecard     5 Scorecard: every row"
@@ -64,7 +64,7 @@ step_security() {
     tests/security/test_hardening.sh
     tests/security/check_syscalls.sh build/release/src "$results/leaf.lrb"
 }
-step_doxygen() { need doxygen test; scripts/api_reference.sh; }
+step_site() { need mkdocs test; scripts/site.py; }
 step_bench() { release; run_ctest build/release -L bench; }
 step_long() { release; run_ctest build/release -L 'long|load'; }
 step_scorecard() { release; run_ctest build/release -L scorecard; }
