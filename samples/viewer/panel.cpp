@@ -50,6 +50,7 @@ enum graph {
     graph_rules,
     graph_events,
     graph_awake,
+    graph_hits,
     graph_speed,
     graph_energy,
     graph_number
@@ -98,6 +99,7 @@ struct panel {
         {"emitters, rules", "ms", "births and ends", true},
         {"events", "ms", "collecting events", true},
         {"awake", "", "bodies that are not asleep", false},
+        {"hits", "", "bodies that began to touch something in a step: with \"show hits\"", false},
         {"mean speed", "m/s", "of all bodies, those asleep as well", false},
         {"mean energy", "mJ", "of a body: motion of its centre of mass, and height over y = 0", false},
     };
@@ -106,8 +108,15 @@ struct panel {
         ImVec2 low, high;
     };
     std::vector<Place> places; // of the last frame
-    int scale = 0;             // px of the font over its own 13
-    int batch = 0;             // shown by the editors
+    struct Hit {
+        vec3 at;
+        float speed;
+        int age; // steps
+    };
+    std::vector<Hit> hits; // of the last steps
+    bool show_hits = false;
+    int scale = 0; // px of the font over its own 13
+    int batch = 0; // shown by the editors
     bool drawn = false;
 };
 
@@ -213,6 +222,8 @@ void show_bodies(panel& p, viewer& v) {
     ImGui::Checkbox("bodies touch each other", &contact);
     placed(p, "contact", "without it they lie in one another");
     v.wanted.value[setting_contact] = contact ? 1.0f : 0.0f;
+    ImGui::Checkbox("show hits", &p.show_hits);
+    placed(p, "show hits", "where bodies meet ground and solids, by lr_world_get_events; wider with their speed");
     ImGui::Checkbox("show paths", &trails);
     placed(p, "show paths", "t: of twelve bodies");
     if (trails != (v.show_trails != 0)) trails_clear(&v.trails);
@@ -346,6 +357,37 @@ void show_body(panel& p, viewer& v) {
     placed(p, "throw up", "with 4 m/s");
 }
 
+// Returns how many are new.
+uint32_t note_hits(panel& p, const viewer& v) {
+    constexpr uint32_t most = 4096;
+    constexpr int lasts = 20;
+    lr_event_list list;
+    check(lr_event_list_init(&list, sizeof list), "lr_event_list_init", nullptr);
+    check(lr_world_get_events(v.scene->world, &list), "events", nullptr);
+    for (panel::Hit& hit : p.hits) ++hit.age;
+    std::erase_if(p.hits, [](const panel::Hit& hit) { return hit.age > lasts; });
+    for (uint32_t i = 0; i < list.count; ++i)
+        p.hits.push_back({from_array(list.events[i].position), list.events[i].speed, 0});
+    if ((list.capacity != 0) != p.show_hits)
+        check(lr_world_set_events(v.scene->world, p.show_hits ? most : 0, p.show_hits ? LR_EVENTS_HIT : 0), "events",
+              nullptr);
+    return list.count;
+}
+
+// A ring at the place of each hit, wider with its speed, and fainter with its age.
+void draw_hits(const panel& p, const viewer& v) {
+    const float w = static_cast<float>(v.picture.width), h = static_cast<float>(v.picture.height);
+    const camera_view view = camera_look(&v.camera, w / h);
+    for (const panel::Hit& hit : p.hits) {
+        float x, y;
+        if (!camera_project(&view, hit.at, &x, &y)) continue;
+        const float depth = -dot(sub(hit.at, view.eye), view.back);
+        const float radius = std::max(0.5f * h * (0.02f + 0.03f * hit.speed) / (view.tan_half * depth), 2.0f);
+        ImGui::GetBackgroundDrawList()->AddCircle(ImVec2(0.5f * (1.0f + x) * w, 0.5f * (1.0f - y) * h), radius,
+                                                  IM_COL32(255, 90, 60, 230 - 11 * hit.age), 0, 1.5f);
+    }
+}
+
 // Corners around the followed body.
 void frame_body(viewer& v) {
     const float w = static_cast<float>(v.picture.width), h = static_cast<float>(v.picture.height);
@@ -389,6 +431,7 @@ void build(panel& p, viewer& v) {
     const scene_report r = scene_look(v.scene, 0);
     const float letter = ImGui::GetFontSize(), edge = 0.8f * letter, w = static_cast<float>(v.picture.width);
     const float tall = static_cast<float>(v.picture.height) - 2.0f * edge;
+    draw_hits(p, v);
     if (v.followed.id) frame_body(v);
     if (begin_window("Scene", edge, edge, 0.0f, 22.5f * letter, tall)) {
         show_plan(p, v);
@@ -508,6 +551,7 @@ void panel_note(viewer* v) {
                                          1e3 * t.emit_and_rules,
                                          1e3 * t.events,
                                          static_cast<double>(r.awake),
+                                         static_cast<double>(note_hits(*v->panel, *v)),
                                          means.speed,
                                          means.energy};
     for (int k = 0; k < graph_number; ++k) g[k].note(values[k]);
@@ -516,6 +560,7 @@ void panel_note(viewer* v) {
 
 void panel_forget(viewer* v) {
     history_clear(&v->history);
+    v->panel->hits.clear();
 }
 
 void panel_draw(viewer* v) {

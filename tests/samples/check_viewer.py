@@ -188,6 +188,11 @@ def check_panel(path):
     assert (over.azimuth, over.distance) == (plain.azimuth, plain.distance)
     assert after(click("pause")).paused and abs(after(click("pause") + "," + click("step", 1.5)).time - 1 - 1 / 60) < 1e-4
     assert after(click("restart")).time < 1.01
+    # Hits are seen, and change nothing.
+    run(*PANEL, *scene)
+    without = pixels(path("k.png"))
+    assert after(click("show hits")).hash == plain.hash
+    assert differing(without, pixels(path("k.png")), (320, 160, 680, 600)) > 20
     # Materials and emitters act on the world.
     for section, part, value in (("material", "friction number", "1.5"), ("emitter", "height number", "6")):
         opened = places(*scene, "--press", click(section, 0))
