@@ -14,7 +14,7 @@ SOURCE = ROOT / "build/site-source"
 CONTENTS = "docs/README.md"  # lists the pages: the site's navigation
 LINK = re.compile(r"(\]\()([^)#:\s]+)((?:#[^)\s]*)?\))")
 FENCE = re.compile(r"^(?:```|    ).*?(?=\n(?!    )|\Z)|^```.*?^```$", re.S | re.M)
-LANGUAGES = {".h": "c", ".c": "c", ".hpp": "cpp", ".cpp": "cpp", ".py": "python", ".sh": "bash", ".mjs": "javascript", ".cs": "csharp"}
+LANGUAGES = {".h": "c", ".c": "c", ".hpp": "cpp", ".cpp": "cpp", ".py": "python", ".sh": "bash", ".mjs": "javascript", ".js": "javascript", ".cs": "csharp"}
 
 CONFIG = """site_name: Langevin Rigid {version}
 site_description: Falling leaves, paper, petals and confetti for games, with the same bits on every machine

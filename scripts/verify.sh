@@ -31,6 +31,7 @@ steps=( # name, minutes on two cores, title
     "windows      10 Held hashes: 64-bit Windows, by Wine"
     "package      12 Package for Linux, as a new user uses it"
     "packages     30 Packages for Windows, 64-bit ARM and the web"
+    "three         2 The npm package with three.js and Vite, in a browser"
     "reproducible 10 The library built twice in different folders: equal bytes"
 )
 
@@ -139,6 +140,11 @@ step_packages() {
     for platform in windows-x64 linux-arm64; do on_platform $platform || skip "the tools above are not installed"; done
     for platform in windows-x64 linux-arm64; do make_package $platform; done
     scripts/package.sh wasm
+}
+step_three() {
+    need chromium test browser
+    bindings/web/build.sh
+    node bindings/web/tests/three.mjs "$(command -v chromium)" build/web/package "$results" || { [ $? -ne 77 ] || skip "there is no registry of npm packages"; return 1; }
 }
 step_reproducible() { scripts/check_reproducible.sh; }
 
