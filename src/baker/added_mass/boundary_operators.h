@@ -39,9 +39,9 @@ bool assemble_without_matrix(const Mesh& mesh, const SurfaceBasis& basis, unsign
                              const std::function<void(double)>& progress, BoundaryOperators& out,
                              NearSingleLayer& near);
 
-// Surface curl n x grad psi of the hat functions at the corners of a panel.
+// Surface curl grad psi x n of the hat functions at the corners of a panel.
 inline Eigen::Vector3d hat_curl(const Panel& panel, std::size_t corner) {
-    // n x gradient is the opposite edge over twice the area, without the rounding of a cross product
+    // It is the opposite edge over twice the area, without the rounding of a cross product
     return (panel.corner[(corner + 2) % 3] - panel.corner[(corner + 1) % 3]) / (2.0 * panel.area);
 }
 } // namespace lr::baker
