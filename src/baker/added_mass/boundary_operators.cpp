@@ -82,6 +82,8 @@ private:
         out_.moments = RigidModes::Zero(unknowns, 6);
         out_.right_side = RigidModes::Zero(unknowns, 6);
         if (!find_near_panels(out_.panels, most_near_pairs, near_, level_)) return false;
+        // The single layer is integrated over the smaller of two panels; the double layer, for all neighbours at once.
+        if (basis_.sheet) level_.assign(level_.size(), 0);
         find_edges();
         if (!basis_.sheet) add_far_double_layer(sum_doublets);
         for (int levels = 0; levels < 3; ++levels) rules_.push_back(dunavant_rule(levels));
@@ -180,7 +182,10 @@ private:
         work.batch.clear();
         work.apart.clear();
         work.layers.clear();
-        for (NearPair& pair : near_[t]) (pair.touching || level_[t] > 0 ? work.batch : work.apart).push_back(&pair);
+        for (NearPair& pair : near_[t]) {
+            if (basis_.sheet && size_ratio(t, pair) > most_unlike) continue;
+            (pair.touching || level_[t] > 0 ? work.batch : work.apart).push_back(&pair);
+        }
         // Unused lanes cost nothing.
         const std::size_t spare =
             std::min((near_batch - work.batch.size() % near_batch) % near_batch, work.apart.size());
@@ -270,10 +275,14 @@ private:
 
     // The value with the outer rule on the smaller panel, where the inner potential varies least.
     double near_single_layer(std::size_t t, const NearPair& pair, const NearPair& mirror) const {
-        const double ratio = out_.panels[t].radius / out_.panels[pair.panel].radius;
-        if (ratio < 0.7) return pair.single_layer;
-        if (ratio > 1.0 / 0.7) return mirror.single_layer;
+        const double ratio = size_ratio(t, pair);
+        if (ratio < 1.0 / most_unlike) return pair.single_layer;
+        if (ratio > most_unlike) return mirror.single_layer;
         return 0.5 * (pair.single_layer + mirror.single_layer);
+    }
+    static constexpr double most_unlike = 1.0 / 0.7; // of panels whose two outer rules are as good
+    double size_ratio(std::size_t t, const NearPair& pair) const {
+        return out_.panels[t].radius / out_.panels[pair.panel].radius;
     }
 
     PanelFans find_fans() const {
