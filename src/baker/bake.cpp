@@ -37,8 +37,6 @@ constexpr std::size_t max_name_bytes = 4096; // limit of check_asset
 // Largest thickness over length of a sheet: in a thicker sheet the edges matter, which the zero-thickness formulation omits.
 constexpr double max_thickness_share = 0.2;
 constexpr double longest_body = 1e3; // m
-// Sheets of more faces are solved on coarser ones unless --strict: 30,000 take most of a minute.
-constexpr std::size_t most_sheet_faces = 20000;
 
 bool in_range(double value, double low, double high, const char* where, const char* unit, Faults& faults) {
     if (value >= low && value <= high) return true; // false for NaN
@@ -452,9 +450,9 @@ private:
         how.threads = hooks_.threads;
         if (mixed_) return compute_mixed_added_mass(parts_, origin, added, faults_, report, how);
         if (options_.strict || options_.card) return solve_as_modelled(origin, added, faults_, report, how);
+        how.patient = false;
         Faults found;
-        const bool too_dense = is_sheet() && mesh_.faces.size() > most_sheet_faces;
-        if (!too_dense && solve_as_modelled(origin, added, found, report, how)) {
+        if (solve_as_modelled(origin, added, found, report, how)) {
             faults_.insert(faults_.end(), found.begin(), found.end());
             return true;
         }

@@ -29,6 +29,9 @@ namespace {
 constexpr std::size_t max_panels = 1000000;
 // Matrix entries in near blocks: 4 GB, three times the need of the largest sphere.
 constexpr std::size_t max_stored_entries = 1000000000;
+// Without patience: pairs of near panels, of which a regular mesh has twelve for each, and iterations, of which sheets whose layers do not
+// nearly coincide need fewer than fifty.
+constexpr std::size_t few_pairs = 4000000, few_pairs_each = 60, few_iterations = 100;
 // Error estimate over the largest entry of the block above which a solid is solved again, on finer panels up to this number.
 constexpr double good_estimate = 0.0025;
 constexpr std::size_t max_refined_panels = 5000;
@@ -306,9 +309,9 @@ bool solve_dense(const Mesh& unit, const SurfaceBasis& basis, const Eigen::Matri
     return true;
 }
 
-bool solve_fast(const Mesh& unit, const SurfaceBasis& basis, const Eigen::MatrixXd& position, unsigned threads,
-                const Progress& report, BoundaryOperators& op, RigidModes& phi, Eigen::MatrixXd& image, AddedMass& out,
-                Faults& faults) {
+bool solve_fast(const Mesh& unit, const SurfaceBasis& basis, const Eigen::MatrixXd& position,
+                const AddedMassOptions& options, const Progress& report, BoundaryOperators& op, RigidModes& phi,
+                Eigen::MatrixXd& image, AddedMass& out, Faults& faults) {
     const auto share = [&](double from, double to) {
         return [&report, from, to](double fraction) { report(from + (to - from) * fraction); };
     };
@@ -318,13 +321,18 @@ bool solve_fast(const Mesh& unit, const SurfaceBasis& basis, const Eigen::Matrix
                     "Remesh: avoid long faces beside short ones.", faults);
     };
     NearSingleLayer near;
-    if (!assemble_without_matrix(unit, basis, threads, share(0.0, 0.5), op, near)) return refuse();
-    FastSystem system(op, near, basis, threads);
-    if (system.stored_entries() > max_stored_entries) return refuse();
+    if (!assemble_without_matrix(unit, basis, options.threads, share(0.0, 0.5), op, near,
+                                 options.patient ? most_near_pairs
+                                                 : std::max(few_pairs, few_pairs_each * unit.faces.size())))
+        return refuse();
+    FastSystem system(op, near, basis, options.threads);
+    if (system.stored_entries() > (options.patient ? max_stored_entries : max_stored_entries / 5)) return refuse();
     system.assemble(share(0.2, 0.5));
     if (position.cols() > 0) image = system.multiply(position);
     FastSystem::Result result;
-    if (!system.solve(op.right_side, share(0.5, 0.95), result)) return refuse_singular(basis.sheet, faults);
+    if (!(options.patient || !basis.sheet ? system.solve(op.right_side, share(0.5, 0.95), result)
+                                          : system.solve(op.right_side, share(0.5, 0.95), result, few_iterations)))
+        return refuse_singular(basis.sheet, faults);
     phi = result.value;
     out.residual = result.residual;
     out.condition_estimate = result.condition;
@@ -346,7 +354,7 @@ bool solve_surface(const Mesh& unit, const SurfaceBasis& basis, const CurvedSurf
     RigidModes phi;
     const bool solved = unit.faces.size() <= options.max_dense
                             ? solve_dense(unit, basis, position, report, op, phi, image, out, faults)
-                            : solve_fast(unit, basis, position, options.threads, report, op, phi, image, out, faults);
+                            : solve_fast(unit, basis, position, options, report, op, phi, image, out, faults);
     if (!solved) return false;
 
     const Matrix6 raw = -(phi.transpose() * op.moments);

@@ -3,7 +3,9 @@
 #include "baker/mesh/half_edges.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <span>
 
 namespace lr::baker {
 namespace {
@@ -21,31 +23,41 @@ std::vector<HalfEdge> find_open_edges(const Mesh& mesh) {
     return open;
 }
 
-// Vertices sorted along one axis, so that an edge tests only a slice of them.
+// Vertices sorted along each axis, so that an edge tests only a slice of them, across the axis where it is the thinnest.
 class RimVertices {
 public:
-    RimVertices(const Mesh& mesh, const std::vector<HalfEdge>& open, Eigen::Index axis) : mesh_(mesh), axis_(axis) {
-        for (const HalfEdge& e : open) order_.insert(order_.end(), {e.low, e.high});
-        std::sort(order_.begin(), order_.end(),
-                  [&](uint32_t a, uint32_t b) { return at(a) != at(b) ? at(a) < at(b) : a < b; });
-        order_.erase(std::unique(order_.begin(), order_.end()), order_.end());
+    RimVertices(const Mesh& mesh, const std::vector<HalfEdge>& open) : mesh_(mesh) {
+        for (const HalfEdge& e : open) order_[0].insert(order_[0].end(), {e.low, e.high});
+        std::sort(order_[0].begin(), order_[0].end());
+        order_[0].erase(std::unique(order_[0].begin(), order_[0].end()), order_[0].end());
+        order_[1] = order_[2] = order_[0];
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            std::stable_sort(order_[axis].begin(), order_[axis].end(),
+                             [&](uint32_t a, uint32_t b) { return at(a, axis) < at(b, axis); });
     }
 
     // Vertices inside the edge from a to b, in this order.
     std::vector<uint32_t> on_edge(uint32_t a, uint32_t b, double reach) const {
         const Eigen::Vector3d& start = mesh_.vertices[a];
         const Eigen::Vector3d along = mesh_.vertices[b] - start;
-        const double square = along.squaredNorm(), low = std::min(at(a), at(b)) - reach;
-        const double high = std::max(at(a), at(b)) + reach;
+        const double square = along.squaredNorm();
+        std::span<const uint32_t> slice = order_[0];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto [low, high] = std::minmax({at(a, axis), at(b, axis)});
+            const auto first = std::lower_bound(order_[axis].begin(), order_[axis].end(), low - reach,
+                                                [&](uint32_t i, double x) { return at(i, axis) < x; });
+            const auto last = std::upper_bound(first, order_[axis].end(), high + reach,
+                                               [&](double x, uint32_t i) { return x < at(i, axis); });
+            if (static_cast<std::size_t>(last - first) <= slice.size()) slice = {first, last};
+        }
         std::vector<std::pair<double, uint32_t>> found;
-        auto v = std::lower_bound(order_.begin(), order_.end(), low, [&](uint32_t i, double x) { return at(i) < x; });
-        for (; v != order_.end() && at(*v) <= high; ++v) {
-            if (*v == a || *v == b) continue;
-            const Eigen::Vector3d to = mesh_.vertices[*v] - start;
+        for (const uint32_t v : slice) {
+            if (v == a || v == b) continue;
+            const Eigen::Vector3d to = mesh_.vertices[v] - start;
             const double share = to.dot(along) / square;
             if (!(share > 0.0 && share < 1.0) || (to - share * along).squaredNorm() > reach * reach) continue;
             const double from_ends = std::min(share, 1.0 - share);
-            if (from_ends * from_ends * square > reach * reach) found.emplace_back(share, *v);
+            if (from_ends * from_ends * square > reach * reach) found.emplace_back(share, v);
         }
         std::sort(found.begin(), found.end());
         std::vector<uint32_t> vertices;
@@ -54,11 +66,10 @@ public:
     }
 
 private:
-    double at(uint32_t v) const { return mesh_.vertices[v][axis_]; }
+    double at(uint32_t v, std::size_t axis) const { return mesh_.vertices[v][static_cast<Eigen::Index>(axis)]; }
 
     const Mesh& mesh_;
-    Eigen::Index axis_;
-    std::vector<uint32_t> order_;
+    std::array<std::vector<uint32_t>, 3> order_;
 };
 } // namespace
 
@@ -68,15 +79,14 @@ std::size_t close_cracks(Mesh& mesh, double tolerance) {
         low = low.cwiseMin(v);
         high = high.cwiseMax(v);
     }
-    Eigen::Index axis = 0;
-    const double reach = tolerance * (high - low).maxCoeff(&axis);
+    const double reach = tolerance * (high - low).maxCoeff();
     std::size_t joined = 0;
     // Each round repairs one side of a face; the new faces can have cracks on other sides.
     constexpr int max_rounds = 8;
     for (int round = 0; round < max_rounds; ++round) {
         const std::vector<HalfEdge> open = find_open_edges(mesh);
         if (open.empty()) break;
-        const RimVertices rim(mesh, open, axis);
+        const RimVertices rim(mesh, open);
         std::size_t before = joined;
         uint32_t last = UINT32_MAX;
         for (const HalfEdge& e : open) {
