@@ -2,6 +2,8 @@
 
 #include "baker/mesh/half_edges.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -27,33 +29,37 @@ std::vector<HalfEdge> find_open_edges(const Mesh& mesh) {
 class RimVertices {
 public:
     RimVertices(const Mesh& mesh, const std::vector<HalfEdge>& open) : mesh_(mesh) {
-        for (const HalfEdge& e : open) order_[0].insert(order_[0].end(), {e.low, e.high});
-        std::sort(order_[0].begin(), order_[0].end());
-        order_[0].erase(std::unique(order_[0].begin(), order_[0].end()), order_[0].end());
-        order_[1] = order_[2] = order_[0];
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            std::stable_sort(order_[axis].begin(), order_[axis].end(),
-                             [&](uint32_t a, uint32_t b) { return at(a, axis) < at(b, axis); });
+        std::vector<uint32_t> order;
+        for (const HalfEdge& e : open) order.insert(order.end(), {e.low, e.high});
+        std::sort(order.begin(), order.end());
+        order.erase(std::unique(order.begin(), order.end()), order.end());
+        for (Eigen::Index axis = 0; axis < 3; ++axis) {
+            std::vector<Place>& places = along_[static_cast<std::size_t>(axis)];
+            for (const uint32_t v : order) places.push_back({mesh.vertices[v], v});
+            std::stable_sort(places.begin(), places.end(),
+                             [&](const Place& a, const Place& b) { return a.at[axis] < b.at[axis]; });
+        }
     }
 
     // Vertices inside the edge from a to b, in this order.
     std::vector<uint32_t> on_edge(uint32_t a, uint32_t b, double reach) const {
-        const Eigen::Vector3d& start = mesh_.vertices[a];
-        const Eigen::Vector3d along = mesh_.vertices[b] - start;
+        const Eigen::Vector3d &start = mesh_.vertices[a], &end = mesh_.vertices[b];
+        const Eigen::Vector3d along = end - start;
         const double square = along.squaredNorm();
-        std::span<const uint32_t> slice = order_[0];
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const auto [low, high] = std::minmax({at(a, axis), at(b, axis)});
-            const auto first = std::lower_bound(order_[axis].begin(), order_[axis].end(), low - reach,
-                                                [&](uint32_t i, double x) { return at(i, axis) < x; });
-            const auto last = std::upper_bound(first, order_[axis].end(), high + reach,
-                                               [&](double x, uint32_t i) { return x < at(i, axis); });
+        const Eigen::AlignedBox3d box(start.cwiseMin(end).array() - reach, start.cwiseMax(end).array() + reach);
+        std::span<const Place> slice = along_[0];
+        for (Eigen::Index axis = 0; axis < 3; ++axis) {
+            const std::vector<Place>& places = along_[static_cast<std::size_t>(axis)];
+            const auto first = std::lower_bound(places.begin(), places.end(), box.min()[axis],
+                                                [&](const Place& p, double x) { return p.at[axis] < x; });
+            const auto last = std::upper_bound(first, places.end(), box.max()[axis],
+                                               [&](double x, const Place& p) { return x < p.at[axis]; });
             if (static_cast<std::size_t>(last - first) <= slice.size()) slice = {first, last};
         }
         std::vector<std::pair<double, uint32_t>> found;
-        for (const uint32_t v : slice) {
-            if (v == a || v == b) continue;
-            const Eigen::Vector3d to = mesh_.vertices[v] - start;
+        for (const auto& [at, v] : slice) {
+            if (!box.contains(at) || v == a || v == b) continue;
+            const Eigen::Vector3d to = at - start;
             const double share = to.dot(along) / square;
             if (!(share > 0.0 && share < 1.0) || (to - share * along).squaredNorm() > reach * reach) continue;
             const double from_ends = std::min(share, 1.0 - share);
@@ -66,10 +72,13 @@ public:
     }
 
 private:
-    double at(uint32_t v, std::size_t axis) const { return mesh_.vertices[v][static_cast<Eigen::Index>(axis)]; }
+    struct Place {
+        Eigen::Vector3d at;
+        uint32_t vertex;
+    };
 
     const Mesh& mesh_;
-    std::array<std::vector<uint32_t>, 3> order_;
+    std::array<std::vector<Place>, 3> along_; // sorted along each axis
 };
 } // namespace
 
