@@ -60,11 +60,11 @@ for binding in bindings/*/; do
         python3 "bindings/$binding/package.py" --native "$stage" --out "$stage/bindings/$binding" >"$folder/$binding.log" 2>&1 ||
             { cat "$folder/$binding.log" >&2; echo "bindings/$binding could not be packaged" >&2; exit 1; }
     else
-        git ls-files -z "bindings/$binding" | grep -zvE "^bindings/$binding/(tests|shim)/|/(test|wheel)\.sh$|/\.gitignore$" |
+        git ls-files -z "bindings/$binding" | grep -zvE "^bindings/$binding/(tests|shim)/|/(test|wheel)\.sh$|/extension\.py$|/\.gitignore$" |
             xargs -0 -r cp --parents -t "$stage"
     fi
 done
-# Compiled bindings: Godot's addon with the library, a wheel with library and baker.
+# Compiled bindings: Godot's addon with the library, a wheel with library and baker, Blender's zip.
 case $platform in linux-x64 | windows-x64)
     { cmake -S bindings/godot -B "$folder/godot" -G Ninja "${toolchain[@]}" -DCMAKE_BUILD_TYPE=Release "-DCMAKE_PREFIX_PATH=$stage" \
         "-DCMAKE_FIND_ROOT_PATH=$stage" "-DCMAKE_C_FLAGS=-ffile-prefix-map=$PWD=." \
@@ -80,7 +80,8 @@ case $platform in linux-x64 | windows-x64)
     ;;
 esac
 if [ "$platform" = linux-x64 ]; then
-    PYTHON=/usr/bin/python3 bindings/python/wheel.sh "$stage" "$stage/bindings/python" >"$folder/wheel.log" 2>&1 ||
+    { PYTHON=/usr/bin/python3 bindings/python/wheel.sh "$stage" "$stage/bindings/python" &&
+        PYTHON=/usr/bin/python3 bindings/python/extension.py "$stage" "$stage/bindings/python"; } >"$folder/wheel.log" 2>&1 ||
         { cat "$folder/wheel.log" >&2; exit 1; }
 fi
 mkdir -p "$stage/docs/guide" "$stage/docs/images"
