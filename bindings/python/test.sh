@@ -117,8 +117,16 @@ else
 fi
 if has mypy; then
     run "types, by mypy" "$python" -m mypy --config-file "$here/mypy.ini" --cache-dir "$work/mypy" "$here/langevin_rigid"
+    run "types of a user's program, by mypy --strict" bash -c "cd '$work' && '$python' -m mypy --strict --cache-dir mypy \
+        '$here'/tests/user_types.py '$here'/samples/{hello,storm_to_usd}.py"
 else
     skip "types" "mypy" "apt-get install mypy"
+fi
+if command -v pyright >/dev/null; then
+    run "types of a user's program, by pyright" pyright --pythonpath "$(command -v "$python")" "$here"/tests/user_types.py \
+        "$here"/samples/{hello,storm_to_usd}.py
+else
+    skip "types of a user's program, by pyright" "pyright" "npm install -g pyright"
 fi
 
 blender=${BLENDER:-blender}
