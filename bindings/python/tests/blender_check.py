@@ -80,6 +80,9 @@ class Storm(unittest.TestCase):
     def test_instances_are_where_bodies_are(self):
         recording = self.storm()
         self.compare(recording, lambda: instances("Leaf Storm"))
+        drawn = next(o for o in bpy.data.objects if o.name.startswith("Leaf about"))
+        self.assertFalse(drawn.visible_get())
+        self.assertFalse(drawn.hide_viewport)  # it would hide the instances, too
 
     def test_between_frames_they_are_between(self):
         recording = self.storm(rate=0, lifetime=0)

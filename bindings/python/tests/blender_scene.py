@@ -2,7 +2,7 @@
 """The add-on's zip, installed as a user does it, in a real Blender:  blender -b -P blender_scene.py -- ZIP FOLDER [PICTURE.png]
 
 Bakes 200 leaves over a plane and a box with Collision physics in a wind field by the operators, and checks how they lie. FOLDER gets
-the scene as scene.blend. With PICTURE, renders the last frame by Workbench or, where there is no display, by Cycles.
+the scene as scene.blend. With PICTURE, renders the last frame by Workbench or, where there is no display, by Cycles, and looks for leaves in it.
 """
 import os
 import pathlib
@@ -102,6 +102,10 @@ def render(scene, path):
     scene.render.resolution_x, scene.render.resolution_y, scene.render.resolution_percentage = 800, 500, 100
     scene.render.filepath = path
     bpy.ops.render.render(write_still=True)
+    seen = np.array(bpy.data.images.load(path).pixels).reshape(-1, 4)
+    leaves = (seen[:, 0] > 1.3 * seen[:, 1]) & (seen[:, 1] > 1.3 * seen[:, 2]) & (seen[:, 0] > 0.1)
+    assert 0.02 < leaves.mean() < 0.3, f"{leaves.mean():.1%} of the picture are leaves"
+    print(f"blender_scene: {leaves.mean():.1%} of the picture are leaves")
 
 
 def main():

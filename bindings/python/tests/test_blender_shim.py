@@ -46,7 +46,7 @@ class Command(unittest.TestCase):
         self.assertIsNotNone(leaf)
         np.testing.assert_allclose(prototype.data.vertices.arrays["co"].reshape(-1, 3),
                                    leaf.vertices.arrays["co"].reshape(-1, 3) - center, atol=1e-6)
-        self.assertTrue(prototype.hide_render)
+        self.assertEqual((prototype.hide_render, prototype.hidden, prototype.hide_viewport), (True, True, False))
         tree = draws.node_group
         place = next(node for node in tree.made if node.kind == "GeometryNodeInstanceOnPoints")
         fed = {end.name for _, end in tree.linked if any(end is socket for socket in place.inputs)}

@@ -7,6 +7,7 @@ from mathutils import Vector
 from . import colliders
 from .operators import LEAFSTORM_OT_bake_asset, LEAFSTORM_OT_bake_storm, LEAFSTORM_OT_export
 from .simulate import Settings
+from .wind import fields_of
 
 
 class StormProperties(bpy.types.PropertyGroup):
@@ -22,11 +23,11 @@ class StormProperties(bpy.types.PropertyGroup):
                                          "collection, besides all objects with Collision physics")
     friction: bpy.props.FloatProperty(name="Friction", default=0.6, min=0, max=10, description="Of leaves on colliders and on the ground")
     count: bpy.props.IntProperty(name="Leaves", default=1000, min=1, max=1000000)
-    rate: bpy.props.FloatProperty(name="Leaves per second", default=0, min=0, description="Leaves spawned per second; 0 spawns all at the start")
+    rate: bpy.props.FloatProperty(name="Rate", default=0, min=0, description="Leaves spawned per second; 0 spawns all at the start")
     lifetime: bpy.props.FloatProperty(name="Lifetime", default=0, min=0, description="Seconds until a leaf disappears; 0: never")
     variation: bpy.props.FloatProperty(name="Variation", default=0.2, min=0, max=0.9, description="Relative variation of size between leaves")
     seed: bpy.props.IntProperty(name="Seed", default=0, min=0)
-    wind: bpy.props.FloatVectorProperty(name="Wind", subtype="VELOCITY", description="Uniform wind, m/s. The scene's force fields "
+    wind: bpy.props.FloatVectorProperty(name="Wind", subtype="XYZ", description="Uniform wind, m/s. The scene's force fields "
                                          "of types Wind, Vortex and Turbulence are added; their strength counts as m/s")
     gusts: bpy.props.FloatProperty(name="Gusts", default=0.5, min=0, description="Root mean square of gusts, m/s")
     turbulence: bpy.props.FloatProperty(name="Turbulence", default=0.3, min=0, description="Root mean square of turbulence, m/s")
@@ -53,7 +54,7 @@ class LEAFSTORM_PT_panel(bpy.types.Panel):
 
     def draw(self, context):
         storm, layout = context.scene.leaf_storm, self.layout
-        layout.use_property_split = True
+        layout.use_property_split, layout.use_property_decorate = True, False
         parts = (("leaf", "asset", "density", "sheet"), ("count", "rate", "lifetime", "variation", "emitter", "seed"),
                  ("wind", "gusts", "turbulence"), ("ground", "ground_height", "colliders", "friction", "heaps"), ("mode",))
         for part in parts:
@@ -64,6 +65,11 @@ class LEAFSTORM_PT_panel(bpy.types.Panel):
                 if storm.sheet:
                     column.prop(storm, "thickness")
                 column.operator(LEAFSTORM_OT_bake_asset.bl_idname)
+            if part[0] == "wind":
+                column.label(text=f"{len(fields_of(context.scene)[0])} wind fields in the scene", icon="FORCE_WIND")
+            if part[0] == "ground":
+                found = colliders.of_scene(context.scene, storm.colliders, (storm.leaf,))
+                column.label(text=f"{len(found)} colliders in the scene", icon="MOD_PHYSICS")
         if storm.mode == "POINTS":
             layout.prop(storm, "cache")
         layout.operator(LEAFSTORM_OT_bake_storm.bl_idname, icon="PHYSICS")

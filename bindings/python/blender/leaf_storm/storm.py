@@ -34,7 +34,9 @@ def bake_storm(scene, leaf, asset, settings, mode, cache_path, progress=lambda p
         build_keyframes(scaled, prototype, collection)
         bpy.data.objects.remove(prototype)
     else:
-        prototype.hide_render = prototype.hide_viewport = True
         collection.objects.link(prototype)
+        prototype.hide_render = True
+        for layer in scene.view_layers:  # not hide_viewport, which also hides its instances there
+            prototype.hide_set(True, view_layer=layer)
         build_points(scaled, prototype, collection, cache_path)
     return recording, collection

@@ -142,8 +142,11 @@ class Stack:
 class Object(Strict):
     def __init__(self, name, mesh):
         super().__init__(name=name, data=mesh, scale=(1.0, 1.0, 1.0), rotation_mode="XYZ", hide_render=False, hide_viewport=False,
-                         field=None, collision=None, type="MESH", selected=False, action=Strict(action=None), stack=[])
+                         field=None, collision=None, type="MESH", selected=False, hidden=False, action=Strict(action=None), stack=[])
         self.__dict__["modifiers"] = Stack(self.stack)
+
+    def hide_set(self, on, view_layer=None):
+        self.hidden = on
 
     def select_get(self):
         return self.selected
@@ -246,6 +249,7 @@ class Scene:
         self.frame_start, self.frame_end, self.frame_current = 1, 250, 1
         self.render = Strict(fps=24, fps_base=1.0)
         self.unit_settings = Strict(system="METRIC", scale_length=1.0)
+        self.view_layers = ["ViewLayer"]
         self.gravity, self.use_gravity, self.objects = (0.0, 0.0, -9.81), True, []
         self.collection = _types.SimpleNamespace(objects=Links(), children=Links())
 
