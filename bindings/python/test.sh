@@ -102,6 +102,11 @@ lr.bake(\"$root/assets/petal.obj\", \"$work/petal.lrb\", density=700)'"
     run "Blender's zip" "$python" "$here/extension.py" "$prefix" "$work/extension"
     run "Blender's zip and the wheel again, with the same bytes" bash -c "'$python' '$here/extension.py' '$prefix' '$work/again' &&
         cmp '$work'/extension/*.zip '$work'/again/*.zip && unzip -p '$work'/again/*.zip 'leaf_storm/wheels/*' | cmp - '$work'/wheels/*.whl"
+    if has tomllib; then
+        run "its manifest, by the rules of Blender 4.2" "$python" "$here/tests/extension_check.py" "$work"/extension/*.zip
+    else
+        skip "the manifest of Blender's zip" "tomllib" "Python 3.11"
+    fi
     mkdir -p "$work/partial/bin" && cp -r "$prefix/lib" "$prefix/share" "$work/partial"
     run "no zip without the baker" bash -c "! '$python' '$here/extension.py' '$work/partial' '$work/none' && ! ls '$work'/none/*.zip"
 else

@@ -9,6 +9,7 @@ import unittest
 
 import bpy
 import numpy as np
+from mathutils import Vector
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent / "blender"), str(HERE)]
@@ -194,6 +195,25 @@ class Storm(unittest.TestCase):
         outside &= ~on_box
         self.assertGreater(outside.sum(), 3)  # beyond the plane's edge, and not fallen
         self.assertGreater(last[:, 2].min(), -0.01)
+
+    def test_a_ground_that_moves_and_tilts(self):
+        floor = self.add_collider("plane", size=2)
+        floor.keyframe_insert("location", frame=3)
+        floor.keyframe_insert("rotation_euler", frame=3)
+        floor.location.z, floor.rotation_euler = 0.5, (0, 0.1, 1)
+        floor.keyframe_insert("location", frame=7)
+        floor.keyframe_insert("rotation_euler", frame=7)
+        rays = np.array([[0, 0, 3], [10, 0, 3]], float)
+        with lr.World(seed=1) as world:
+            self.scene.frame_set(3)
+            moving = colliders.Colliders(world, [floor], 1.0, np.array([0, 0, -9.81]), (0, 0, 3), 0.6)
+            np.testing.assert_allclose(world.ray_cast(rays, (0, 0, -1), max_distance=9)["distance"], 3, atol=1e-5)
+            self.scene.frame_set(7)
+            moving.follow()
+            world.step(1 / 24)
+            normal = floor.matrix_world.to_3x3() @ Vector((0, 0, 1))
+            wanted = [2.5, 2.5 + normal.x / normal.z * 10]
+            np.testing.assert_allclose(world.ray_cast(rays, (0, 0, -1), max_distance=9)["distance"], wanted, atol=1e-4)
 
     def test_sheared_colliders(self):
         parent = self.add_collider("cube", size=1, scale=(3, 1, 1))

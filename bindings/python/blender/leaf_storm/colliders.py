@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The scene's colliders: mesh objects with Collision physics, and those of a collection."""
 import bpy
+import langevin_rigid as lr
 import numpy as np
+from mathutils import Vector
 
 from .leaf import mesh_arrays
 
@@ -27,9 +29,16 @@ class Surface:
         self.vertices = vertices @ (turn.T @ whole).T * metres
         self.world = self.vertices @ turn.T + np.array(thing.matrix_world.translation) * metres
 
-    def pose(self):
-        location, turn, _ = self.thing.matrix_world.decompose()
-        return np.array(location) * self.metres, (turn.x, turn.y, turn.z, turn.w)
+    def pose(self, point=(0, 0, 0), turn=None):
+        """Where the object has a point of it, m, and a frame in it, now."""
+        location, own, _ = self.thing.matrix_world.decompose()
+        whole = own if turn is None else own @ turn
+        return np.array(location) * self.metres + np.array(own.to_matrix()) @ point, (whole.x, whole.y, whole.z, whole.w)
+
+    def frame_of(self, normal):
+        """A frame at the surface's middle with y along a normal, which is in world space: as arguments of `pose`."""
+        own = np.array(self.thing.matrix_world.decompose()[1].to_matrix()).T @ normal
+        return self.vertices.mean(0), Vector((0, 1, 0)).rotation_difference(Vector(own))
 
     def upward(self, gravity):
         """The normal of a flat polygon that faces up, in world space, or None."""
@@ -71,17 +80,17 @@ class Colliders:
 
     def __init__(self, world, things, metres, gravity, spawn, friction):
         """spawn: the centre of the box in which leaves spawn, m."""
-        self.pairs = []
+        self.followed = []
         surfaces = [Surface(thing, metres) for thing in things]
         surfaces = [surface for surface in surfaces if len(surface.triangles)]
         for surface, normal in zip(surfaces, grounds(surfaces, gravity, np.asarray(spawn))):
-            position, orientation = surface.pose()
+            shape, frame = {"kind": lr.ColliderKind.MESH, "vertices": surface.vertices, "indices": surface.triangles}, ()
             if normal is not None:
-                world.add_plane(surface.world.mean(0), normal, friction=friction)
-            else:
-                self.pairs.append((surface, world.add_mesh(surface.vertices, surface.triangles, position=position,
-                                                           orientation=orientation, friction=friction)))
+                shape, frame = {"kind": lr.ColliderKind.PLANE}, surface.frame_of(normal)
+            position, orientation = surface.pose(*frame)
+            collider = world.add_collider(**shape, position=position, orientation=orientation, friction=friction)
+            self.followed.append((surface, frame, collider))
 
     def follow(self):
-        for surface, collider in self.pairs:
-            collider.move_to(*surface.pose())
+        for surface, frame, collider in self.followed:
+            collider.move_to(*surface.pose(*frame))
