@@ -60,11 +60,11 @@ for binding in bindings/*/; do
         python3 "bindings/$binding/package.py" --native "$stage" --out "$stage/bindings/$binding" >"$folder/$binding.log" 2>&1 ||
             { cat "$folder/$binding.log" >&2; echo "bindings/$binding could not be packaged" >&2; exit 1; }
     else
-        git ls-files -z "bindings/$binding" | grep -zvE "^bindings/$binding/(tests|shim)/|/(test|wheel)\.sh$|/\.gitignore$" |
+        git ls-files -z "bindings/$binding" | grep -zvE "^bindings/$binding/(tests|shim)/|/(test|wheel)\.sh$|/extension\.py$|/\.gitignore$" |
             xargs -0 -r cp --parents -t "$stage"
     fi
 done
-# Compiled bindings: Godot's addon with the library, a wheel with library and baker.
+# Godot's addon, compiled, with the library.
 case $platform in linux-x64 | windows-x64)
     { cmake -S bindings/godot -B "$folder/godot" -G Ninja "${toolchain[@]}" -DCMAKE_BUILD_TYPE=Release "-DCMAKE_PREFIX_PATH=$stage" \
         "-DCMAKE_FIND_ROOT_PATH=$stage" "-DCMAKE_C_FLAGS=-ffile-prefix-map=$PWD=." \
@@ -79,10 +79,6 @@ case $platform in linux-x64 | windows-x64)
     echo "res://addons/langevin_rigid/langevin_rigid.gdextension" >"$demo/.godot/extension_list.cfg"
     ;;
 esac
-if [ "$platform" = linux-x64 ]; then
-    PYTHON=/usr/bin/python3 bindings/python/wheel.sh "$stage" "$stage/bindings/python" >"$folder/wheel.log" 2>&1 ||
-        { cat "$folder/wheel.log" >&2; exit 1; }
-fi
 mkdir -p "$stage/docs/guide" "$stage/docs/images"
 cp docs/guide/{engines,languages}.md "$stage/docs/guide/"
 grep -ho '\.\./images/[a-z_]*\.png' "$stage"/docs/guide/*.md | sort -u | sed 's|^\.\./|docs/|' | xargs -r cp -t "$stage/docs/images"
@@ -90,6 +86,13 @@ grep -ho '\.\./images/[a-z_]*\.png' "$stage"/docs/guide/*.md | sort -u | sed 's|
 cp LICENSE "$stage/"
 rm -rf "$stage/share"
 python3 packaging/third_party.py --platform "$platform" --sources build/sources --out "$stage"
+# A wheel with library, baker and licences, and Blender's zip.
+case $platform in linux-x64 | windows-x64)
+    { PYTHON=/usr/bin/python3 bindings/python/wheel.sh "$stage" "$stage/bindings/python" &&
+        PYTHON=/usr/bin/python3 bindings/python/extension.py "$stage" "$stage/bindings/python"; } >"$folder/wheel.log" 2>&1 ||
+        { cat "$folder/wheel.log" >&2; exit 1; }
+    ;;
+esac
 floor=()
 case $platform in
 linux-*)

@@ -274,17 +274,17 @@ def hint(type_, reading):
             return "str"
         if type_["of"]["kind"] == "struct" and not reading:
             return f"Sequence[{options_name(type_['of']['name'])}]"
-        return "np.ndarray" if reading else "ArrayLike"
-    return "np.ndarray" if reading else "Any"
+        return "NDArray[Any]" if reading else "ArrayLike"
+    return "NDArray[Any]" if reading else "Any"
 
 
 def field_types(model):
     records = RECORDS | {c["struct"] for c in plain_calls(model) if c["verb"] == "get" and c["struct"]}
     enums = {field_enum(f) for s in model["structs"] if s["name"] in records for f in s["fields"] if field_enum(f)}
     out = [HEAD, '"""Types of keywords for calls, and of records that calls return."""', "from __future__ import annotations", "",
-           "from typing import TYPE_CHECKING, Any, Sequence, TypedDict", "", "import numpy as np", "", "from ._record import Record",
+           "from typing import TYPE_CHECKING, Any, Sequence, TypedDict", "", "from ._record import Record",
            f"from .enums import {', '.join(sorted(enums))}", "",
-           "if TYPE_CHECKING:", "    from numpy.typing import ArrayLike", ""]
+           "if TYPE_CHECKING:", "    from numpy.typing import ArrayLike, NDArray", ""]
     options = OPTIONS | {c["struct"] for c in plain_calls(model) if c["verb"] == "set" and c["struct"]}
     for s in (s for s in model["structs"] if s["name"] in options):
         out += ["", f"class {options_name(s['name'])}(TypedDict, total=False):", f'    """Keywords for {s["name"]}."""']

@@ -13,6 +13,7 @@
 
 SI units everywhere, right-handed frames, quaternions x, y, z, w. The whole C API is in `langevin_rigid._native`.
 """
+from . import enums, errors
 from ._fields import (Aerodynamics, AssetInfo, BatchContact, BatchCounts, BatchForce, BatchPace, BatchRules, BodyState, ColliderState,
                       Emitter, LoadGains, StepReport, Timings, Water, WorldInfo)
 from ._library import library, library_path, version
@@ -25,8 +26,17 @@ from .callbacks import WaterQuery, WindQuery
 from .contact import Collider, Events
 from .enums import *  # noqa: F401,F403
 from .errors import *  # noqa: F401,F403
-from .errors import Error, Fault
 from .recording import Recording
 from .simd import simd_target_name, simd_targets
 from .view import Vectors, View
 from .world import World
+
+__all__ = [
+    "Aerodynamics", "Asset", "AssetInfo", "Batch", "BatchContact", "BatchCounts", "BatchForce", "BatchPace", "BatchRules", "BodyState",
+    "Collider", "ColliderState", "Emitter", "Events", "LoadGains", "Recording", "StepReport", "Timings", "Vectors", "View", "Water",
+    "WaterQuery", "WindQuery", "WindSource", "World", "WorldInfo", "__version__", "bake", "bake_card", "bake_ellipsoid",
+    "bake_triangles", "baker_path", "check_asset", "inspect_asset", "library", "library_path", "simd_target_name", "simd_targets",
+    "version",
+]
+__all__ += enums.__all__
+__all__ += errors.__all__

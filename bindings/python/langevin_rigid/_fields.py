@@ -6,13 +6,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Sequence, TypedDict
 
-import numpy as np
-
 from ._record import Record
 from .enums import AssetFlags, ColliderKind, ContactFlags, EmitterPose, EmitterShape, EndAction, SimdTarget, SleepState
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
+    from numpy.typing import ArrayLike, NDArray
 
 
 class EllipsoidOptions(TypedDict, total=False):
@@ -345,10 +343,10 @@ class AssetInfo(Record):
     mass: float
     volume: float
     density: float
-    center_of_mass: np.ndarray
-    center_of_buoyancy: np.ndarray
-    inertia: np.ndarray
-    added_mass: np.ndarray
+    center_of_mass: NDArray[Any]
+    center_of_buoyancy: NDArray[Any]
+    inertia: NDArray[Any]
+    added_mass: NDArray[Any]
     fluid_density: float
     fluid_viscosity: float
     length_d: float
@@ -392,7 +390,7 @@ class WorldInfo(Record):
     collider_count: int
     awake_count: int
     budget: int
-    gravity: np.ndarray
+    gravity: NDArray[Any]
     _enums = {'simd_target': SimdTarget}
 
 
@@ -410,13 +408,13 @@ class Water(Record):
     """
     __slots__ = ('wave_count', 'position', 'normal', 'density', 'viscosity', 'current', 'reach', 'waves')
     wave_count: int
-    position: np.ndarray
-    normal: np.ndarray
+    position: NDArray[Any]
+    normal: NDArray[Any]
     density: float
     viscosity: float
-    current: np.ndarray
+    current: NDArray[Any]
     reach: float
-    waves: np.ndarray
+    waves: NDArray[Any]
 
 
 class StepReport(Record):
@@ -513,10 +511,10 @@ class BodyState(Record):
     """
     __slots__ = ('noise_seed', 'position', 'orientation', 'linear_velocity', 'angular_velocity', 'scale', 'age', 'sleep_state', 'user')
     noise_seed: int
-    position: np.ndarray
-    orientation: np.ndarray
-    linear_velocity: np.ndarray
-    angular_velocity: np.ndarray
+    position: NDArray[Any]
+    orientation: NDArray[Any]
+    linear_velocity: NDArray[Any]
+    angular_velocity: NDArray[Any]
     scale: float
     age: float
     sleep_state: SleepState
@@ -537,14 +535,14 @@ class BatchForce(Record):
     body_angular_acceleration: rad/s^2, body frame
     """
     __slots__ = ('force', 'torque', 'acceleration', 'angular_acceleration', 'body_force', 'body_torque', 'body_acceleration', 'body_angular_acceleration')
-    force: np.ndarray
-    torque: np.ndarray
-    acceleration: np.ndarray
-    angular_acceleration: np.ndarray
-    body_force: np.ndarray
-    body_torque: np.ndarray
-    body_acceleration: np.ndarray
-    body_angular_acceleration: np.ndarray
+    force: NDArray[Any]
+    torque: NDArray[Any]
+    acceleration: NDArray[Any]
+    angular_acceleration: NDArray[Any]
+    body_force: NDArray[Any]
+    body_torque: NDArray[Any]
+    body_acceleration: NDArray[Any]
+    body_angular_acceleration: NDArray[Any]
 
 
 class ColliderState(Record):
@@ -562,10 +560,10 @@ class ColliderState(Record):
     """
     __slots__ = ('kind', 'position', 'orientation', 'linear_velocity', 'angular_velocity', 'friction', 'restitution', 'layers', 'flags')
     kind: ColliderKind
-    position: np.ndarray
-    orientation: np.ndarray
-    linear_velocity: np.ndarray
-    angular_velocity: np.ndarray
+    position: NDArray[Any]
+    orientation: NDArray[Any]
+    linear_velocity: NDArray[Any]
+    angular_velocity: NDArray[Any]
     friction: float
     restitution: float
     layers: int
@@ -609,7 +607,7 @@ class BatchRules(Record):
     action: EndAction
     max_age: float
     volume_count: int
-    volumes: np.ndarray
+    volumes: NDArray[Any]
     _enums = {'action': EndAction}
 
 
@@ -637,12 +635,12 @@ class Emitter(Record):
     """
     __slots__ = ('shape', 'position', 'orientation', 'size', 'pose', 'body_orientation', 'direction', 'spread', 'speed_min', 'speed_max', 'spin_min', 'spin_max', 'scale_min', 'scale_max', 'rate', 'burst_interval', 'burst_count')
     shape: EmitterShape
-    position: np.ndarray
-    orientation: np.ndarray
-    size: np.ndarray
+    position: NDArray[Any]
+    orientation: NDArray[Any]
+    size: NDArray[Any]
     pose: EmitterPose
-    body_orientation: np.ndarray
-    direction: np.ndarray
+    body_orientation: NDArray[Any]
+    direction: NDArray[Any]
     spread: float
     speed_min: float
     speed_max: float
@@ -681,7 +679,7 @@ class BatchCounts(Record):
     missed: int
     by_divergence: int
     by_age: int
-    by_volume: np.ndarray
+    by_volume: NDArray[Any]
     diverged: int
     total_spawned: int
     total_destroyed: int
@@ -732,28 +730,28 @@ class Aerodynamics(Record):
     shedding_rate_moment: m^3
     """
     __slots__ = ('axes', 'drag', 'drag_blunt', 'drag_layer', 'drag_stokes', 'lift', 'spin_lift', 'lift_moment', 'spin_drag', 'spin_drag_stream', 'spin_drag_stokes', 'intensity', 'length', 'wake_reynolds', 'broadside', 'lift_stall', 'lift_moment_stalled', 'roll_damping', 'center', 'plate_lift', 'plate_vortex', 'plate_stall', 'plate_separated_shedding', 'plate_drag', 'start_drag', 'wake_length', 'wake_lag', 'wake_share', 'strouhal', 'shedding_growth', 'shedding_reynolds', 'shedding_noise', 'shedding_moment', 'shedding_rate_moment')
-    axes: np.ndarray
-    drag: np.ndarray
-    drag_blunt: np.ndarray
-    drag_layer: np.ndarray
-    drag_stokes: np.ndarray
-    lift: np.ndarray
-    spin_lift: np.ndarray
-    lift_moment: np.ndarray
-    spin_drag: np.ndarray
-    spin_drag_stream: np.ndarray
-    spin_drag_stokes: np.ndarray
+    axes: NDArray[Any]
+    drag: NDArray[Any]
+    drag_blunt: NDArray[Any]
+    drag_layer: NDArray[Any]
+    drag_stokes: NDArray[Any]
+    lift: NDArray[Any]
+    spin_lift: NDArray[Any]
+    lift_moment: NDArray[Any]
+    spin_drag: NDArray[Any]
+    spin_drag_stream: NDArray[Any]
+    spin_drag_stokes: NDArray[Any]
     intensity: float
     length: float
     wake_reynolds: float
-    broadside: np.ndarray
+    broadside: NDArray[Any]
     lift_stall: float
-    lift_moment_stalled: np.ndarray
-    roll_damping: np.ndarray
-    center: np.ndarray
-    plate_lift: np.ndarray
-    plate_vortex: np.ndarray
-    plate_stall: np.ndarray
+    lift_moment_stalled: NDArray[Any]
+    roll_damping: NDArray[Any]
+    center: NDArray[Any]
+    plate_lift: NDArray[Any]
+    plate_vortex: NDArray[Any]
+    plate_stall: NDArray[Any]
     plate_separated_shedding: float
     plate_drag: float
     start_drag: float

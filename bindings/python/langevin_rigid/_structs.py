@@ -6,13 +6,16 @@ import ctypes
 import difflib
 import inspect
 import operator
-from typing import Any, Callable, Dict, Iterable, List, Mapping, Tuple, Type, TypeVar
+from typing import TYPE_CHECKING, Any, Callable, Dict, Iterable, List, Mapping, Tuple, Type, TypeVar
 
 import numpy as np
 
 from . import _native as native
 from ._library import call
 from ._record import Record
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 F = TypeVar("F", bound=Callable[..., Any])
 _DTYPES: Dict[Any, Any] = {}
@@ -48,12 +51,12 @@ def integer(value: Any, kind: Any, name: str) -> int:
     return number
 
 
-def address(array: np.ndarray, of: Any) -> Any:
+def address(array: NDArray[Any], of: Any) -> Any:
     """A pointer to an array's first element; the caller keeps the array alive."""
     return ctypes.cast(array.ctypes.data, ctypes.POINTER(of))
 
 
-def contiguous(values: Any, of: Any, name: str) -> np.ndarray:
+def contiguous(values: Any, of: Any, name: str) -> NDArray[Any]:
     """Values as a contiguous array of C's type; copied only if necessary."""
     if of in _INTEGERS:
         array = np.asarray(values)
@@ -67,7 +70,7 @@ def contiguous(values: Any, of: Any, name: str) -> np.ndarray:
     return np.ascontiguousarray(values, dtype(of))
 
 
-def vectors(values: Any, width: int, count: int, name: str) -> np.ndarray:
+def vectors(values: Any, width: int, count: int, name: str) -> NDArray[Any]:
     """`count` vectors, from as many or from a single one."""
     array = np.asarray(values, np.float32)
     try:
@@ -76,7 +79,7 @@ def vectors(values: Any, width: int, count: int, name: str) -> np.ndarray:
         raise ValueError(f"{name}: shape {array.shape} is neither ({width},) nor ({count}, {width})") from None
 
 
-def rows(values: Any, width: int, name: str) -> np.ndarray:
+def rows(values: Any, width: int, name: str) -> NDArray[Any]:
     """Vectors as an array of shape (count, width), from one vector or an array that ends with the width."""
     array = np.ascontiguousarray(values, np.float32)
     if array.ndim == 0 or array.shape[-1] != width:
@@ -152,7 +155,7 @@ def make(struct: Type[Any], fields: Mapping[str, Any], keep: List[Any]) -> Any:
     return assign(init(struct), fields, keep)
 
 
-def elements(struct: Type[Any], count: int) -> np.ndarray:
+def elements(struct: Type[Any], count: int) -> NDArray[Any]:
     """An array of structs with their defaults."""
     one = np.frombuffer(init(struct), np.uint8)
     array = np.empty((count, one.size), np.uint8)

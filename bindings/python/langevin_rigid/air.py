@@ -13,7 +13,7 @@ from ._structs import address, assign, init, make, rows, takes
 from .callbacks import WaterQuery, WindQuery, field_callback
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
+    from numpy.typing import ArrayLike, NDArray
     from typing_extensions import Unpack
 
     from ._fields import (BlowerOptions, GroundWindOptions, GustsOptions, TurbulenceOptions, VortexOptions, WaterOptions,
@@ -87,7 +87,7 @@ class AirMixin:
         self._change("lr_world_set_uniform_wind", x, y, z)
 
     @property
-    def uniform_wind(self) -> np.ndarray:
+    def uniform_wind(self) -> NDArray[Any]:
         """The uniform wind last set, m/s."""
         velocity = np.empty(3, np.float32)
         self._ask("lr_world_get_uniform_wind", address(velocity, ctypes.c_float))
@@ -150,7 +150,7 @@ class AirMixin:
         self._change(name, callback, None)
         self._keep(name, callback)
 
-    def sample_wind(self, positions: "ArrayLike") -> np.ndarray:
+    def sample_wind(self, positions: "ArrayLike") -> NDArray[Any]:
         """The velocity of the fluid at positions (..., 3), m/s, at the world's time."""
         given = np.asarray(positions, np.float32)
         points = rows(given, 3, "positions")

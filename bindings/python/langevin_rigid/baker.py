@@ -40,8 +40,11 @@ def baker_path() -> str:
     except LibraryError:
         pass
     for folder in folders:
-        if (folder / name).is_file():
-            return str(folder / name)
+        path = folder / name
+        if path.is_file():
+            if not os.access(path, os.X_OK):  # Blender and zipfile unpack wheels without this permission
+                path.chmod(path.stat().st_mode | 0o111)
+            return str(path)
     found = shutil.which(name)
     if found is None:
         raise BakeError(f"{name} was not found in {', '.join(map(str, folders))} nor on the PATH: set LANGEVIN_RIGID_BAKE to it")

@@ -16,7 +16,7 @@ from .enums import ForceFrame, ForceMode, TransformFormat
 from .view import View
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
+    from numpy.typing import ArrayLike, NDArray
     from typing_extensions import Unpack
 
     from ._fields import AerodynamicsOptions, TurbulenceTableOptions
@@ -50,7 +50,7 @@ class Batch(BatchPlain):
 
     def create(self, count: Optional[int] = None, *, position: Any = None, orientation: Any = None, linear_velocity: Any = None,
                angular_velocity: Any = None, scale: Any = None, age: Any = None, noise_seed: Any = None,
-               user: Any = None) -> np.ndarray:
+               user: Any = None) -> NDArray[Any]:
         """Creates bodies, all or none, and returns their ids.
 
         Each argument is a single value, or an array with a value for each body: (count, 3) for vectors, (count, 4) for
@@ -91,12 +91,12 @@ class Batch(BatchPlain):
         return self.view().count
 
     @property
-    def ids(self) -> np.ndarray:
+    def ids(self) -> NDArray[Any]:
         """Ids of all bodies, in the order of the view; a copy."""
         return self.view().ids.copy()
 
-    def transforms(self, format: int = TransformFormat.MATRIX_4X4_ROW_MAJOR, out: Optional[np.ndarray] = None,
-                   first: Optional[int] = None) -> np.ndarray:
+    def transforms(self, format: int = TransformFormat.MATRIX_4X4_ROW_MAJOR, out: Optional[NDArray[Any]] = None,
+                   first: Optional[int] = None) -> NDArray[Any]:
         """The transforms of all bodies, or of the `first` bodies, in the order of the view.
 
         out: a float32 array to write into, as many transforms as fit. Each transform is contiguous; the stride between them
@@ -113,7 +113,7 @@ class Batch(BatchPlain):
         self._ask("lr_batch_write_transforms", int(format), out.ctypes.data, stride, count, ctypes.byref(written))
         return out[:written.value]
 
-    def velocities(self) -> Tuple[np.ndarray, np.ndarray]:
+    def velocities(self) -> Tuple[NDArray[Any], NDArray[Any]]:
         """Linear velocities, m/s, and angular velocities, rad/s, world frame, in the order of the view: two arrays of shape
         (count, 3). Bodies of a waiting batch have those of their last step."""
         out = np.empty((len(self), 6), np.float32)
@@ -121,7 +121,7 @@ class Batch(BatchPlain):
         return out[:, :3], out[:, 3:]
 
     @staticmethod
-    def _stride(out: np.ndarray, floats: int) -> int:
+    def _stride(out: NDArray[Any], floats: int) -> int:
         if out.dtype != np.float32 or not out.flags.writeable:
             raise TypeError(f"out: expected a writable float32 array, not {out.dtype}")
         inner = 4
@@ -135,7 +135,7 @@ class Batch(BatchPlain):
             raise ValueError("out: elements overlap or run backwards")
         return out.strides[0] if len(out) > 1 else 0
 
-    def bounds(self) -> Optional[Tuple[np.ndarray, np.ndarray]]:
+    def bounds(self) -> Optional[Tuple[NDArray[Any], NDArray[Any]]]:
         """The corners of a box around all bodies, m; None without bodies."""
         low, high = np.empty(3, np.float32), np.empty(3, np.float32)
         self._ask("lr_batch_get_bounds", address(low, ctypes.c_float), address(high, ctypes.c_float))
@@ -225,13 +225,13 @@ class Batch(BatchPlain):
         """The emitter, or None."""
         return self._get_if_present("lr_batch_get_emitter", native.lr_emitter_desc, Emitter)
 
-    def emit(self, count: int) -> np.ndarray:
+    def emit(self, count: int) -> NDArray[Any]:
         """Spawns bodies from the emitter now, all or none, and returns their ids."""
         ids = np.zeros(count, np.uint64)
         self._change("lr_batch_spawn", count, address(ids, ctypes.c_uint64))
         return ids
 
-    def spawn_box(self, low: ArrayLike, high: ArrayLike, count: int) -> np.ndarray:
+    def spawn_box(self, low: ArrayLike, high: ArrayLike, count: int) -> NDArray[Any]:
         """Spawns bodies at rest, evenly in a box and turned at random, without an emitter, all or none; returns their ids."""
         corners = np.array([low, high], np.float32).reshape(2, 3)
         ids = np.zeros(count, np.uint64)
@@ -240,7 +240,7 @@ class Batch(BatchPlain):
         return ids
 
 
-def components(values: Any, name: str) -> Optional[Tuple[List[np.ndarray], int]]:
+def components(values: Any, name: str) -> Optional[Tuple[List[NDArray[Any]], int]]:
     """x, y and z of vectors, and the stride between bodies in bytes."""
     if values is None:
         return None

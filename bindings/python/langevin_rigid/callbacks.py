@@ -5,12 +5,15 @@ from __future__ import annotations
 import ctypes
 import logging
 from concurrent.futures import Executor, Future
-from typing import Any, Callable, Dict, List, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Tuple
 
 import numpy as np
 
 from . import _native as native
 from .enums import LogLevel
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 LOGGER = logging.getLogger("langevin_rigid")
 LEVELS = {LogLevel.ERROR: logging.ERROR, LogLevel.WARNING: logging.WARNING, LogLevel.INFO: logging.INFO}
@@ -32,7 +35,7 @@ class Guard:
         return exception
 
 
-def _copy_in(pointers: Any, count: int) -> np.ndarray:
+def _copy_in(pointers: Any, count: int) -> NDArray[Any]:
     array = np.empty((len(pointers), count), np.float32)
     row, step = array.ctypes.data, 4 * count
     for pointer in pointers:
@@ -41,7 +44,7 @@ def _copy_in(pointers: Any, count: int) -> np.ndarray:
     return array
 
 
-def _copy_out(array: np.ndarray, pointers: Any, count: int) -> None:
+def _copy_out(array: NDArray[Any], pointers: Any, count: int) -> None:
     row, step = array.ctypes.data, 4 * count
     for pointer in pointers:
         ctypes.memmove(pointer, row, step)
@@ -59,9 +62,9 @@ class Query:
         self.batch: int = value.batch
         self.position = _copy_in(value.position, self.count)
         self._native: Optional[Any] = value
-        self._arrays: Dict[str, np.ndarray] = {}
+        self._arrays: Dict[str, NDArray[Any]] = {}
 
-    def _array(self, name: str) -> np.ndarray:
+    def _array(self, name: str) -> NDArray[Any]:
         if name not in self._arrays:
             if self._native is None:
                 raise ValueError(f"{name} was not read during the callback, which has ended")

@@ -13,7 +13,7 @@ from ._structs import address, contiguous, elements, init, make, rows, takes, ve
 from .enums import ColliderKind, EventKinds, MoveMode
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
+    from numpy.typing import ArrayLike, NDArray
     from typing_extensions import Unpack
 
     from ._fields import ColliderOptions, MaterialOptions
@@ -26,11 +26,11 @@ class Events(NamedTuple):
     lost: events of the last step beyond the capacity; total_lost: the same since `World.keep_events`.
     """
 
-    events: np.ndarray
+    events: NDArray[Any]
     lost: int
     total_lost: int
 
-    def of(self, kind: int) -> np.ndarray:
+    def of(self, kind: int) -> NDArray[Any]:
         """The events of one kind."""
         return self.events[self.events["kind"] == int(kind)]
 
@@ -179,7 +179,7 @@ class ContactMixin:
         return Events(events, listed.lost, listed.total_lost)
 
 
-def turn_from_y(direction: Any) -> np.ndarray:
+def turn_from_y(direction: Any) -> NDArray[Any]:
     """The shortest rotation from +y to a direction, as a quaternion x, y, z, w."""
     x, y, z = np.asarray(direction, np.float64) / np.linalg.norm(direction)
     if y < -0.999999:

@@ -192,5 +192,10 @@ for _status in (Status.TIMESTEP_ZERO, Status.TIMESTEP_NEGATIVE, Status.TIMESTEP_
                 Status.SUBSTEPS):
     BY_STATUS[_status] = TimestepError
 
-__all__ = ["Error", "Fault"] + sorted(name for name, kind in list(globals().items())
-                                      if isinstance(kind, type) and issubclass(kind, Error) and kind is not Error)
+__all__ = [
+    "AssetCorruptError", "AssetError", "AssetFileNotFoundError", "AssetFormatError", "AssetInvalidError", "AssetReadError",
+    "AssetVersionError", "BakeError", "BufferTooSmallError", "BusyError", "CapacityError", "ClosedError", "ConcurrentUseError", "Error",
+    "Fault", "InternalError", "InvalidArgumentError", "LibraryError", "NotFiniteError", "NullArgumentError", "OutOfMemoryError",
+    "ReentrantError", "SnapshotFormatError", "SnapshotMismatchError", "StaleBatchError", "StaleBodyError", "StaleColliderError",
+    "StaleError", "StaleViewError", "StaleWindSourceError", "StructSizeError", "ThreadsError", "TimestepError", "UnsupportedError",
+]

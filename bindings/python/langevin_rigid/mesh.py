@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import os
-from typing import Any, List, Optional, Union
+from typing import TYPE_CHECKING, Any, List, Optional, Union
 
 import numpy as np
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 
 class Mesh:
@@ -15,7 +18,7 @@ class Mesh:
         self.points = np.ascontiguousarray(points, np.float64).reshape(-1, 3)
         self.counts = np.ascontiguousarray(counts, np.int32)
         self.indices = np.ascontiguousarray(indices, np.int32)
-        self.uvs: Optional[np.ndarray] = None if uvs is None else np.ascontiguousarray(uvs, np.float64).reshape(-1, 2)
+        self.uvs: Optional[NDArray[Any]] = None if uvs is None else np.ascontiguousarray(uvs, np.float64).reshape(-1, 2)
         if self.indices.size != self.counts.sum():
             raise ValueError(f"{self.indices.size} corners, but the faces have {self.counts.sum()}")
         if self.indices.size and not 0 <= self.indices.min() <= self.indices.max() < len(self.points):

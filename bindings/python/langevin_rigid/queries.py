@@ -13,7 +13,7 @@ from .enums import OverlapShape, RayFlags
 from .errors import BufferTooSmallError
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
+    from numpy.typing import ArrayLike, NDArray
 
     from .batch import Batch
 
@@ -26,7 +26,7 @@ class QueryMixin:
 
     def ray_cast(self, origins: "ArrayLike", directions: "ArrayLike", *, max_distance: Any = None,
                  flags: int = RayFlags.BODIES | RayFlags.COLLIDERS, batch: "Optional[Batch]" = None,
-                 collider_layers: Any = None) -> np.ndarray:
+                 collider_layers: Any = None) -> NDArray[Any]:
         """The first hit of each ray. origins, directions: (3,) or (count, 3).
 
         Returns a structured array: body, user, collider, distance, position, normal. Without a hit, body and collider are 0.
@@ -46,16 +46,16 @@ class QueryMixin:
         self._ask("lr_world_ray_cast", address(rays, native.lr_ray), count, address(hits, native.lr_ray_hit))
         return hits
 
-    def overlap_sphere(self, center: "ArrayLike", radius: float, batch: "Optional[Batch]" = None) -> np.ndarray:
+    def overlap_sphere(self, center: "ArrayLike", radius: float, batch: "Optional[Batch]" = None) -> NDArray[Any]:
         """The ids of all bodies that overlap a sphere."""
         return self._overlap(OverlapShape.SPHERE, batch, position=center, size=[radius] * 3)
 
     def overlap_box(self, center: "ArrayLike", half_extents: "ArrayLike", orientation: "ArrayLike" = (0, 0, 0, 1),
-                    batch: "Optional[Batch]" = None) -> np.ndarray:
+                    batch: "Optional[Batch]" = None) -> NDArray[Any]:
         """The ids of all bodies that overlap a box."""
         return self._overlap(OverlapShape.BOX, batch, position=center, size=half_extents, orientation=orientation)
 
-    def _overlap(self, shape: int, batch: "Optional[Batch]", **fields: Any) -> np.ndarray:
+    def _overlap(self, shape: int, batch: "Optional[Batch]", **fields: Any) -> NDArray[Any]:
         desc = make(native.lr_overlap_desc, {**fields, "shape": int(shape), "batch": batch.id if batch else None}, [])
         bodies, count = np.empty(256, np.uint64), ctypes.c_uint32()
         while True:

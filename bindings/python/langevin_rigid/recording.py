@@ -10,6 +10,8 @@ import numpy as np
 from .enums import TransformFormat
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from .batch import Batch
 
 FORMAT = 1
@@ -26,14 +28,14 @@ class RecordedFrame(NamedTuple):
     bodies: the library's ids.
     """
 
-    ids: np.ndarray
-    bodies: np.ndarray
-    position: np.ndarray
-    orientation: np.ndarray
-    scale: np.ndarray
-    velocity: np.ndarray
-    spin: np.ndarray
-    age: np.ndarray
+    ids: NDArray[Any]
+    bodies: NDArray[Any]
+    position: NDArray[Any]
+    orientation: NDArray[Any]
+    scale: NDArray[Any]
+    velocity: NDArray[Any]
+    spin: NDArray[Any]
+    age: NDArray[Any]
 
 
 class Recording:
@@ -67,7 +69,7 @@ class Recording:
         self.frames.append(frame)
         return frame
 
-    def _lives_of(self, bodies: np.ndarray, age: np.ndarray) -> np.ndarray:
+    def _lives_of(self, bodies: NDArray[Any], age: NDArray[Any]) -> NDArray[Any]:
         """A number for each body's present life: that of the previous frame, unless the body is now younger."""
         lives = np.full(len(bodies), -1, np.int64)
         if self.frames and len(self.frames[-1].bodies):
@@ -119,7 +121,7 @@ class Recording:
             recording.frames.append(RecordedFrame(**{name: arrays[name][begin:end] for name in FIELDS}))
         return recording
 
-    def slots(self) -> Tuple[List[np.ndarray], int]:
+    def slots(self) -> Tuple[List[NDArray[Any]], int]:
         """The slot of each body for each frame, and the number of slots. A life keeps its slot. After its end the slot stays
         empty for at least two frames, so that interpolation does not move a body from that end to the next start."""
         lives = max((int(frame.ids.max()) + 1 for frame in self.frames if len(frame.ids)), default=0)

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any, Dict, Optional
+from typing import TYPE_CHECKING, Any, Dict, Optional
 
 import numpy as np
 
 from .errors import StaleViewError
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 SCALARS = {"scale": np.float32, "age": np.float32, "noise_seed": np.uint32, "ids": np.uint64, "user": np.uint64}
 
@@ -32,11 +35,11 @@ class Vectors(tuple):
     z = property(lambda self: self[2])
     w = property(lambda self: self[3])
 
-    def stack(self, out: Optional[np.ndarray] = None) -> np.ndarray:
+    def stack(self, out: Optional[NDArray[Any]] = None) -> NDArray[Any]:
         """A copy of shape (count, components)."""
         return np.stack(self, axis=-1, out=out)
 
-    def __array__(self, dtype: Any = None, copy: Any = None) -> np.ndarray:
+    def __array__(self, dtype: Any = None, copy: Any = None) -> NDArray[Any]:
         if copy is False:
             raise ValueError("each component has its own array: an array of vectors needs a copy")
         stacked = self.stack()
@@ -69,7 +72,7 @@ class View:
         if self.is_stale:
             raise StaleViewError("the world has changed since this view was taken: take another one by Batch.view()")
 
-    def _memory(self, pointer: Any, dtype: Any) -> np.ndarray:
+    def _memory(self, pointer: Any, dtype: Any) -> NDArray[Any]:
         if self.count == 0:
             return np.empty(0, dtype)
         memory = Memory(ctypes.cast(pointer, ctypes.c_void_p).value or 0, self.count, dtype, self._batch.world._handle)
@@ -82,7 +85,7 @@ class View:
             self._arrays[name] = Vectors(self._memory(pointer, np.float32) for pointer in getattr(self._struct, name))
         return self._arrays[name]
 
-    def _scalars(self, name: str) -> np.ndarray:
+    def _scalars(self, name: str) -> NDArray[Any]:
         self._check()
         if name not in self._arrays:
             self._arrays[name] = self._memory(getattr(self._struct, name), SCALARS[name])
@@ -99,25 +102,25 @@ class View:
         return self._vectors("orientation")
 
     @property
-    def scale(self) -> np.ndarray:
+    def scale(self) -> NDArray[Any]:
         return self._scalars("scale")
 
     @property
-    def age(self) -> np.ndarray:
+    def age(self) -> NDArray[Any]:
         """s. The age of a sleeping body is out of date here: `World.state` has it."""
         return self._scalars("age")
 
     @property
-    def noise_seed(self) -> np.ndarray:
+    def noise_seed(self) -> NDArray[Any]:
         """Noise seeds."""
         return self._scalars("noise_seed")
 
     @property
-    def ids(self) -> np.ndarray:
+    def ids(self) -> NDArray[Any]:
         return self._scalars("ids")
 
     @property
-    def user(self) -> np.ndarray:
+    def user(self) -> NDArray[Any]:
         """The caller's own number of each body."""
         if not self._struct.user:  # no body of the batch has been given one
             self._check()
@@ -131,7 +134,7 @@ class View:
         return f"<View of {self.count} bodies, {self.awake_count} awake{', stale' if self.is_stale else ''}>"
 
 
-def turned(quaternions: np.ndarray, vectors: np.ndarray) -> np.ndarray:
+def turned(quaternions: NDArray[Any], vectors: NDArray[Any]) -> NDArray[Any]:
     """Vectors rotated by unit quaternions x, y, z, w."""
     axis, real = quaternions[..., :3], quaternions[..., 3:]
     twice = 2.0 * np.cross(axis, vectors)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import ctypes
 import threading
 from concurrent.futures import Executor
-from typing import TYPE_CHECKING, Any, Callable, List, Optional, Tuple, Union
+from typing import TYPE_CHECKING, Any, Callable, List, Optional, SupportsFloat, Tuple, Union
 
 import numpy as np
 
@@ -22,7 +22,7 @@ from .errors import BusyError, ClosedError
 from .queries import QueryMixin
 
 if TYPE_CHECKING:
-    from numpy.typing import ArrayLike
+    from numpy.typing import ArrayLike, NDArray
     from typing_extensions import Unpack
 
     from ._fields import BatchOptions, BodyStateOptions, RecordingOptions, WorldOptions
@@ -146,7 +146,7 @@ class World(WorldPlain, AirMixin, ContactMixin, QueryMixin):
 
     # Time.
 
-    def step(self, dt: float, substeps: int = 1) -> None:
+    def step(self, dt: SupportsFloat, substeps: int = 1) -> None:
         """Advances all bodies by dt seconds in equal substeps. At 60 Hz take 2 for leaves and paper, 4 for petals and confetti.
 
         If a callback raises, the step is completed with the values set so far, and then raises that exception. A step that
@@ -265,7 +265,7 @@ class World(WorldPlain, AirMixin, ContactMixin, QueryMixin):
         self._change("lr_body_add_force", address(forces, native.lr_body_force), count)
 
 
-def body_ids(bodies: Any) -> Tuple[np.ndarray, Any, int]:
+def body_ids(bodies: Any) -> Tuple[NDArray[Any], Any, int]:
     """Ids as an array, with its address and length."""
     if isinstance(bodies, np.ndarray) and bodies.size and bodies.dtype.kind not in "iu":
         raise TypeError(f"bodies: ids are integers, not {bodies.dtype}")

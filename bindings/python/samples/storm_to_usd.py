@@ -12,7 +12,7 @@ import langevin_rigid as lr
 from langevin_rigid.export import write_usda
 from langevin_rigid.mesh import Mesh
 
-parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 parser.add_argument("mesh")
 parser.add_argument("out")
 parser.add_argument("--count", type=int, default=500)

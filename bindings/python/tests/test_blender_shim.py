@@ -14,27 +14,23 @@ class Command(unittest.TestCase):
     def setUpClass(cls):
         sys.path[:0] = [str(HERE / "bpy_shim"), str(HERE.parent / "blender")]
         import bpy
-        import leaf_storm
-        cls.bpy, cls.leaf_storm = bpy, leaf_storm
-        leaf_storm.register()
+        from leaf_storm import command, panel
+        cls.asset = []  # baked by the first command
+        cls.bpy, cls.command, cls.panel = bpy, command, panel
+        panel.register()
 
     @classmethod
     def tearDownClass(cls):
-        cls.leaf_storm.unregister()
-        for name in ("bpy", "mathutils", "leaf_storm"):
-            sys.modules.pop(name, None)
+        cls.panel.unregister()
+        for name in [name for name in sys.modules if name.split(".")[0] in ("bpy", "mathutils", "leaf_storm")]:
+            del sys.modules[name]
         del sys.path[:2]
 
-    def run_command(self, mode):
-        recordings = []
-        simulate = self.leaf_storm.simulate
-        self.leaf_storm.simulate = lambda *given: recordings.append(simulate(*given)) or recordings[-1]
-        try:
-            self.leaf_storm.main(["--mesh", str(ROOT / "assets" / "leaf.obj"), "--count", "12", "--frames", "20", "--mode", mode,
-                                  "--cache", str(WORK / "shim.pc2")])
-        finally:
-            self.leaf_storm.simulate = simulate
-        return recordings[0]
+    def run_command(self, mode, *more):
+        recording = self.command.run(["--mesh", str(ROOT / "assets" / "leaf.obj"), "--count", "12", "--frames", "20", "--mode", mode,
+                                      "--cache", str(WORK / "shim.pc2"), *self.asset, *more])[0]
+        self.asset[:] = ["--asset", str(WORK / "leaf_storm.lrb")]
+        return recording
 
     def test_points(self):
         recording = self.run_command("points")
@@ -50,11 +46,29 @@ class Command(unittest.TestCase):
         self.assertIsNotNone(leaf)
         np.testing.assert_allclose(prototype.data.vertices.arrays["co"].reshape(-1, 3),
                                    leaf.vertices.arrays["co"].reshape(-1, 3) - center, atol=1e-6)
-        self.assertTrue(prototype.hide_render)
+        self.assertEqual((prototype.hide_render, prototype.hidden, prototype.hide_viewport), (True, True, False))
         tree = draws.node_group
         place = next(node for node in tree.made if node.kind == "GeometryNodeInstanceOnPoints")
         fed = {end.name for _, end in tree.linked if any(end is socket for socket in place.inputs)}
         self.assertEqual(fed, {"Points", "Selection", "Instance", "Rotation", "Scale"})
+
+    def test_alembic_is_of_one_mesh(self):
+        path = WORK / "shim.abc"
+        self.run_command("points", "--export", str(path))
+        self.assertEqual(self.bpy.exported.pop(), (["Leaf Storm"], ["Leaf Storm Instances", "Leaf Storm Mesh"], 1, 20, "RENDER"))
+        self.assertTrue(path.exists())
+        self.assertEqual([m.type for m in self.bpy.data.objects["Leaf Storm"].stack], ["MESH_CACHE", "NODES"])
+        self.assertFalse(any(thing.selected for thing in self.bpy.data.objects.values()))
+
+    def test_exports_that_cannot_be(self):
+        from leaf_storm.units import Problem
+        for path, why in (("a.usdc", "built without USD"), ("a.obj", "ends in .abc"), ("a", "ends in .abc")):
+            with self.assertRaisesRegex(Problem, why):
+                self.run_command("points", "--export", str(WORK / path))
+        with self.assertRaisesRegex(Problem, "as instances"):
+            self.run_command("keyframes", "--export", str(WORK / "b.abc"))
+        self.run_command("keyframes", "--export", str(WORK / "shim.usda"))
+        self.assertIn("PointInstancer", (WORK / "shim.usda").read_text()[:2000])
 
     def test_keyframes(self):
         recording = self.run_command("keyframes")

@@ -2,6 +2,7 @@
 """Every status as an exception, most from calls that really return it."""
 import ctypes
 import pickle
+import types
 import unittest
 
 import numpy as np
@@ -151,6 +152,13 @@ class Baking(unittest.TestCase):
         asset.close()
         with self.assertRaises(lr.ClosedError):
             asset.info.mass, asset.aerodynamics  # read the info before closing
+
+
+class Names(unittest.TestCase):
+    def test_all_is_all_that_users_need(self):
+        given = {name for name, value in vars(lr).items() if not name.startswith("_") and not isinstance(value, types.ModuleType)}
+        self.assertEqual(given | {"__version__"}, set(lr.__all__))
+        self.assertEqual(len(lr.__all__), len(set(lr.__all__)))
 
 
 if __name__ == "__main__":

@@ -9,12 +9,15 @@ from __future__ import annotations
 
 import os
 import struct
-from typing import NamedTuple, Tuple, Union
+from typing import TYPE_CHECKING, Any, NamedTuple, Tuple, Union
 
 import numpy as np
 
 from ..recording import Recording
 from ..view import turned
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 HEADER = struct.Struct("<12siiffi")  # mark, version, points, first frame, frames per sample, samples
 MARK = b"POINTCACHE2\0"
@@ -24,10 +27,10 @@ class CarrierCache(NamedTuple):
     """vertices: their number in the carrier. first: their positions in the first frame, (vertices, 3)."""
 
     vertices: int
-    first: np.ndarray
+    first: NDArray[Any]
 
 
-def carrier_frames(recording: Recording) -> np.ndarray:
+def carrier_frames(recording: Recording) -> NDArray[Any]:
     """(frames, slots, 3, 3): centre and ends of the two arms of each slot in each frame."""
     slots, count = recording.slots()
     out = np.empty((len(recording), count, 3, 3), np.float32)
@@ -65,7 +68,7 @@ def write_carrier_pc2(path: Union[str, "os.PathLike[str]"], recording: Recording
     return CarrierCache(vertices, frames[0].reshape(-1, 3))
 
 
-def read_pc2(path: Union[str, "os.PathLike[str]"]) -> Tuple[float, float, np.ndarray]:
+def read_pc2(path: Union[str, "os.PathLike[str]"]) -> Tuple[float, float, NDArray[Any]]:
     """First frame, frames per sample, and an array (samples, points, 3)."""
     with open(path, "rb") as file:
         mark, version, points, start, rate, samples = HEADER.unpack(file.read(HEADER.size))

@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import os
 import re
-from typing import IO, Any, Dict, Optional, Sequence, Tuple, Union
+from typing import IO, TYPE_CHECKING, Any, Dict, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
 from ..mesh import Mesh
 from ..recording import Recording
 
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
 Pair = Tuple[Recording, Mesh]
 
 
-def _array(values: np.ndarray, digits: int) -> str:
+def _array(values: NDArray[Any], digits: int) -> str:
     """Numbers, or tuples of numbers, in brackets."""
     if not len(values):
         return "[]"
@@ -59,7 +62,7 @@ def _mesh(file: IO[str], indent: str, mesh: Mesh, color: Sequence[float]) -> Non
     file.write("\n".join(lines) + f"\n{indent}}}\n")
 
 
-def _extent(mesh: Mesh, frame: Any) -> np.ndarray:
+def _extent(mesh: Mesh, frame: Any) -> NDArray[Any]:
     """A box that contains every body in any orientation."""
     if not len(frame.ids):
         return np.zeros((2, 3))

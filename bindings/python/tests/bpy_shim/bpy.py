@@ -122,15 +122,37 @@ class Action:
         return self.curves[-1]
 
 
+class Stack:
+    """The modifiers of an object."""
+
+    def __init__(self, stack):
+        self.stack = stack
+
+    def __len__(self):
+        return len(self.stack)
+
+    def new(self, name, kind):
+        self.stack.append(Modifier(kind))
+        return self.stack[-1]
+
+    def remove(self, modifier):
+        self.stack.remove(modifier)
+
+
 class Object(Strict):
     def __init__(self, name, mesh):
         super().__init__(name=name, data=mesh, scale=(1.0, 1.0, 1.0), rotation_mode="XYZ", hide_render=False, hide_viewport=False,
-                         field=None, type="MESH", action=Strict(action=None), stack=[])
-        self.__dict__["modifiers"] = _types.SimpleNamespace(new=self.new_modifier)
+                         field=None, collision=None, type="MESH", selected=False, hidden=False, action=Strict(action=None), stack=[])
+        self.__dict__["modifiers"] = Stack(self.stack)
 
-    def new_modifier(self, name, kind):
-        self.stack.append(Modifier(kind))
-        return self.stack[-1]
+    def hide_set(self, on, view_layer=None):
+        self.hidden = on
+
+    def select_get(self):
+        return self.selected
+
+    def select_set(self, on):
+        self.selected = on
 
     def animation_data_create(self):
         return self.action
@@ -148,6 +170,7 @@ NODES = {  # inputs and outputs in use; properties
     "GeometryNodeFieldAtIndex": (("Index", "Value"), ("Value",), {"data_type": {"FLOAT_VECTOR"}, "domain": {"POINT"}}),
     "FunctionNodeAlignEulerToVector": (("Rotation", "Factor", "Vector"), ("Rotation",),
                                        {"axis": {"X", "Y", "Z"}, "pivot_axis": {"AUTO", "X", "Y", "Z"}}),
+    "GeometryNodeRealizeInstances": (("Geometry",), ("Geometry",), {}),
     "GeometryNodeObjectInfo": (("Object", "As Instance"), ("Location", "Rotation", "Scale", "Geometry"),
                                {"transform_space": {"ORIGINAL", "RELATIVE"}}),
     "GeometryNodeInstanceOnPoints": (("Points", "Selection", "Instance", "Pick Instance", "Instance Index", "Rotation", "Scale"),
@@ -226,6 +249,7 @@ class Scene:
         self.frame_start, self.frame_end, self.frame_current = 1, 250, 1
         self.render = Strict(fps=24, fps_base=1.0)
         self.unit_settings = Strict(system="METRIC", scale_length=1.0)
+        self.view_layers = ["ViewLayer"]
         self.gravity, self.use_gravity, self.objects = (0.0, 0.0, -9.81), True, []
         self.collection = _types.SimpleNamespace(objects=Links(), children=Links())
 
@@ -242,9 +266,36 @@ props = _types.SimpleNamespace(**{name: (lambda **options: options) for name in 
     "PointerProperty", "StringProperty", "FloatProperty", "IntProperty", "BoolProperty", "FloatVectorProperty", "EnumProperty")})
 utils = _types.SimpleNamespace(register_class=lambda kind: None, unregister_class=lambda kind: None,
                                user_resource=lambda kind, path="": "/" + path)
-app = Strict(background=False)
+app = Strict(background=False, version_string="3.4", build_options=Strict(alembic=True, usd=False))
 path = _types.SimpleNamespace(abspath=lambda name: name)
 data = _types.SimpleNamespace(meshes=Table(Mesh), objects=Table(Object), collections=Table(new_collection), node_groups=Table(Tree),
                               actions=Table(Action), filepath="")
-context = _types.SimpleNamespace(scene=Scene())
-ops = _types.SimpleNamespace()
+
+
+class Layer:
+    def __init__(self):
+        self.objects = LayerObjects()
+
+
+class LayerObjects:
+    active = None
+
+    def __iter__(self):
+        return iter(data.objects.values())
+
+
+context = _types.SimpleNamespace(scene=Scene(), view_layer=Layer())
+exported = []
+
+
+def alembic_export(filepath, selected, start, end, evaluation_mode, as_background_job, check_existing):
+    """Notes what would be written: names of the selected objects, and node groups of their modifiers."""
+    things = [thing for thing in data.objects.values() if thing.selected]
+    exported.append(([thing.name for thing in things], [m.node_group.name for t in things for m in t.stack if m.type == "NODES"],
+                     start, end, evaluation_mode))
+    with open(filepath, "wb") as file:
+        file.write(b"Ogawa")
+    return {"FINISHED"}
+
+
+ops = _types.SimpleNamespace(wm=_types.SimpleNamespace(alembic_export=alembic_export))

@@ -39,8 +39,14 @@ def paint(leaf):
     leaf.materials.append(made)
 
 
+def render_frame(scene, frame, path):
+    scene.render.filepath = path
+    scene.frame_set(frame)
+    bpy.ops.render.render(write_still=True)
+
+
 def render(scene, leaf, frame, middle, path, width=560, height=340, samples=48):
-    """middle: the point at which the camera aims, in Blender's units. metres: metres per unit."""
+    """middle: the point at which the camera aims, in Blender's units."""
     for thing in scene.objects:
         if thing.name in ("Cube", "Light"):
             thing.hide_render = True
@@ -72,6 +78,4 @@ def render(scene, leaf, frame, middle, path, width=560, height=340, samples=48):
     scene.render.motion_blur_shutter = 0.4
     scene.render.resolution_x, scene.render.resolution_y, scene.render.resolution_percentage = width, height, 100
     scene.render.image_settings.file_format = "PNG"
-    scene.render.filepath = path
-    scene.frame_set(frame)
-    bpy.ops.render.render(write_still=True)
+    render_frame(scene, frame, path)
