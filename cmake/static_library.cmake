@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: MIT
+#
+# langevin_rigid_static: the runtime as one object that contains the C++ runtime, and whose only global symbols are those of the API. A C program
+# links it without a C++ compiler, next to any C++ runtime, and no name can collide with another library's.
+set(object "${CMAKE_CURRENT_BINARY_DIR}/langevin_rigid_static${CMAKE_CXX_OUTPUT_EXTENSION}")
+set(objects $<TARGET_OBJECTS:lr_core> $<TARGET_OBJECTS:lr_kernel> $<TARGET_OBJECTS:lr_assets> $<TARGET_FILE:lr_ccd>)
+set(absorbed -l:libstdc++.a -l:libgcc_eh.a) # not libgcc.a, which every program links
+if(WIN32)
+    list(APPEND absorbed -l:libwinpthread.a)
+    set(flags --remove-section=.drectve) # the DLL's exports
+    set(needs "")
+else()
+    # Without groups, of which a linker would drop those that it knows from other files, with local symbols in use.
+    list(PREPEND absorbed -Wl,--force-group-allocation)
+    set(flags "")
+    set(needs -lm -pthread)
+endif()
+if(LR_SELF_CONTAINED)
+    list(PREPEND absorbed $<TARGET_FILE:hwy::hwy>)
+else()
+    list(PREPEND needs -lhwy)
+endif()
+add_custom_command(OUTPUT "${object}"
+    COMMAND "${CMAKE_CXX_COMPILER}" -r -nostdlib -o "${object}" ${objects} ${absorbed}
+    # Unique symbols must be weak before they can be local. A function of Highway that another library defines must not be.
+    COMMAND "${CMAKE_OBJCOPY}" --wildcard --weaken-symbol=!_ZN3hwy* --weaken-symbol=_Z* "${object}"
+    COMMAND "${CMAKE_OBJCOPY}" --wildcard --keep-global-symbol=lr_* $<$<CONFIG:Release>:--strip-unneeded> ${flags} "${object}"
+    DEPENDS lr_core lr_kernel lr_assets lr_ccd ${objects} COMMAND_EXPAND_LISTS VERBATIM)
+add_library(langevin_rigid_static STATIC "${object}")
+set_source_files_properties("${object}" PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
+set_target_properties(langevin_rigid_static PROPERTIES LINKER_LANGUAGE C EXPORT_NAME static)
+target_compile_definitions(langevin_rigid_static INTERFACE LR_STATIC)
+target_include_directories(langevin_rigid_static INTERFACE
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+target_link_libraries(langevin_rigid_static INTERFACE ${needs})
+add_library(langevin_rigid::static ALIAS langevin_rigid_static)
