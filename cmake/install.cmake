@@ -1,12 +1,12 @@
 # Installs the library, a CMake package, a pkg-config file and the tools. Components: runtime, bake (lr_bake, lr_drop, lr_replay), development (the rest).
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
-install(TARGETS langevin_rigid EXPORT langevin_rigid_targets COMPONENT runtime
-    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime
-    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime)
-if(TARGET langevin_rigid_static)
-    install(TARGETS langevin_rigid_static EXPORT langevin_rigid_targets COMPONENT runtime
-        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime)
-endif()
+foreach(library langevin_rigid langevin_rigid_static)
+    if(TARGET ${library})
+        install(TARGETS ${library} EXPORT langevin_rigid_targets COMPONENT runtime
+            LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT runtime
+            ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime)
+    endif()
+endforeach()
 if(TARGET lr_bake)
     install(TARGETS lr_bake lr_drop lr_replay RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT bake)
 endif()
@@ -46,6 +46,9 @@ endfunction()
 lr_pkg_config(langevin_rigid runtime "" "")
 if(TARGET langevin_rigid_static)
     get_target_property(static_needs langevin_rigid_static INTERFACE_LINK_LIBRARIES)
-    lr_pkg_config(langevin_rigid_static runtime "" "-DLR_STATIC" ${static_needs})
+    if(NOT static_needs)
+        set(static_needs "")
+    endif()
+    lr_pkg_config(langevin_rigid_static runtime "" "-DLR_STATIC" ${LR_PC_CXX} ${static_needs})
 endif()
 lr_pkg_config(langevin_rigid_baker development "libhwy assimp libpng zlib" "" -lstdc++ -lm -pthread)

@@ -1,30 +1,33 @@
 # SPDX-License-Identifier: MIT
 #
-# langevin_rigid_static: the runtime as one object that contains the C++ runtime, and whose only global symbols are those of the API. A C program
-# links it without a C++ compiler, next to any C++ runtime, and no name can collide with another library's.
+# langevin_rigid_static: the runtime as one object. On ELF it contains the C++ runtime, and its only global symbols are those of the API: a C program
+# links it without a C++ compiler, next to any C++ runtime, and no name can collide with another library's. COFF's linker finds copies of inline
+# functions by name, so there all stay global, in the namespaces lr, hwy and flatbuffers, and programs link libstdc++ themselves.
 set(object "${CMAKE_CURRENT_BINARY_DIR}/langevin_rigid_static${CMAKE_CXX_OUTPUT_EXTENSION}")
 set(objects $<TARGET_OBJECTS:lr_core> $<TARGET_OBJECTS:lr_kernel> $<TARGET_OBJECTS:lr_assets> $<TARGET_FILE:lr_ccd>)
-set(absorbed -l:libstdc++.a -l:libgcc_eh.a) # not libgcc.a, which every program links
-if(WIN32)
-    list(APPEND absorbed -l:libwinpthread.a)
-    set(flags --remove-section=.drectve) # the DLL's exports
+set(strip $<$<CONFIG:Release>:--strip-unneeded>)
+if(LR_SELF_CONTAINED)
+    list(APPEND objects $<TARGET_FILE:hwy::hwy>)
     set(needs "")
 else()
-    # Without groups, of which a linker would drop those that it knows from other files, with local symbols in use.
-    list(PREPEND absorbed -Wl,--force-group-allocation)
-    set(flags "")
-    set(needs -lm -pthread)
+    set(needs -lhwy)
 endif()
-if(LR_SELF_CONTAINED)
-    list(PREPEND absorbed $<TARGET_FILE:hwy::hwy>)
+if(WIN32)
+    set(absorbed "")
+    list(APPEND needs -lstdc++)
+    set(finish "${CMAKE_OBJCOPY}" ${strip} --remove-section=.drectve "${object}") # the DLL's exports
 else()
-    list(PREPEND needs -lhwy)
+    # Not libgcc.a, which every program links. Without groups, of which a linker would drop those that it knows from other files, with local
+    # symbols in use.
+    set(absorbed -Wl,--force-group-allocation -l:libstdc++.a -l:libgcc_eh.a)
+    list(APPEND needs -lm -pthread)
+    # Unique symbols must be weak before they can be local. A function of Highway that another library defines must not be.
+    set(finish "${CMAKE_OBJCOPY}" --wildcard --weaken-symbol=!_ZN3hwy* --weaken-symbol=_Z* "${object}"
+        COMMAND "${CMAKE_OBJCOPY}" --wildcard --keep-global-symbol=lr_* ${strip} "${object}")
 endif()
 add_custom_command(OUTPUT "${object}"
     COMMAND "${CMAKE_CXX_COMPILER}" -r -nostdlib -o "${object}" ${objects} ${absorbed}
-    # Unique symbols must be weak before they can be local. A function of Highway that another library defines must not be.
-    COMMAND "${CMAKE_OBJCOPY}" --wildcard --weaken-symbol=!_ZN3hwy* --weaken-symbol=_Z* "${object}"
-    COMMAND "${CMAKE_OBJCOPY}" --wildcard --keep-global-symbol=lr_* $<$<CONFIG:Release>:--strip-unneeded> ${flags} "${object}"
+    COMMAND ${finish}
     DEPENDS lr_core lr_kernel lr_assets lr_ccd ${objects} COMMAND_EXPAND_LISTS VERBATIM)
 add_library(langevin_rigid_static STATIC "${object}")
 set_source_files_properties("${object}" PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
