@@ -1,3 +1,5 @@
+#include "kernel/compiled_once.h"
+
 #include "collision/body_narrow_phase.h"
 
 #include "collision/contact_patch.h"
