@@ -30,6 +30,9 @@ check() {
         [ "$in_c" = "$("$work/$name/in_static")" ]
         by_pkg_config "$name/hello" "$here/../../samples/hello.c" langevin_rigid_static
         "$work/$name/hello" | grep -Fxf "$here/../../packaging/hello.hash"
+        by_pkg_config "$name/out_of_memory" "$here/out_of_memory.c" langevin_rigid_static
+        truncate -s 900M "$work/large"
+        (ulimit -v 300000 && "$work/$name/out_of_memory" "$work/large")
         alien=langevin # and the C++ runtime, which the library contains unless its users must link it
         grep -q stdc++ "$config/langevin_rigid_static.pc" || alien='langevin|stdc'
         for program in hello in_static; do
