@@ -20,21 +20,22 @@ mkdir -p "$stage"/{src,samples,cmake,third_party/{ccd,hwy/ops}}
     sed -e "s|@VERSION@|$version|g; s|@DESCRIPTION@|$description|g" "packaging/source_kit/$file" >"$stage/$file"
 done
 cp LICENSE "$stage/"
-cp -R include "$stage/"
+# With their times, so that a build of the folder is continued.
+cp -pR include "$stage/"
 rm "$stage/include/langevin_rigid_baker.hpp"
 cp samples/hello.c "$stage/samples/"
 cp cmake/{install.cmake,langevin_rigid-config.cmake.in,langevin_rigid.pc.in} "$stage/cmake/"
 (cd src && find {api,asset,base,body_contact,collision,environment,kernel,recording,world} \( -name '*.cpp' -o -name '*.h' -o -name '*.inc' \) \
-    -exec cp --parents -t "$stage/src" {} +)
+    -exec cp -p --parents -t "$stage/src" {} +)
 flatc --cpp --scoped-enums --cpp-std c++17 -o "$stage/src" src/asset/asset.fbs
 
 hwy=build/sources/highway/hwy
-cp $hwy/{base,cache_control,detect_compiler_arch,detect_targets,foreach_target,highway,highway_export,per_target,targets}.h $hwy/targets.cc "$stage/third_party/hwy/"
-cp $hwy/ops/*.h "$stage/third_party/hwy/ops/"
-cp -R /usr/include/flatbuffers "$stage/third_party/"
+cp -p $hwy/{base,cache_control,detect_compiler_arch,detect_targets,foreach_target,highway,highway_export,per_target,targets}.h $hwy/targets.cc "$stage/third_party/hwy/"
+cp -p $hwy/ops/*.h "$stage/third_party/hwy/ops/"
+cp -pR /usr/include/flatbuffers "$stage/third_party/"
 (cd "$stage/third_party/flatbuffers" && ls | grep -vxE '(allocator|array|base|buffer|buffer_ref|default_allocator|detached_buffer|flatbuffer_builder|flatbuffers|stl_emulation|string|struct|table|vector|vector_downward|verifier)\.h' | xargs rm -r)
 ccd=build/sources/libccd
-cp $ccd/src/{mpr,support,vec3}.c $ccd/src/{dbg,list,simplex,support}.h $ccd/src/ccd/*.h $ccd/BSD-LICENSE "$stage/third_party/ccd/"
+cp -p $ccd/src/{mpr,support,vec3}.c $ccd/src/{dbg,list,simplex,support}.h $ccd/src/ccd/*.h $ccd/BSD-LICENSE "$stage/third_party/ccd/"
 # As in cmake/libccd.cmake.
 printf '#define CCD_STATIC_DEFINE\n#define CCD_DOUBLE\n#define CCD_FMIN(x, y) ((x) < (y) ? (x) : (y))\n' >"$stage/third_party/ccd/config.h"
 python3 packaging/third_party.py --platform source --sources build/sources --out "$stage/third_party"

@@ -32,7 +32,7 @@ for processor in x86_64 arm64; do
     diff <(llvm-objdump-14 --macho --exports-trie "$build/prefix/lib/liblangevin_rigid.dylib" | awk '$2 ~ /^_lr_/ { print substr($2, 2) }' | sort) \
         <(sort tests/api/exports.txt)
     others=$(llvm-objdump-14 --macho --exports-trie "$build/prefix/lib/liblangevin_rigid.dylib" | awk '$1 ~ /^0x/ { print $2 }' |
-        grep -vE '^(_lr_.*|__Z(d|n)[al].*|__mh_dylib_header|___dso_handle)$' || true)
+        grep -vE '^(_lr_.*|__Z(n[aw]|d[al]).*|__mh_dylib_header|___dso_handle)$' || true)
     [ -z "$others" ] || { echo "$processor exports $others" >&2; exit 1; }
     needs=$(llvm-otool-14 -L "$build/prefix/lib/liblangevin_rigid.dylib" | sed -n 's/^\t\([^ ]*\).*/\1/p')
     [ "$needs" = $'@rpath/liblangevin_rigid.0.dylib\n/usr/lib/libSystem.B.dylib' ] || { echo "$processor needs $needs" >&2; exit 1; }
@@ -47,6 +47,10 @@ rm -rf "$stage/share"
 cp samples/hello.c "$stage/samples/"
 sed 's/LANGUAGES C)/LANGUAGES C CXX)/' packaging/sample.cmake >"$stage/samples/CMakeLists.txt"
 cp -R "$kit"/third_party/{THIRD_PARTY.md,licences} LICENSE "$stage/"
+libraries=${zig%/zig}/lib # of LLVM and Zig, in the shared library
+cat "$libraries"/{libcxx,libcxxabi,libunwind}/LICENSE.TXT >"$stage/licences/libcxx.txt"
+cp "${zig%/zig}/LICENSE" "$stage/licences/zig.txt"
+printf '\nThe shared library also contains libc++, libc++abi and libunwind of LLVM (Apache-2.0 with LLVM exceptions, `licences/libcxx.txt`) and the compiler runtime of Zig (MIT, `licences/zig.txt`).\n' >>"$stage/THIRD_PARTY.md"
 cat >"$stage/README.md" <<TEXT
 # Langevin Rigid $version for macOS 11 and later, Apple silicon and Intel
 
