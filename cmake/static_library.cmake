@@ -16,7 +16,7 @@ else()
 endif()
 if(WIN32)
     set(absorbed "")
-    list(APPEND needs -lstdc++)
+    list(APPEND needs -l:libstdc++.a -l:libwinpthread.a) # not the DLLs
     set(finish "${CMAKE_OBJCOPY}" ${strip} --remove-section=.drectve "${object}") # the DLL's exports
 else()
     # Not libgcc.a, which every program links. Without groups, of which a linker would drop those that it knows from other files, with local

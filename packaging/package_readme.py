@@ -43,7 +43,7 @@ def read_me(options) -> str:
                  ("lib/liblangevin_rigid.dll.a", "import library for MinGW"),
                  ("lib/langevin_rigid.def", "its exports, for other linkers")]
     rows += [("lib/liblangevin_rigid_static.a", "the library for linking in, " + (
-        "by MinGW's GCC, with `-lstdc++`" if windows else "with glibc 2.36 or later: it contains its C++ runtime, and no name but the API's is global")
+        "by MinGW's GCC, with `-l:libstdc++.a -l:libwinpthread.a`" if windows else "with glibc 2.36 or later: it contains its C++ runtime, and no name but the API's is global")
         + "; define `LR_STATIC`, or use `langevin_rigid::static` in CMake"),
              ("lib/cmake, lib/pkgconfig", "for CMake and pkg-config; the folder may be moved anywhere"),
              (f"bin/lr_bake{exe}", "makes assets from meshes and leaf textures"),
