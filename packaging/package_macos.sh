@@ -38,9 +38,14 @@ for processor in x86_64 arm64; do
     [ "$needs" = $'@rpath/liblangevin_rigid.0.dylib\n/usr/lib/libSystem.B.dylib' ] || { echo "$processor needs $needs" >&2; exit 1; }
 done
 cp -R "$folder/arm64/prefix/." "$stage/"
+# The other names are links.
 for file in "liblangevin_rigid.$version.dylib" liblangevin_rigid_static.a; do
     llvm-lipo-14 -create "${thin[@]/%//$file}" -output "$stage/lib/$file"
-    [ "$(llvm-lipo-14 -archs "$stage/lib/$file")" = "x86_64 arm64" ]
+    [[ $(llvm-lipo-14 -archs "$stage/lib/$file") == "x86_64 arm64"* ]]
+done
+for target in x86_64-macos.11.0 aarch64-macos.11.0; do # programs link with both
+    "$zig" cc -target $target -std=c99 -I"$stage/include" samples/hello.c -L"$stage/lib" -llangevin_rigid -o "$folder/hello"
+    "$zig" c++ -target $target -DLR_STATIC -I"$stage/include" -x c samples/hello.c -x none "$stage/lib/liblangevin_rigid_static.a" -o "$folder/hello"
 done
 mkdir -p "$stage/samples"
 rm -rf "$stage/share"
