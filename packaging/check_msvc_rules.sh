@@ -23,7 +23,8 @@ trap 'rm -rf "$work"' EXIT
 cd "$kit"
 flags=(--target=x86_64-pc-windows-msvc -fms-compatibility -fms-extensions -fdelayed-template-parsing -fsyntax-only -nostdlibinc
     -isystem "$libcxx" -isystem "$mingw" -U_MSC_VER -U_MSC_FULL_VER -D__MINGW32__ -D__MINGW64__ -D__GNUC__=4 -D__GNUC_MINOR__=2
-    -D_LIBCPP_NO_VCRUNTIME -D_UCRT -w -Wgnu -Wvla-extension -Werror=gnu -Werror=vla-extension -Wno-error=gnu-include-next
+    -D_LIBCPP_NO_VCRUNTIME -D_UCRT -Wno-everything -Werror=gnu -Werror=vla -Werror=c99-designator
+    -Werror=zero-length-array -Wno-gnu-include-next
     -Iinclude -isystem third_party -DLR_STATIC -DLR_NO_OS -DHWY_WANT_SSSE3=1 -DHWY_WANT_SSE4=1)
 failed=0 count=0
 while read -r file; do
