@@ -55,7 +55,8 @@ def unpack(package):
     for path in sorted(folder.rglob("*")):
         if path.name.endswith(".tar.gz"):
             with tarfile.open(path) as archive:
-                archive.extractall(path.parent / (path.name + ".d"), filter="data")
+                safe = {"filter": "data"} if hasattr(tarfile, "data_filter") else {}  # Python before 3.11.4 has none
+                archive.extractall(path.parent / (path.name + ".d"), **safe)
         elif path.suffix in {".zip", ".sh3f"}:
             with zipfile.ZipFile(path) as archive:
                 archive.extractall(path.parent / (path.name + ".d"))

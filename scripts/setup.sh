@@ -21,7 +21,7 @@ packages=(
     libpng-dev libboost-dev                      # baker: images and triangulation of cards
     libcli11-dev nlohmann-json3-dev              # command lines, reports
     libegl-dev libopengl-dev libgl-dev libegl1 libopengl0 libgl1-mesa-dri   # pictures without a display
-    libglfw3-dev                                 # the viewer's window
+    libglfw3-dev libimgui-dev                    # the viewer: its window and its panel
 )
 if [ "${1:-build}" = bench ]; then               # test, plus the tools for docs/maintainers/performance.md
     packages+=(libmujoco-dev libbullet-dev libode-dev)   # peers of lr_bench, each optional
@@ -30,7 +30,8 @@ if [ "${1:-build}" = bench ]; then               # test, plus the tools for docs
 fi
 if [ "${1:-build}" = test ]; then
     packages+=(
-        doctest-dev libbenchmark-dev binutils clang-14 libclang-rt-14-dev clang-format clang-tidy doxygen
+        doctest-dev libbenchmark-dev binutils clang-14 libclang-rt-14-dev clang-format clang-tidy
+        doxygen mkdocs-material                      # scripts/site.py
         ccache                                       # cuts the second run to a third: scripts/compiler_cache.sh
         python3-clang-14                             # generators of bindings
         mono-mcs mono-runtime libmono-corlib4.5-cil libmono-system-core4.0-cil libmono-system4.0-cil   # C#, Unity, Unreal's rules

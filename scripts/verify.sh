@@ -16,7 +16,7 @@ steps=( # name, minutes on two cores, title
     "tidy          2 clang-tidy on the runtime"
     "abi           1 ABI of the library; refused targets"
     "security      1 Hardening, imports and system calls of the library"
-    "doxygen       1 API reference without warnings"
+    "site          1 Documentation site with the API reference, without warnings"
     "bench         2 lr_bench: its columns, and equal hashes"
     "long          5 Long tests, and load"
     "scorecard     5 Scorecard: every row"
@@ -33,6 +33,7 @@ steps=( # name, minutes on two cores, title
     "package      12 Package for Linux, as a new user uses it"
     "packages     30 Packages for Windows, 64-bit ARM and the web"
     "macos        20 Package for macOS: compiled and linked by Zig, exports"
+    "three         2 The npm package with three.js and Vite, in a browser"
     "reproducible 10 The library built twice in different folders: equal bytes"
 )
 
@@ -66,7 +67,7 @@ step_security() {
     tests/security/test_hardening.sh
     tests/security/check_syscalls.sh build/release/src "$results/leaf.lrb"
 }
-step_doxygen() { need doxygen test; scripts/api_reference.sh; }
+step_site() { need mkdocs test; scripts/site.py; }
 step_bench() { release; run_ctest build/release -L bench; }
 step_long() { release; run_ctest build/release -L 'long|load'; }
 step_scorecard() { release; run_ctest build/release -L scorecard; }
@@ -151,6 +152,11 @@ step_packages() {
     for platform in windows-x64 linux-arm64; do on_platform $platform || skip "the tools above are not installed"; done
     for platform in windows-x64 linux-arm64; do make_package $platform; done
     scripts/package.sh wasm
+}
+step_three() {
+    need chromium test browser
+    bindings/web/build.sh
+    node bindings/web/tests/three.mjs "$(command -v chromium)" build/web/package "$results" || { [ $? -ne 77 ] || skip "there is no registry of npm packages"; return 1; }
 }
 step_reproducible() { scripts/check_reproducible.sh; }
 

@@ -55,7 +55,19 @@ fake_host() {
         cc -std=c99 -D_GNU_SOURCE -Wall -Wextra -Werror -g -O1 -fsanitize=address,undefined -fno-omit-frame-pointer \
             "$here"/tests/host/*.c -ldl -lm -o "$build/host" &&
         bake "$tree/assets/leaf.obj" "$build/leaf.lrb" &&
-        ASAN_OPTIONS=detect_leaks=1 "$build/host" "$build/extension_asan.so" "$build/leaf.lrb"
+        ASAN_OPTIONS=detect_leaks=1 LR_HOST_HELP=$build "$build/host" "$build/extension_asan.so" "$build/leaf.lrb"
+}
+help_is_whole() { # of each class, and each of its members
+    python3 - "$build" <<'PY'
+import sys
+import xml.etree.ElementTree as tree
+pages = [tree.parse(f"{sys.argv[1]}/help_{n}.xml").getroot() for n in (1, 2, 3)]
+assert [p.get("name") for p in pages] == ["LangevinAsset", "LangevinWorld", "LangevinBatch"]
+for page in pages:
+    texts = page.findall("brief_description") + page.findall(".//method/description") + page.findall(".//member") + page.findall(".//constant")
+    assert len(texts) > 10 and all((t.text or "").strip() for t in texts), page.get("name")
+    assert not [t for t in page.iter() if t.get("type") == "Variant"], page.get("name")
+PY
 }
 
 bake() { "$prefix/bin/lr_bake" mesh "$1" -o "$2" --density 350 --quiet; }
@@ -132,7 +144,7 @@ sample() {
 
 step "extension, c99, warnings are errors" compile_extension && step "addon has what it needs beside it" addon_is_whole
 step "transforms" transforms
-[ -d "$here/tests/host" ] && step "a host of our own, with address sanitizer" fake_host
+[ -d "$here/tests/host" ] && step "a host of our own, with address sanitizer" fake_host && step "the editor's help" help_is_whole
 godot=${GODOT:-$(command -v godot4 || command -v godot || true)}
 if [ -n "$godot" ]; then
     step "declarations against the engine's header" compare_abi

@@ -9,6 +9,7 @@ Default for --native: the last build here, by ./demo.sh or with the release pres
 that is neither beside the library nor on this system (a C++ runtime of another platform).
 """
 import argparse
+import re
 import shutil
 import sys
 from pathlib import Path
@@ -102,14 +103,21 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--native", action="append", metavar="[PLATFORM=]PREFIX")
     parser.add_argument("--also", action="append", default=[], type=Path, metavar="FILE")
+    parser.add_argument("--engine", metavar="VERSION", help="the engine for which it is packaged, as 5.4.0: shops want it; without it any")
     parser.add_argument("--out", required=True, type=Path, metavar="DIR", help="where LangevinRigid/ is written")
     arguments = parser.parse_args()
+    if arguments.engine and not re.fullmatch(r"5\.\d+\.\d+", arguments.engine):
+        fail(f"--engine is a version as 5.4.0, not {arguments.engine}")
     plugin = arguments.out / "LangevinRigid"
     if plugin.exists() and not (plugin / "LangevinRigid.uplugin").is_file():
         fail(f"{plugin} exists and is not this plugin")
     shutil.rmtree(plugin, ignore_errors=True)
     shutil.copytree(HERE / "LangevinRigid", plugin,
                     ignore=shutil.ignore_patterns("lib", "include", "Binaries", "Intermediate", "__pycache__"))
+    if arguments.engine:
+        file = plugin / "LangevinRigid.uplugin"
+        text = file.read_text()
+        file.write_text(text.replace('\t"FriendlyName"', f'\t"EngineVersion": "{arguments.engine}",\n\t"FriendlyName"', 1))
     licence = HERE.parents[1] / "LICENSE"
     if licence.is_file():
         shutil.copyfile(licence, plugin / "LICENSE")

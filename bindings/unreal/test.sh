@@ -94,7 +94,7 @@ if [[ -z $arm64 ]]; then
 fi
 [[ -n $win64 ]] && platforms+=(Win64) && native+=(--native "Win64=$win64")
 [[ -n $arm64 ]] && platforms+=(LinuxArm64) && native+=(--native "LinuxArm64=$arm64")
-step "package.py: ${platforms[*]}" python3 "$here/package.py" "${native[@]}" --out "$build/plugin"
+step "package.py: ${platforms[*]}" python3 "$here/package.py" "${native[@]}" --engine 5.4.0 --out "$build/plugin"
 step "package.py refuses what cannot work" "$here/tests/test_package.sh" "$here/package.py" "$prefix" "$build/refused"
 step "the .uplugin names modules that are there" python3 "$here/tests/test_uplugin.py" "$build/plugin/LangevinRigid"
 if [[ -n $win64 ]] && have x86_64-w64-mingw32-gcc; then

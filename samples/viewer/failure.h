@@ -8,9 +8,16 @@
 #define EXIT_USAGE 1
 #define EXIT_FAILED 2
 
+#ifdef __cplusplus
+#define NO_RETURN [[noreturn]]
+extern "C" {
+#else
+#define NO_RETURN _Noreturn
+#endif
+
 /* Both print to stderr and exit. remedy: may be null. */
-_Noreturn void fail(const char* remedy, const char* format, ...) __attribute__((format(printf, 2, 3)));
-_Noreturn void fail_usage(const char* format, ...) __attribute__((format(printf, 1, 2)));
+NO_RETURN void fail(const char* remedy, const char* format, ...) __attribute__((format(printf, 2, 3)));
+NO_RETURN void fail_usage(const char* format, ...) __attribute__((format(printf, 1, 2)));
 
 /* Fails if the status is an error. */
 void check(lr_status status, const char* what, const char* remedy);
@@ -18,5 +25,9 @@ void check(lr_status status, const char* what, const char* remedy);
 /* Allocates zeroed memory, or ends the program. */
 void* allocate(size_t count, size_t size);
 void* grow(void* memory, size_t count, size_t size);
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

@@ -16,6 +16,16 @@
 
 static const char* const folder_remedy = "check that the folder exists, has room, and that you may write to it";
 
+FILE* new_file(const char* ending, char* path, size_t size) {
+    for (int number = 1; number < 1000; ++number) {
+        snprintf(path, size, "viewer_%03d.%s", number, ending);
+        FILE* file = fopen(path, "wbx");
+        if (file) return file;
+        if (errno != EEXIST) fail(folder_remedy, "cannot write %s: %s", path, strerror(errno));
+    }
+    fail("remove or rename some", "viewer_001.%s to viewer_999.%s are all taken", ending, ending);
+}
+
 void film_write_png(const char* path, const unsigned char* rgb, int width, int height) {
     png_image image;
     memset(&image, 0, sizeof image);

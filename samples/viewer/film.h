@@ -2,7 +2,12 @@
 #ifndef VIEWER_FILM_H
 #define VIEWER_FILM_H
 
+#include <stddef.h>
+#include <stdio.h>
 #include <sys/types.h>
+
+/* Opens the first of viewer_001.ENDING to viewer_999.ENDING that does not exist. path: receives its name. */
+FILE* new_file(const char* ending, char* path, size_t size);
 
 /* Writes under another name and renames, so that no half-written file stays. Fails with a message. */
 void film_write_png(const char* path, const unsigned char* rgb, int width, int height);

@@ -12,8 +12,9 @@
 static const struct {
     const char* name;
     int key;
-} named_keys[] = {{"space", ' '},       {"up", key_up},   {"down", key_down},     {"left", key_left},
-                  {"right", key_right}, {"tab", key_tab}, {"escape", key_escape}, {"period", '.'}};
+} named_keys[] = {{"space", ' '},       {"up", key_up},     {"down", key_down},     {"left", key_left},
+                  {"right", key_right}, {"tab", key_tab},   {"escape", key_escape}, {"period", '.'},
+                  {"enter", key_enter}, {"back", key_back}, {"delete", key_delete}, {"end", key_end}};
 
 static int key_of(const char* name) {
     for (size_t k = 0; k < sizeof named_keys / sizeof *named_keys; ++k)
@@ -50,6 +51,11 @@ static void read_one(options* o, const char* text) {
         add_pointer(o, time, event_press, a, b);
         add_pointer(o, time, event_move, c, d);
         add_pointer(o, time, event_release, c, d);
+    } else if (strncmp(name, "type@", 5) == 0) {
+        for (const char* letter = name + 5; *letter; ++letter) {
+            const event e = {.kind = event_text, .letter = (unsigned char)*letter};
+            schedule(o, time, e, 1);
+        }
     } else if (sscanf(name, "scroll@%f%c", &a, &rest) == 1) {
         const event e = {.kind = event_scroll, .notches = a};
         schedule(o, time, e, 1);
@@ -61,7 +67,7 @@ static void read_one(options* o, const char* text) {
             fail_usage("--press: '%s' is not a number of repetitions", star + 1);
         if (star) *star = 0;
         const event e = {.kind = event_key, .key = key_of(name)};
-        if (!e.key) fail_usage("--press: '%s' is not a key, click@X/Y, drag@X/Y/X/Y or scroll@N", name);
+        if (!e.key) fail_usage("--press: '%s' is not a key, click@X/Y, drag@X/Y/X/Y, type@TEXT or scroll@N", name);
         schedule(o, time, e, (int)times);
     }
 }

@@ -22,14 +22,8 @@ static void write_shot(viewer* v, const char* path) {
 
 /* Writes the picture of key p under the first free name. */
 static void write_snapshot(viewer* v) {
-    static int number;
     char path[64];
-    FILE* there = NULL;
-    do {
-        snprintf(path, sizeof path, "viewer_%03d.png", ++number);
-        there = fopen(path, "rb");
-        if (there) fclose(there);
-    } while (there && number < 999);
+    fclose(new_file("png", path, sizeof path));
     write_shot(v, path);
     v->snapshot = 0;
 }
@@ -60,6 +54,7 @@ static void report(const viewer* v, unsigned pictures) {
         printf("%s%s %s", k ? ", " : "", setting_kinds[k].label, value);
     }
     putchar('\n');
+    if (v->options.places) panel_print_places(v->panel);
 }
 
 /* Pictures without a display: time advances in ticks of a sixtieth of a second, independent of the clock. */

@@ -35,9 +35,10 @@ static const char help[] =
     "  --size WIDTHxHEIGHT  px; default: 1280x720\n"
     "  --camera AZIMUTH,ELEVATION,DISTANCE   degrees and m;  --target X,Y,Z   m\n"
     "  --arrows, --trails, --no-overlay      parts of the first display\n"
+    "  --places                              print the places of the panel's parts at the end\n"
     "  --press T:WHAT[*N],...   simulates user input at T s: a key (space up down left right tab escape, letters, "
     "digits),\n"
-    "                       click@X/Y or drag@X/Y/X/Y (parts of the picture), scroll@N\n"
+    "                       click@X/Y or drag@X/Y/X/Y (parts of the picture), scroll@N, type@TEXT\n"
     "  --window             a window even with --png; the picture is then taken at its end\n"
     "  --help\n"
     "\n"
@@ -160,6 +161,8 @@ static int read_flag(options* o, settings* s, const char* option) {
         o->trails = 1;
     else if (strcmp(option, "--no-overlay") == 0)
         o->overlay = 0;
+    else if (strcmp(option, "--places") == 0)
+        o->places = 1;
     else if (strcmp(option, "--window") == 0)
         o->window = 1;
     else if (strcmp(option, "--body-contact") == 0)

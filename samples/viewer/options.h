@@ -17,7 +17,7 @@ typedef struct press {
 typedef struct options {
     const scene_plan* plan;
     scene_source source;
-    settings settings;
+    struct settings settings;
     int window; /* open a window */
     int width, height;
     double seconds;  /* on the clock; with a window, below 0: until it is closed */
@@ -25,7 +25,8 @@ typedef struct options {
     unsigned frames; /* length of the film; 0: a single picture */
     int fps;
     int arrows, trails, overlay;
-    camera camera;
+    int places; /* print those of the panel at the end */
+    struct camera camera;
     press presses[press_room];
     int press_count;
 } options;

@@ -264,13 +264,24 @@ int scene_apply(scene* s, const settings* wanted) {
     s->renamed_count = 0;
     for (int k = 0; (changed[setting_count] || changed[setting_model]) && k < s->batch_count; ++k) {
         scene_batch* b = &s->batches[k];
+        lr_batch_contact contact;
+        check(lr_batch_contact_init(&contact, sizeof contact), "lr_batch_contact_init", NULL);
+        check(lr_batch_get_contact(s->world, b->batch, &contact), "contact", NULL);
+        lr_emitter_desc emitter;
+        int32_t present;
+        check(lr_emitter_desc_init(&emitter, sizeof emitter), "lr_emitter_desc_init", NULL);
+        check(lr_batch_get_emitter(s->world, b->batch, &emitter, &present), "emitter", NULL);
         b->count = share_of(s, k, s->now.value[setting_count]);
         const uint32_t needed = b->count ? b->count : 1;
         shrink(s, b);
         /* The emitter fills a batch to its capacity, which is therefore the count. */
         b->capacity = needed;
         replace_batch(s, b);
-        set_emitter(s, b);
+        /* The user may have changed both; only the number of births follows the count. */
+        const lr_emitter_desc planned = emitter_of(s, b);
+        emitter.rate = planned.rate, emitter.burst_count = planned.burst_count;
+        check(lr_batch_set_contact(s->world, b->batch, &contact), "contact", NULL);
+        check(lr_batch_set_emitter(s->world, b->batch, &emitter), "emitter", "try a smaller --count");
         set_rules(s, b);
     }
     if (changed[setting_count] || changed[setting_model] || changed[setting_contact]) apply_body_contact(s);

@@ -21,7 +21,7 @@ typedef struct scene_batch {
     const scene_kind* kind;
     lr_asset* asset;
     lr_asset_info info;
-    mesh mesh;
+    struct mesh mesh;
     lr_batch batch;
     uint32_t capacity, count; /* largest and wanted number of bodies */
 } scene_batch;

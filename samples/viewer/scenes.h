@@ -45,7 +45,7 @@ typedef struct scene_plan {
     float ready;        /* elapsed part of a life of bodies in the air at the start; 0: an empty sky */
     float ground_effect;
     settings initially;
-    camera camera;
+    struct camera camera;
 } scene_plan;
 
 enum { scene_plan_count = 7 };

@@ -8,50 +8,20 @@
 #include "vectors.h"
 
 const setting_kind setting_kinds[setting_number] = {
-    {"wind", "m/s", "--wind", 0.0f, 12.0f, 0.25f, 2, 0},
-    {"direction", "deg", "--direction", 0.0f, 360.0f, 15.0f, 0, 0},
-    {"gusts", "m/s", "--gusts", 0.0f, 4.0f, 0.1f, 1, 0},
-    {"turbulence", "m/s", "--turbulence", 0.0f, 3.0f, 0.1f, 1, 0},
-    {"bodies", "", "--count", 1.0f, 100000.0f, 1.25f, 0, 1},
-    {"time", "x", "--time-scale", 0.05f, 4.0f, 1.25f, 2, 1},
-    {"substeps", "", "--substeps", 1.0f, 16.0f, 1.0f, 0, 0},
-    {"loads", "", "--model", 0.0f, load_model_count - 1, 1.0f, 0, 0},
-    {"contact", "", "--body-contact", 0.0f, 1.0f, 1.0f, 0, 0},
+    {"wind", "m/s", "--wind", 0.0f, 12.0f, 2, 0},        {"direction", "deg", "--direction", 0.0f, 360.0f, 0, 0},
+    {"gusts", "m/s", "--gusts", 0.0f, 4.0f, 1, 0},       {"turbulence", "m/s", "--turbulence", 0.0f, 3.0f, 1, 0},
+    {"bodies", "", "--count", 1.0f, 100000.0f, 0, 1},    {"time", "x", "--time-scale", 0.05f, 4.0f, 2, 1},
+    {"substeps", "", "--substeps", 1.0f, 16.0f, 0, 0},   {"loads", "", "--model", 0.0f, load_model_count - 1, 0, 0},
+    {"contact", "", "--body-contact", 0.0f, 1.0f, 0, 0},
 };
 
 const load_model load_models[load_model_count] = {
     {"aerodynamic", LR_LOADS_AERODYNAMIC}, {"langevin", LR_LOADS_LANGEVIN}, {"none", LR_LOADS_NONE}};
 
-static float rounded(enum setting which, float value) {
+float setting_rounded(enum setting which, float value) {
     const setting_kind* kind = &setting_kinds[which];
     const float per_unit = powf(10.0f, (float)kind->decimals);
     return clamped(roundf(value * per_unit) / per_unit, kind->low, kind->high);
-}
-
-int setting_change(settings* s, enum setting which, float steps) {
-    const setting_kind* kind = &setting_kinds[which];
-    const float before = s->value[which];
-    float after = kind->geometric ? before * powf(kind->step, steps) : before + kind->step * steps;
-    if (which == setting_direction) after -= 360.0f * floorf(after / 360.0f);
-    after = rounded(which, after);
-    if (after == before && kind->geometric)
-        after = rounded(which, before + (steps > 0.0f ? 1.0f : -1.0f)); /* needed for small counts */
-    s->value[which] = after;
-    return after != before;
-}
-
-float setting_at(enum setting which, float place) {
-    const setting_kind* kind = &setting_kinds[which];
-    const float t = clamped(place, 0.0f, 1.0f);
-    const float value =
-        kind->geometric ? kind->low * powf(kind->high / kind->low, t) : kind->low + (kind->high - kind->low) * t;
-    return rounded(which, value);
-}
-
-float setting_place(enum setting which, float value) {
-    const setting_kind* kind = &setting_kinds[which];
-    return kind->geometric ? logf(value / kind->low) / logf(kind->high / kind->low)
-                           : (value - kind->low) / (kind->high - kind->low);
 }
 
 void setting_text(const settings* s, enum setting which, char* text, unsigned size) {

@@ -25,9 +25,9 @@ typedef struct setting_kind {
     const char* label;
     const char* unit;
     const char* option; /* of the command line */
-    float low, high, step;
+    float low, high;
     int decimals;
-    int geometric; /* a step multiplies */
+    int geometric; /* a slider multiplies */
 } setting_kind;
 
 extern const setting_kind setting_kinds[setting_number];
@@ -40,12 +40,8 @@ typedef struct load_model {
 enum { load_model_count = 3 };
 extern const load_model load_models[load_model_count];
 
-/* Moves a value by a number of steps, within its range. Returns 1 if it has changed. */
-int setting_change(settings* s, enum setting which, float steps);
-
-/* The value at a position of its slider, 0 to 1, and the other way round. */
-float setting_at(enum setting which, float place);
-float setting_place(enum setting which, float value);
+/* A value as it is shown and used: with few decimals, and within its range. */
+float setting_rounded(enum setting which, float value);
 
 /* Value and unit as text. */
 void setting_text(const settings* s, enum setting which, char* text, unsigned size);

@@ -9,7 +9,6 @@ extern const char shader_ground_vert[], shader_ground_frag[];
 extern const char shader_solid_vert[], shader_solid_frag[];
 extern const char shader_water_vert[], shader_water_frag[];
 extern const char shader_arrow_vert[], shader_mark_vert[], shader_mark_frag[];
-extern const char shader_panel_vert[], shader_panel_frag[];
 extern const char shader_nothing_frag[];
 
 #endif

@@ -6,11 +6,7 @@
 
 static const float click_reach = 5.0f; /* px: a smaller motion of the mouse is a click */
 
-static void change(viewer* v, float steps) {
-    setting_change(&v->wanted, (enum setting)v->row, steps);
-}
-
-static void press_key(viewer* v, int key, int shift) {
+static void press_key(viewer* v, int key) {
     switch (key) {
     case ' ':
         v->paused = !v->paused;
@@ -18,19 +14,6 @@ static void press_key(viewer* v, int key, int shift) {
     case 'n':
     case '.':
         v->paused = v->single = 1;
-        break;
-    case key_up:
-        v->row = (v->row + setting_number - 1) % setting_number;
-        break;
-    case key_down:
-    case key_tab:
-        v->row = (v->row + 1) % setting_number;
-        break;
-    case key_left:
-        change(v, shift ? -5.0f : -1.0f);
-        break;
-    case key_right:
-        change(v, shift ? 5.0f : 1.0f);
         break;
     case 'r':
         viewer_show_plan(v, v->scene->plan, &v->wanted, &v->camera);
@@ -112,11 +95,6 @@ static void press_button(viewer* v, const event* e) {
     v->pressed_x = v->pointer_x = e->x, v->pressed_y = v->pointer_y = e->y;
     v->moved = 0;
     v->dragged_button = e->button;
-    v->dragged_row = e->button == button_left ? panel_row_at(v, e->x, e->y) : -1;
-    if (v->dragged_row < 0) return;
-    v->row = v->dragged_row;
-    const float place = panel_place(v, e->x);
-    if (place >= 0.0f && place <= 1.0f) v->wanted.value[v->row] = setting_at((enum setting)v->row, place);
 }
 
 static void move(viewer* v, const event* e) {
@@ -124,12 +102,8 @@ static void move(viewer* v, const event* e) {
     v->pointer_x = e->x, v->pointer_y = e->y;
     if (v->dragged_button < 0) return;
     if (hypotf(e->x - v->pressed_x, e->y - v->pressed_y) > click_reach) v->moved = 1;
-    if (v->dragged_row >= 0) {
-        const int row = v->dragged_row;
-        v->wanted.value[row] = setting_at((enum setting)row, panel_place(v, e->x)); /* also beside the row */
-    } else if (!v->moved) {
-        return;
-    } else if (v->dragged_button == button_left) {
+    if (!v->moved) return;
+    if (v->dragged_button == button_left) {
         camera_orbit(&v->camera, dx, dy);
     } else {
         v->followed = (lr_body){0};
@@ -138,9 +112,11 @@ static void move(viewer* v, const event* e) {
 }
 
 void viewer_handle(viewer* v, const event* e) {
+    /* The panel hears of everything; a drag that began on the picture ends on it. */
+    if (panel_handle(v, e) && v->dragged_button < 0) return;
     switch (e->kind) {
     case event_key:
-        press_key(v, e->key, e->shift);
+        press_key(v, e->key);
         break;
     case event_press:
         press_button(v, e);
@@ -149,8 +125,8 @@ void viewer_handle(viewer* v, const event* e) {
         move(v, e);
         break;
     case event_release:
-        if (v->dragged_button == button_left && v->dragged_row < 0 && !v->moved) pick(v, e->x, e->y);
-        v->dragged_button = v->dragged_row = -1;
+        if (v->dragged_button == button_left && !v->moved) pick(v, e->x, e->y);
+        v->dragged_button = -1;
         break;
     case event_scroll:
         camera_zoom(&v->camera, e->notches);

@@ -2,19 +2,22 @@
 #include "viewer.h"
 
 #include "failure.h"
+#include "film.h"
 
 void viewer_create(viewer* v) {
     picture_create(&v->picture);
     shadow_create(&v->shadow);
     arrows_create(&v->arrows);
     trails_create(&v->trails);
-    text_create(&v->text);
+    v->panel = panel_create();
     v->show_arrows = v->options.arrows, v->show_trails = v->options.trails, v->show_overlay = v->options.overlay;
-    v->dragged_button = v->dragged_row = -1;
+    v->dragged_button = -1;
     viewer_show_plan(v, v->options.plan, &v->options.settings, &v->options.camera);
 }
 
 static void free_scene(viewer* v) {
+    viewer_record(v, 0);
+    panel_forget(v);
     bodies_free(&v->bodies);
     landscape_free(&v->landscape);
     scene_free(v->scene);
@@ -27,7 +30,7 @@ void viewer_free(viewer* v) {
     shadow_free(&v->shadow);
     arrows_free(&v->arrows);
     trails_free(&v->trails);
-    text_free(&v->text);
+    panel_free(v->panel);
 }
 
 void viewer_show_plan(viewer* v, const scene_plan* plan, const settings* initially, const camera* place) {
@@ -57,15 +60,48 @@ void viewer_tick(viewer* v, double dt) {
     if (scene_apply(v->scene, &v->wanted)) {
         if (v->followed.id) v->followed = scene_renamed(v->scene, v->followed);
         trails_rename(&v->trails, v->scene);
+        panel_forget(v);
     }
     if (!v->paused || v->single) {
         /* A single step is a sixtieth of a second, whatever the window's frame rate. */
         const double clock = v->single ? 1.0 / ticks_a_second : dt;
         scene_step(v->scene, (float)clock * v->wanted.value[setting_time]);
         v->single = 0;
+        panel_note(v);
         if (v->show_trails || v->followed.id) trails_sample(&v->trails, v->scene, v->followed);
     }
     follow(v, dt);
+}
+
+void viewer_return(viewer* v, double time) {
+    if (history_return(&v->history, v->scene->world, time) < 0.0) return;
+    trails_clear(&v->trails);
+    v->paused = 1;
+    if (!v->followed.id) return;
+    lr_body_state state;
+    check(lr_body_state_init(&state, sizeof state), "lr_body_state_init", NULL);
+    if (lr_body_get_state(v->scene->world, v->followed, &state) != LR_OK) v->followed = (lr_body){0}; /* not yet born */
+}
+
+static int32_t write_recording(void* file, const void* bytes, uint64_t size) {
+    return fwrite(bytes, 1, (size_t)size, file) != size;
+}
+
+void viewer_record(viewer* v, int on) {
+    if (v->recording && !on) {
+        lr_world_record_stop(v->scene->world); /* refused if writing has failed before */
+        if (fclose(v->recording) != 0) fprintf(stderr, "viewer: the recording is not complete: the disk is full?\n");
+        v->recording = NULL;
+    } else if (on && !v->recording) {
+        char path[64];
+        v->recording = new_file("lrr", path, sizeof path);
+        lr_recording_desc desc;
+        check(lr_recording_desc_init(&desc, sizeof desc), "lr_recording_desc_init", NULL);
+        desc.write = write_recording;
+        desc.user = v->recording;
+        check(lr_world_record_start(v->scene->world, &desc), "recording", NULL);
+        printf("recording %s\n", path);
+    }
 }
 
 void viewer_draw(viewer* v, int width, int height) {

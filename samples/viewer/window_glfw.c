@@ -45,6 +45,15 @@ static int key_of(int key) {
         return key_escape;
     case GLFW_KEY_TAB:
         return key_tab;
+    case GLFW_KEY_ENTER:
+    case GLFW_KEY_KP_ENTER:
+        return key_enter;
+    case GLFW_KEY_BACKSPACE:
+        return key_back;
+    case GLFW_KEY_DELETE:
+        return key_delete;
+    case GLFW_KEY_END:
+        return key_end;
     default:
         break;
     }
@@ -55,8 +64,16 @@ static int key_of(int key) {
 
 static void on_key(GLFWwindow* handle, int key, int scan_code, int action, int modifiers) {
     (void)scan_code;
-    const event e = {.kind = event_key, .key = key_of(key), .shift = (modifiers & GLFW_MOD_SHIFT) != 0};
+    const event e = {.kind = event_key,
+                     .key = key_of(key),
+                     .shift = (modifiers & GLFW_MOD_SHIFT) != 0,
+                     .control = (modifiers & GLFW_MOD_CONTROL) != 0};
     if (action != GLFW_RELEASE && e.key) enqueue(glfwGetWindowUserPointer(handle), e);
+}
+
+static void on_letter(GLFWwindow* handle, unsigned letter) {
+    const event e = {.kind = event_text, .letter = letter};
+    enqueue(glfwGetWindowUserPointer(handle), e);
 }
 
 static event at_pointer(GLFWwindow* handle, enum event_kind kind) {
@@ -67,7 +84,7 @@ static event at_pointer(GLFWwindow* handle, enum event_kind kind) {
 
 static void on_button(GLFWwindow* handle, int button, int action, int modifiers) {
     event e = at_pointer(handle, action == GLFW_PRESS ? event_press : event_release);
-    e.shift = (modifiers & GLFW_MOD_SHIFT) != 0;
+    e.shift = (modifiers & GLFW_MOD_SHIFT) != 0, e.control = (modifiers & GLFW_MOD_CONTROL) != 0;
     e.button = button == GLFW_MOUSE_BUTTON_LEFT    ? button_left
                : button == GLFW_MOUSE_BUTTON_RIGHT ? button_right
                                                    : button_middle;
@@ -106,6 +123,7 @@ window* window_open(int width, int height, const char* title) {
     glfwSwapInterval(1);
     glfwSetWindowUserPointer(w->handle, w);
     glfwSetKeyCallback(w->handle, on_key);
+    glfwSetCharCallback(w->handle, on_letter);
     glfwSetMouseButtonCallback(w->handle, on_button);
     glfwSetCursorPosCallback(w->handle, on_move);
     glfwSetScrollCallback(w->handle, on_scroll);

@@ -96,9 +96,11 @@ public:
     const Point& plane_normal() const { return plane_normal_; }
 
     bool run() {
-        for (uint32_t f = 0; f < faces_.size(); ++f)
+        for (uint32_t f = 0; f < faces_.size(); ++f) {
             while (faces_[f].alive && !faces_[f].outside.empty())
                 if (!insert_furthest(f)) return false;
+            if (dead_ > 1000 + faces_.size() / 2) f = drop_dead(f + 1) - 1;
+        }
         return true;
     }
 
@@ -119,6 +121,24 @@ private:
             best = i;
         }
         return best;
+    }
+
+    // Keeps the order. Around a flat round side they would take memory as the square of its corners. Returns how many before `at` are left.
+    uint32_t drop_dead(std::size_t at) {
+        std::vector<uint32_t> moved(faces_.size(), none);
+        uint32_t left = 0, before = 0;
+        for (std::size_t f = 0; f < faces_.size(); ++f) {
+            if (f < at && faces_[f].alive) ++before;
+            if (!faces_[f].alive) continue;
+            moved[f] = left;
+            if (left != f) faces_[left] = std::move(faces_[f]);
+            ++left;
+        }
+        faces_.resize(left);
+        for (HullFace& face : faces_)
+            for (uint32_t& other : face.neighbour) other = moved[other];
+        dead_ = 0;
+        return before;
     }
 
     uint32_t add_face(uint32_t a, uint32_t b, uint32_t c) {
@@ -203,6 +223,7 @@ private:
             faces_[next].neighbour[2] = f;
         }
         for (uint32_t f = first_new; f < faces_.size(); ++f) starts_[faces_[f].vertex[0]] = none;
+        dead_ += visible.size();
         for (const uint32_t f : visible) {
             faces_[f].alive = false;
             const std::vector<uint32_t> orphans = std::move(faces_[f].outside);
@@ -217,6 +238,7 @@ private:
     double skin_;
     std::vector<uint32_t> starts_; // new face whose horizon edge starts at a vertex
     std::vector<HullFace> faces_;
+    std::size_t dead_ = 0; // of these
     Point plane_origin_{}, plane_normal_{};
 };
 

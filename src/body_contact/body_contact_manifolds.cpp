@@ -35,25 +35,17 @@ void BodyContactStep::enter_contacts(uint32_t at, const WayContact* found) {
     const lr_batch_contact& of_a = c.members[c.moved[pair.a].member].item.batch->contact();
     const lr_batch_contact& of_b = c.members[c.moved[pair.b].member].item.batch->contact();
     const float friction = pair_friction(of_a, of_b), restitution = pair_restitution(of_a, of_b);
-    BodyContactPoint* const contacts = c.pair_contacts.data() + size_t{block_contacts} * at;
+    BodyContactBuffers::PairContacts& to = c.pair_contacts[at];
     CachedPair& manifold = c.found[at];
     if (pair.count == 0 && manifold.count == 0) return;
     const auto h = static_cast<float>(time_.h);
     for (uint32_t k = 0; k < pair.count; ++k) {
         const PairContact& contact = found[k].begin;
         const bool cached = found[k].from < manifold.count;
-        contacts[k] = {contact.arm_a,
-                       contact.arm_b,
-                       contact.normal,
-                       contact.gap,
-                       {},
-                       {},
-                       friction,
-                       restitution,
-                       false,
-                       cached ? h * h * manifold.contact[found[k].from].pressed : 0.0f,
-                       found[k].from};
+        to.contact[k] = {contact.arm_a, contact.arm_b, contact.gap,
+                         cached ? h * h * manifold.contact[found[k].from].pressed : 0.0f, found[k].from};
     }
+    if (pair.count != 0) to.frame = {found[0].begin.normal, {}, {}, friction, restitution, false, friction_before(at)};
     // Contacts that do not count in this substep have none for the next.
     for (CachedPair::Contact& contact : manifold.contact) contact.pressed = 0.0f;
     if (pair.count == 0) manifold.drag = {}, manifold.spin = 0.0f;
@@ -83,10 +75,8 @@ void BodyContactStep::keep_impulses() {
         for (uint32_t u = c.first_unit[begin]; u < past; ++u) {
             const BodyContactPair& unit = c.units[u];
             if (unit.b == BodyContactPair::nobody) continue;
-            const auto point = static_cast<size_t>(unit.contact - c.pair_contacts.data());
-            const auto at = static_cast<uint32_t>(point / block_contacts);
-            const BodyContactBuffers::Pair& pair = c.pairs[at];
-            CachedPair& to = c.found[at];
+            const BodyContactBuffers::Pair& pair = c.pairs[unit.source];
+            CachedPair& to = c.found[unit.source];
             const bool ordered = in_order(pair);
             if (to.count == 0) continue;
             const Rotation back = inverse(c.moved[ordered ? pair.a : pair.b].body.from.rotation);
@@ -106,19 +96,14 @@ void BodyContactStep::keep_impulses() {
     });
 }
 
-bool BodyContactStep::keep_pairs() {
-    BodyContactBuffers& c = *buffers_;
+bool BodyContactStep::begin_pairs(uint32_t most) {
     PairCache& cache = world_->pair_cache;
-    const CachedPair *const found = c.found.data(), *const end = found + c.first_pair[body_count_];
     const auto stepped = [&](uint32_t slot) {
-        const BodyContactBatch* const members = c.members.data();
+        const BodyContactBatch* const members = buffers_->members.data();
         return std::any_of(members, members + member_count_, [&](const BodyContactBatch& m) { return m.slot == slot; });
     };
-    const auto kept = [](const CachedPair& pair) { return pair.count != 0; };
-    const auto count = static_cast<uint32_t>(std::count_if(found, end, kept));
-    if (!cache.begin(world_->allocator, count, stepped)) return false;
-    std::copy_if(found, end, cache.next(), kept);
-    cache.commit(count);
+    if (!cache.begin(world_->allocator, most, stepped)) return false;
+    buffers_->found = cache.next();
     return true;
 }
 } // namespace lr

@@ -84,12 +84,10 @@ void BodyContactStep::meet(uint32_t begin, uint32_t end) {
     };
     const auto kept = [&](uint32_t at) {
         BodyContactBuffers::Pair& pair = c.pairs[at];
-        const uint64_t key_a = c.moved[pair.a].key, key_b = c.moved[pair.b].key;
-        const CachedPair* const cached = world_->pair_cache.find(std::min(key_a, key_b), std::max(key_a, key_b));
-        c.cached[at] = cached;
+        const CachedPair* const cached = c.cached[at];
         if (!cached) return false;
         const BodyContactBuffers::Moved &one = c.moved[pair.a], &other = c.moved[pair.b];
-        const bool in_order = key_a < key_b;
+        const bool in_order = one.key < other.key;
         const PairBody &a = in_order ? one.body : other.body, &b = in_order ? other.body : one.body;
         Manifold manifold;
         if (!kept_manifold(*cached, a, b, within(one, other), manifold)) return false;
@@ -100,24 +98,34 @@ void BodyContactStep::meet(uint32_t begin, uint32_t end) {
         enter_contacts(at, contacts);
         return true;
     };
-    // Neighbours in space are far apart in memory.
-    const auto fetch = [&c](uint32_t body) {
-        const uint32_t count = c.first_pair[body + 1] - c.first_pair[body];
+    const auto each_seen = [&c](uint32_t body, const auto& function) {
+        const uint32_t first = c.first_pair[body], count = c.first_pair[body + 1] - first;
         const uint32_t* const seen = c.seen.data() + size_t{BodyContactBuffers::most_seen} * body;
-        for (uint32_t k = 0; k < count; ++k) {
-            const BodyContactBuffers::Moved* const other = c.moved.data() + seen[k];
-            __builtin_prefetch(other);
-            __builtin_prefetch(&other->margin);
-        }
+        for (uint32_t k = 0; k < count; ++k) function(first + k, seen[k]);
     };
+    // Neighbours in space and cached pairs are far apart in memory: both are fetched two bodies and one body ahead.
+    const auto fetch = [&](uint32_t body) {
+        __builtin_prefetch(c.moved.data() + body);
+        each_seen(body, [&](uint32_t, uint32_t other) {
+            __builtin_prefetch(c.moved.data() + other);
+            __builtin_prefetch(&c.moved[other].margin);
+        });
+    };
+    const auto list = [&](uint32_t body) {
+        each_seen(body, [&](uint32_t at, uint32_t other) {
+            const uint64_t key_a = c.moved[body].key, key_b = c.moved[other].key;
+            c.pairs[at] = {body, other, 0};
+            c.cached[at] = world_->pair_cache.find(std::min(key_a, key_b), std::max(key_a, key_b));
+        });
+    };
+    if (begin < end) list(c.grid.placed(begin));
     for (uint32_t i = begin; i < end; ++i) {
         const uint32_t body = c.grid.placed(i), first = c.first_pair[body], past = c.first_pair[body + 1];
         const BodyContactBuffers::Moved& one = c.moved[body];
-        const uint32_t* const seen = c.seen.data() + size_t{BodyContactBuffers::most_seen} * body;
         if (i + 2 < end) fetch(c.grid.placed(i + 2));
+        if (i + 1 < end) list(c.grid.placed(i + 1));
         for (uint32_t at = first; at < past; ++at) {
-            const BodyContactBuffers::Moved& other = c.moved[seen[at - first]];
-            c.pairs[at] = {body, seen[at - first], 0};
+            const BodyContactBuffers::Moved& other = c.moved[c.pairs[at].b];
             if (kept(at)) continue;
             batch.find(one.body, other.body, std::min(one.margin, other.margin), kept_way(one.body, other.body), at,
                        found);
@@ -172,9 +180,7 @@ bool BodyContactStep::find_pairs(uint32_t substep) {
         sum += count;
     }
     c.first_pair[body_count_] = sum;
-    if (!grow_all(allocator, sum, c.pairs, c.found, c.cached) ||
-        !grow(allocator, c.pair_contacts, size_t{block_contacts} * sum))
-        return false;
+    if (!grow_all(allocator, sum, c.pairs, c.cached, c.pair_contacts) || !begin_pairs(sum)) return false;
     workers_.run(c.grid.placed(), grain, [&](uint32_t begin, uint32_t end) { meet(begin, end); });
     return true;
 }
@@ -205,7 +211,7 @@ bool BodyContactStep::number_touching() {
     const uint32_t padded = (places + lanes - 1) / lanes * lanes;
     if (padded == 0) return true;
     if (!grow_all(allocator, padded, c.body_at, c.tile, c.first_held, c.held_count, c.first_unit, c.touches_body) ||
-        !grow_all(allocator, size_t{contact_slots} * padded, c.held, c.held_contacts) ||
+        !grow_all(allocator, size_t{contact_slots} * padded, c.held, c.held_frames, c.held_contacts) ||
         !c.solver.reserve_bodies(padded)) {
         std::fill_n(c.place.data(), body_count_, none);
         return false;

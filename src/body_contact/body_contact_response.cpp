@@ -30,7 +30,7 @@ Pose now(const SolverBody& b) {
     return {vector_of(b.x), {b.q[0], b.q[1], b.q[2], b.q[3]}};
 }
 // Whether two contacts with fixed things can be of one unit: to the bit, so that equal ones are found on every machine.
-bool one_frame(const BodyContactPoint& a, const BodyContactPoint& b) {
+bool one_frame(const BodyContactFrame& a, const BodyContactFrame& b) {
     const auto same = [](Vector u, Vector v) { return u.x == v.x && u.y == v.y && u.z == v.z; };
     return same(a.normal, b.normal) && same(a.surface, b.surface) && same(a.lag, b.lag) && a.friction == b.friction &&
            a.restitution == b.restitution && a.solid == b.solid;
@@ -104,7 +104,8 @@ void BodyContactStep::take_out(ContactGroup& group, uint32_t lane, uint32_t plac
         const SlotContact s = group.contact(lane, k);
         const bool solid = s.collider != ContactGroup::a_body;
         c.held[first + k] = {s.collider, solid ? ContactGroup::Asleep{} : group.at_rest(lane, k)};
-        c.held_contacts[first + k] = {s.arm, {}, s.normal, s.gap, s.surface, s.lag, s.friction, s.restitution, solid};
+        c.held_frames[first + k] = {s.normal, s.surface, s.lag, s.friction, s.restitution, solid};
+        c.held_contacts[first + k] = {s.arm, {}, s.gap};
     }
     group.take_out(lane);
 }
@@ -140,12 +141,13 @@ uint32_t BodyContactStep::list_units() {
         c.first_unit[place] = used;
         c.touches_body[place] = 0;
         if (body == none) continue;
+        const BodyContactFrame* const frames = c.held_frames.data() + c.first_held[place];
         const BodyContactPoint* const held = c.held_contacts.data() + c.first_held[place];
         for (uint32_t k = 0, count; k < c.held_count[place]; k += count) {
             count = 1;
-            while (count < block_contacts && k + count < c.held_count[place] && one_frame(held[k], held[k + count]))
+            while (count < block_contacts && k + count < c.held_count[place] && one_frame(frames[k], frames[k + count]))
                 ++count;
-            c.units[used++] = {place, BodyContactPair::nobody, held + k, count};
+            c.units[used++] = {place, BodyContactPair::nobody, frames + k, held + k, count};
         }
         const uint32_t first = used;
         for (uint32_t i = c.first_pair[body]; i < c.first_pair[body + 1]; ++i) {
@@ -154,8 +156,8 @@ uint32_t BodyContactStep::list_units() {
             const uint32_t other = c.place[pair.b];
             uint32_t at = used++;
             for (; at > first && c.units[at - 1].b > other; --at) c.units[at] = c.units[at - 1];
-            c.units[at] = {place, other, c.pair_contacts.data() + size_t{block_contacts} * i, pair.count,
-                           friction_before(i)};
+            const BodyContactBuffers::PairContacts& contacts = c.pair_contacts[i];
+            c.units[at] = {place, other, &contacts.frame, contacts.contact, pair.count, i};
         }
     }
     return used;
@@ -201,9 +203,9 @@ Touch BodyContactStep::touch_with(uint32_t place, uint32_t collider) const {
     const SolverBody& body = buffers_->solver.bodies()[place];
     TouchSum sum(collider, now(body), lr::began(body).rotation, vector_of(body.v0), vector_of(body.w0));
     each_held(place, [&](uint32_t k, float impulse) {
-        const BodyContactPoint& contact = c.held_contacts[c.first_held[place] + k];
-        if (c.held[c.first_held[place] + k].collider == collider)
-            sum.take(impulse, contact.arm_a, contact.normal, contact.surface);
+        const uint32_t at = c.first_held[place] + k;
+        if (c.held[at].collider == collider)
+            sum.take(impulse, c.held_contacts[at].arm_a, c.held_frames[at].normal, c.held_frames[at].surface);
     });
     return sum.touch(member_of(c.body_at[place]).kind.body->unit_mass * body.scale * body.scale * body.scale);
 }

@@ -174,24 +174,24 @@ void BodyContactSolver::fill(const SolverBodyKind* kinds, uint32_t index) {
     block.kind_b = kind_b(*units[0]);
     block.lanes = count;
     block.used = 0;
-    const BodyContactPoint none{{}, {}, {0.0f, 1.0f, 0.0f}, no_contact, {}, {}, 0.0f, 0.0f, false};
+    const BodyContactFrame nowhere{{0.0f, 1.0f, 0.0f}, {}, {}, 0.0f, 0.0f, false};
+    const BodyContactPoint none{{}, {}, no_contact};
     for (uint32_t lane = 0; lane < lanes; ++lane) {
         const BodyContactPair* const unit = lane < count ? units[lane] : nullptr;
         const bool pair = unit && unit->b != BodyContactPair::nobody, swapped = unit && unit->swapped;
-        const BodyContactPoint& first = unit ? unit->contact[0] : none;
-        const PathFriction friction = unit ? unit->friction : PathFriction{};
+        const BodyContactFrame& frame = unit ? *unit->frame : nowhere;
         block.a[lane] = unit ? unit->a : body_count_;
         block.b[lane] = pair ? unit->b : body_count_;
         if (unit) block.used = std::max(block.used, unit->count);
         block.ratio[lane] = pair ? mass(kinds, unit->a) / mass(kinds, unit->b) : 0.0f;
-        put_in(block.normal, 0, lane, swapped ? -first.normal : first.normal);
-        put_in(block.surface, 0, lane, first.surface);
-        put_in(block.lag, 0, lane, first.lag);
-        put_in(block.start_drag, 0, lane, swapped ? -friction.drag : friction.drag);
-        block.start_spin[lane] = friction.spin;
-        block.friction.most[lane] = first.friction;
-        block.restitution[lane] = first.restitution;
-        block.solid[lane] = first.solid ? 1.0f : 0.0f;
+        put_in(block.normal, 0, lane, swapped ? -frame.normal : frame.normal);
+        put_in(block.surface, 0, lane, frame.surface);
+        put_in(block.lag, 0, lane, frame.lag);
+        put_in(block.start_drag, 0, lane, swapped ? -frame.guess.drag : frame.guess.drag);
+        block.start_spin[lane] = frame.guess.spin;
+        block.friction.most[lane] = frame.friction;
+        block.restitution[lane] = frame.restitution;
+        block.solid[lane] = frame.solid ? 1.0f : 0.0f;
     }
     for (uint32_t k = 0; k < block.used; ++k)
         for (uint32_t lane = 0; lane < lanes; ++lane) {

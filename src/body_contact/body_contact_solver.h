@@ -12,12 +12,8 @@
 namespace lr {
 
 struct BodyContactPoint {
-    Vector arm_a, arm_b; // m, body frames, from the centres of mass
-    Vector normal;       // world, unit, from b to a
-    float gap;           // m: of a pair at the beginning of the substep; of a fixed thing at its end
-    Vector surface, lag; // m/s, m: of a fixed thing, as in ContactSlots
-    float friction, restitution;
-    bool solid;           // a collider's
+    Vector arm_a, arm_b;  // m, body frames, from the centres of mass
+    float gap;            // m: of a pair at the beginning of the substep; of a fixed thing at its end
     float pressed = 0.0f; // a guess of the path projection's impulse over the lighter body's mass unit, m
     uint32_t from = 0;    // which contact of the pair's manifold, or WayContact::swept
 };
@@ -28,13 +24,23 @@ struct PathFriction {
     float spin = 0.0f; // over a's d s
 };
 
-// Up to block_contacts contacts of a body with another one, or with a fixed thing: of one normal, surface velocity and material.
+// The same for all contacts of a unit.
+struct BodyContactFrame {
+    Vector normal;       // world, unit, from b to a
+    Vector surface, lag; // m/s, m: of a fixed thing, as in ContactSlots
+    float friction, restitution;
+    bool solid; // a collider's
+    PathFriction guess{};
+};
+
+// A unit: up to block_contacts contacts of a body with another one, or with a fixed thing.
 struct BodyContactPair {
     static constexpr uint32_t nobody = UINT32_MAX;
     uint32_t a, b; // bodies by index; b: nobody, or another
+    const BodyContactFrame* frame;
     const BodyContactPoint* contact;
     uint32_t count;
-    PathFriction friction{}; // a guess
+    uint32_t source = 0; // the caller's number of the unit
     // Set by the solver.
     uint32_t group = 0, block = 0, lane = 0;
     bool swapped = false; // a and b are swapped relative to the contacts

@@ -116,10 +116,10 @@ void BodyContactStep::run() {
         hold(substep, Held::apart);
         const bool solved = place_count_ != 0 && solve();
         if (solved) keep_impulses();
-        if (!found || !keep_pairs()) {
+        if (found)
+            world_->pair_cache.commit(buffers_->first_pair[body_count_]);
+        else
             world_->pair_cache.clear();
-            starved_ = true;
-        }
         if (place_count_ == 0) continue;
         if (!solved) {
             starved_ = true;

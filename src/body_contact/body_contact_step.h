@@ -78,9 +78,13 @@ struct BodyContactBuffers {
     static constexpr uint32_t most_seen = 48;
     Buffer<uint32_t> seen;
     Buffer<Pair> pairs;
-    Buffer<CachedPair> found;               // of each: the manifold that goes to the cache; count 0: none
-    Buffer<const CachedPair*> cached;       // of each: from the substep before, or null
-    Buffer<BodyContactPoint> pair_contacts; // block_contacts of each
+    CachedPair* found = nullptr;      // of each: the manifold for the next substep, in the cache; count 0: none
+    Buffer<const CachedPair*> cached; // of each: from the substep before, or null
+    struct PairContacts {
+        BodyContactFrame frame;
+        BodyContactPoint contact[block_contacts];
+    };
+    Buffer<PairContacts> pair_contacts;                      // of each
     static constexpr Hidden unasked{UINT32_MAX, UINT32_MAX}; // no face has so many points
     Buffer<Hidden> hidden;  // by body; unasked: its shelter is not found in this substep
     Buffer<uint32_t> place; // by body: its number among those that touch others, or UINT32_MAX
@@ -89,6 +93,7 @@ struct BodyContactBuffers {
     Buffer<uint32_t> body_at, tile, first_held, held_count, first_unit;
     Buffer<uint8_t> touches_body;
     Buffer<Held> held;
+    Buffer<BodyContactFrame> held_frames; // of each
     Buffer<BodyContactPoint> held_contacts;
     Buffer<BodyContactPair> units;
     Buffer<SolverBodyKind> kinds;
@@ -137,9 +142,9 @@ private:
     bool in_order(const BodyContactBuffers::Pair& pair) const; // a has the lower key
     void enter_manifold(uint32_t at, const Manifold& manifold, float within);
     void enter_contacts(uint32_t at, const WayContact* found);
-    PathFriction friction_before(uint32_t at) const;
+    PathFriction friction_before(uint32_t at) const; // of a pair, the guess for this substep
     void keep_impulses();
-    bool keep_pairs();
+    bool begin_pairs(uint32_t most);
 
     // body_contact/body_contact_response.cpp
     // apart: bodies that touch no other awake one. touching: the others, if there is no memory to solve them together.

@@ -11,6 +11,12 @@ namespace {
 // Fewer bodies would leave most pairs between tiles; more would leave the second core without work in small heaps.
 constexpr uint32_t least_bodies = 192, most_levels = 10;
 
+// In the order of the numbers, and a total order with NaN and both zeros too, which sorting needs.
+uint32_t ordered(float x) {
+    const auto bits = std::bit_cast<uint32_t>(x);
+    return bits >> 31 != 0 ? ~bits : bits | 1u << 31;
+}
+
 uint32_t widest_axis(std::span<const TiledBody> bodies) {
     uint32_t best = 0;
     float most = -1.0f;
@@ -38,7 +44,7 @@ void cut_into_tiles(TiledBody* bodies, uint32_t count, uint32_t levels) {
                              *const end = bodies + bound(part + 1, parts);
             const uint32_t axis = widest_axis({begin, end});
             const auto place = [axis](const TiledBody& b) {
-                return std::tuple(b.x[axis], b.member, b.noise_seed, b.body);
+                return std::tuple(ordered(b.x[axis]), b.member, b.noise_seed, b.body);
             };
             std::nth_element(begin, middle, end,
                              [&](const TiledBody& a, const TiledBody& b) { return place(a) < place(b); });

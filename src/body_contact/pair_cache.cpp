@@ -60,9 +60,11 @@ const CachedPair* PairCache::find(uint64_t a, uint64_t b) const {
     return nullptr;
 }
 
-void PairCache::commit(uint32_t added) {
+void PairCache::commit(uint32_t most) {
+    CachedPair* const added = next();
+    const CachedPair* const end = std::remove_if(added, added + most, [](const CachedPair& p) { return p.count == 0; });
     pairs_.swap(next_);
-    count_ = next_count_ + added;
+    count_ = next_count_ + static_cast<uint32_t>(end - added);
     index();
 }
 

@@ -46,8 +46,8 @@ public:
     // Room for so many pairs. False when out of memory. The pairs stay as they are.
     bool reserve(Allocator& allocator, uint32_t count);
 
-    // Replaces the pairs of batches for which replaces(slot): room for `most` new ones, which are then added, then commit(). False when out of
-    // memory: the pairs stay as they are.
+    // Replaces the pairs of batches for which replaces(slot): room for `most` new ones, which are then filled in, then commit(). Until then
+    // the former pairs can be read. False when out of memory: the pairs stay as they are.
     template <class Replaces> bool begin(Allocator& allocator, uint32_t most, const Replaces& replaces) {
         if (!reserve(allocator, most + count_)) return false;
         next_count_ = 0;
@@ -57,7 +57,7 @@ public:
         return true;
     }
     CachedPair* next() { return next_.data() + next_count_; }
-    void commit(uint32_t added);
+    void commit(uint32_t most); // new ones without contacts are dropped
     void clear();
     void forget(uint32_t slot); // a batch that ends
 

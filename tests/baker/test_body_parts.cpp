@@ -186,6 +186,32 @@ TEST_CASE("mixed added mass: a cube solved as a shell is the cube") {
         CHECK(shell.value(k, k) == doctest::Approx(solid.value(k, k)).epsilon(k < 3 ? 0.02 : 0.15));
 }
 
+TEST_CASE("mixed added mass: where no surface can be solved the convex hull is, with an error of half") {
+    // Three needles along the axes: as sheets they have no area, and on a coarser surface nothing is left of them.
+    BodyParts parts;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto first = static_cast<uint32_t>(parts.mesh.vertices.size());
+        const Vector along = Vector::Unit(axis), across = 1e-200 * Vector::Unit((axis + 1) % 3);
+        for (const Vector& v : {Vector(-along), along, Vector(along + across)}) parts.mesh.vertices.push_back(v);
+        parts.mesh.faces.push_back({first, first + 1, first + 2});
+    }
+    AddedMass m, hull;
+    Faults faults;
+    REQUIRE(compute_mixed_added_mass(parts, Vector::Zero(), m, faults));
+    REQUIRE(!faults.empty());
+    CHECK(faults.back().severity == Severity::warning);
+    CHECK(faults.back().what.find("convex hull") != std::string::npos);
+    Mesh octahedron;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double side : {1.0, -1.0}) octahedron.vertices.push_back(side * Vector::Unit(axis));
+    octahedron.faces = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+    REQUIRE(compute_added_mass(octahedron, Vector::Zero(), hull, faults));
+    for (int k = 0; k < 6; ++k) {
+        CHECK(m.value(k, k) == doctest::Approx(hull.value(k, k)).epsilon(1e-3));
+        CHECK(m.error(k, k) > 0.5 * m.value(k, k));
+    }
+}
+
 TEST_CASE("bake: a box with an open fin has the mass and inertia of both, and added mass near that of a solid fin") {
     Mesh mesh = box({-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1}, 4), thick = mesh;
     add(mesh, fin(0.11, -0.1, 0.31, 0.1, 4));

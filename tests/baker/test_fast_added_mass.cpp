@@ -1,13 +1,17 @@
 #include "baker/added_mass/added_mass.h"
 #include "baker/added_mass/conjugate_gradients.h"
 #include "baker/added_mass/fast_system.h"
+#include "baker/added_mass/mixed_added_mass.h"
 #include "sheet_shapes.h"
 
 #include <doctest/doctest.h>
 
 #include <hwy/targets.h>
 
+#include <cmath>
 #include <functional>
+#include <numbers>
+#include <string>
 
 using namespace lr;
 using namespace lr::baker;
@@ -195,6 +199,38 @@ TEST_CASE("fast added mass: progress runs from start to one, what cannot be solv
     // a plate a millionth as thick as wide: motion with both sides has no correct digit
     CHECK_FALSE(compute_added_mass(test::box({1, 1, 1e-7}, {20, 20, 1}), {0, 0, 0}, m, faults, {}, all_fast()));
     CHECK(faults.back().id == FaultId::mesh_ill_conditioned);
+}
+
+TEST_CASE("a fan of needles: without patience it is refused, and its coarser surface has few faces") {
+    constexpr uint32_t sides = 9000;
+    BodyParts parts;
+    Mesh& fan = parts.mesh;
+    fan.vertices.emplace_back(0, 0, 0);
+    for (uint32_t i = 0; i < sides; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / sides;
+        fan.vertices.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+        fan.faces.push_back({0, 1 + i, 1 + (i + 1) % sides});
+    }
+    AddedMassOptions hasty;
+    hasty.patient = false;
+    AddedMass m;
+    Faults faults;
+    CHECK_FALSE(compute_sheet_added_mass(fan, {0, 0, 0}, {}, m, faults, {}, hasty));
+    REQUIRE(!faults.empty());
+    CHECK(faults.back().id == FaultId::mesh_too_many_faces);
+    faults.clear();
+    REQUIRE(compute_mixed_added_mass(parts, {0, 0, 0}, m, faults, {}, hasty));
+    REQUIRE(faults.size() == 1);
+    CHECK(faults[0].severity == Severity::warning);
+    std::size_t faces = 0;
+    const std::string before = "coarser surface of ";
+    const std::size_t at = faults[0].what.find(before);
+    REQUIRE(at != std::string::npos);
+    faces = std::stoul(faults[0].what.substr(at + before.size()));
+    CHECK(faces > 100);
+    CHECK(faces <= 5000);
+    CHECK(std::abs(m.value(2, 2) - 8.0 / 3.0) < 1.5 * m.error(2, 2));
+    CHECK(m.error(2, 2) < 0.15 * m.value(2, 2));
 }
 
 TEST_CASE("conjugate gradients: a known solution, zero modes, and matrices that are not positive") {

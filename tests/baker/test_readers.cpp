@@ -9,6 +9,8 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 using namespace lr;
@@ -256,4 +258,32 @@ TEST_CASE("readers: vertices without a position are left out where meshes are re
     CHECK(mesh.faces.size() == 2);
     REQUIRE(faults.size() == 1);
     CHECK(contains(faults[0].what, "1 faces at them"));
+}
+
+TEST_CASE("polygons of thousands of corners keep their area") {
+    const int n = 3001;
+    std::string star, face = "f";
+    for (int i = 0; i < n; ++i) {
+        const double turn = 6.283185307179586 * i / n, radius = i % 2 ? 1.0 : 0.5;
+        star += "v " + std::to_string(radius * std::cos(turn)) + " " + std::to_string(radius * std::sin(turn)) + " 0\n";
+        face += " " + std::to_string(i + 1);
+    }
+    Faults faults;
+    const Mesh mesh = read(star + face + "\n", "obj", faults);
+    CHECK(mesh.faces.size() == n - 2);
+    double area = 0.0, turned = 0.0;
+    for (int i = 0; i < n; ++i) {
+        const Eigen::Vector3d &a = mesh.vertices[static_cast<std::size_t>(i)],
+                              &b = mesh.vertices[static_cast<std::size_t>((i + 1) % n)];
+        area += 0.5 * (a.x() * b.y() - a.y() * b.x());
+    }
+    double sum = 0.0;
+    for (const Face& f : mesh.faces) {
+        const double z =
+            0.5 * (mesh.vertices[f[1]] - mesh.vertices[f[0]]).cross(mesh.vertices[f[2]] - mesh.vertices[f[0]]).z();
+        sum += z;
+        turned += std::min(z, 0.0);
+    }
+    CHECK(sum == doctest::Approx(area));
+    CHECK(turned == 0.0);
 }

@@ -436,6 +436,29 @@ TEST_CASE("stations: added mass is that of the body, broadside") {
     CHECK(sum == Approx(3e-5).epsilon(1e-3));
 }
 
+TEST_CASE("stations: added mass where all stand edgewise stays of the body's size") {
+    Made m = made(asset("paper_plane_surface.obj"), 1e-4);
+    for (StationData& s : m.stations.at) {
+        // Their normal along the body's widest axis but one: the share that moves broadside is nothing.
+        const std::array<double, 9> axes = s.axes;
+        for (std::size_t k = 0; k < 3; ++k) {
+            s.axes[k] = axes[6 + k];
+            s.axes[6 + k] = axes[k];
+        }
+    }
+    std::array<double, 36> added{};
+    added[14] = 3e-5;
+    share_added_mass(m.loads, added, m.stations.at);
+    double sum = 0.0;
+    for (const StationData& s : m.stations.at) {
+        CHECK(s.separated_shedding >= 0.0);
+        for (const double arm : s.lift_arm) CHECK(std::isfinite(arm));
+        sum += s.separated_shedding / 0.8;
+    }
+    CHECK(sum > 0.0);
+    CHECK(sum <= 3e-5 / 0.05 * 1.001);
+}
+
 TEST_CASE("stations: what no sum of parts describes is said") {
     const Made tube = made(curled(6.2, 16), 0.005);
     CHECK(tube.stations.at.empty());

@@ -51,9 +51,17 @@ def coin():
     assert 1.99 < depth < 2 and 3 < seconds < 8, "it lies flat on the bottom"
 
 
+def car():
+    seconds, flying, high = zip(*numbers("car"))
+    assert flying[3] == flying[4] == 0 and max(high[2:5]) < 0.1, "leaves lie on the road until it comes, 3 s after the start"
+    passing = range(5, 8)
+    assert max(flying[i] for i in passing) > 40 and 0.3 < max(high[i] for i in passing) < 3, "it tosses them up, not away"
+    assert flying[-1] == 0 and high[-1] < 0.1, "they lie again"
+
+
 def texts():
     sources = {path.name: path.read_text(encoding="utf-8") for path in (ROOT / "samples/small").glob("*.cpp")}
-    assert sorted(sources) == ["coin.cpp", "confetti.cpp", "dart.cpp", "leaves.cpp"]
+    assert sorted(sources) == ["car.cpp", "coin.cpp", "confetti.cpp", "dart.cpp", "leaves.cpp"]
     for name, text in sources.items():
         lines = text.splitlines()
         assert len(lines) <= 20 and max(map(len, lines)) <= 120, f"{name} is too large"
@@ -71,3 +79,4 @@ leaves()
 dart()
 confetti()
 coin()
+car()

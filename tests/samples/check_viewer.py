@@ -15,6 +15,7 @@ from check_leaf_storm import pixels
 
 WIDTH, HEIGHT = 320, 180
 SIZE = ["--size", f"{WIDTH}x{HEIGHT}"]
+PANEL = ["--size", "960x600"]  # room for all of it
 SCENES = ["leaf", "paper", "petals", "confetti", "planes", "water", "flight"]
 
 
@@ -128,13 +129,92 @@ def check_pictures(path):
     bare, _ = shoot(path("3.png"), *scene, "--seconds", 122 / 60, "--no-overlay")
     hidden, _ = shoot(path("3.png"), *scene, "--seconds", 122 / 60, "--press", "1:h")
     assert hidden == bare
-    assert differing(rows, bare, (12, 12, 150, 150)) > 10000 and differing(rows, bare, (262, 60, WIDTH, 130)) == 0
+    run(*PANEL, "--png", path("3.png"), *scene, "--seconds", 0.5)
+    run(*PANEL, "--png", path("4.png"), *scene, "--seconds", 0.5, "--no-overlay")
+    shown, bare = pixels(path("3.png")), pixels(path("4.png"))
+    assert differing(shown, bare, (20, 20, 250, 300)) > 30000 and differing(shown, bare, (320, 160, 680, 600)) == 0
     # Arrows in wind, none without wind; trails.
     still = [*scene, "--seconds", 1, "--no-overlay", "--wind", 0, "--gusts", 0, "--turbulence", 0]
     assert shoot(path("4.png"), *still)[0] == shoot(path("5.png"), *still, "--arrows")[0]
     windy = [*scene, "--seconds", 1, "--no-overlay", "--wind", 4]
     for more in ("--arrows", "--trails"):
         assert differing(shoot(path("4.png"), *windy)[0], shoot(path("5.png"), *windy, more)[0]) > 300, more
+
+
+def places(*arguments):
+    """The middles of the panel's parts, relative to the picture."""
+    wide, tall = (int(n) for n in PANEL[1].split("x"))
+    said = run(*PANEL, *arguments, "--places").stdout
+    found = re.findall(r"^place (\S+) (\S+) (\S+) (\S+) (.*)$", said, re.M)
+    return {name: ((float(l) + float(r)) / 2 / wide, (float(t) + float(b)) / 2 / tall, float(l) / wide, float(r) / wide)
+            for l, t, r, b, name in found}
+
+
+def check_panel(path):
+    scene = ["--count", 400, "--png", path("k.png"), "--seconds", 2]
+    closed = places(*scene)
+
+    def click(name, time=1, among=closed):
+        return f"{time}:click@{among[name][0]:.4f}/{among[name][1]:.4f}"
+
+    def after(press, *more):
+        return Report(run(*PANEL, *scene, "--press", press, *more).stdout)
+
+    # Sliders: a click in the middle, a drag beyond the end; numbers that are typed; the way back.
+    x, y, left, right = closed["wind slider"]
+    assert abs(float(after("0.5:click@0.5/0.9," + click("wind slider")).settings["wind"].split()[0]) - 6) < 0.3
+    assert after(f"1:drag@{x}/{y}/{right + 0.1}/{y}").settings["wind"] == "12.00 m/s"
+    assert after(f"1:drag@{x}/{y}/{left - 0.01}/{y}").settings["wind"] == "0.00 m/s"
+    typed = click("wind number") + ",1:type@3.25,1:enter"
+    assert after(typed).settings["wind"] == "3.25 m/s" and after(typed).hash != after("1:h").hash
+    assert after(click("wind number") + ",1:type@99,1:enter").settings["wind"] == "12.00 m/s"
+    assert after(click("wind number") + ",1:type@q,1:escape").time > 1.99  # letters that are typed are no keys
+    changed = places(*scene, "--press", typed)
+    assert after(typed + "," + click("wind reset", 1.5, changed)).settings["wind"] == "1.50 m/s"
+    many = after(click("bodies number", 0.2) + ",0.2:type@2500,0.2:enter")
+    assert many.settings["bodies"] == "2500" and many.bodies > after("1:h").bodies
+    assert after(click("contact")).settings["contact"] == "yes"
+    # Lists.
+    opened = places(*scene, "--press", click("loads"))
+    other = after(click("loads") + "," + click("langevin", 1.1, opened))
+    assert other.settings["loads"] == "langevin" and other.hash != after("1:h").hash and other.bodies > 30
+    opened = places(*scene, "--press", click("scene"))
+    other = after(click("scene") + "," + click("petals", 1.5, opened))
+    assert other.scene == "petals" and other.time < 0.51
+    # The mouse on the panel does not turn the camera, and the wheel does not zoom.
+    plain = after("1:h")
+    x, y = closed["show paths"][:2]
+    over = after(f"1:drag@{x}/{y}/{x + 0.01}/{y + 0.01},1.1:scroll@5")
+    assert (over.azimuth, over.distance) == (plain.azimuth, plain.distance)
+    assert after(click("pause")).paused and abs(after(click("pause") + "," + click("step", 1.5)).time - 1 - 1 / 60) < 1e-4
+    assert after(click("restart")).time < 1.01
+    # Hits are seen, and change nothing.
+    run(*PANEL, *scene)
+    without = pixels(path("k.png"))
+    assert after(click("show hits")).hash == plain.hash
+    assert differing(without, pixels(path("k.png")), (320, 160, 680, 600)) > 20
+    # Materials and emitters act on the world.
+    for section, part, value in (("material", "friction number", "1.5"), ("emitter", "height number", "6")):
+        opened = places(*scene, "--press", click(section, 0))
+        done = after(click(section, 0) + "," + click(part, 0.2, opened) + f",0.2:type@{value},0.2:enter", "--seconds", 4)
+        assert done.hash != after("1:h", "--seconds", 4).hash, section
+    # Time turned back: then everything happens again, bit by bit.
+    opened = places(*scene, "--press", click("history", 0))
+    keep = click("history", 0) + "," + click("keep", 0.1, opened)
+    x, y, left, right = places(*scene, "--press", keep)["return"]
+    back = keep + f",1.5:drag@{x}/{y}/{left}/{y}"
+    returned = after(back)
+    assert returned.paused and returned.time < 0.3, vars(returned)
+    again = after(back + ",1.5:space", "--seconds", 1.5 + 2 - returned.time)
+    assert abs(again.time - plain.time) < 1e-4 and again.hash == plain.hash, (vars(again), vars(plain))
+    # Recordings are replayed to the same bits.
+    with open(os.path.join(BUILD, "CMakeCache.txt"), encoding="utf-8") as file:
+        tools = os.path.dirname(re.search(r"^LR_BAKE:FILEPATH=(.*)$", file.read(), re.M)[1])
+    record = click("history", 0) + "," + click("record", 0.5, opened) + "," + click("record", 1.5, opened)
+    done = subprocess.run([PROGRAM, *map(str, [*PANEL, *scene, "--press", record])], cwd=path(""), capture_output=True, text=True, timeout=60)
+    assert done.returncode == 0 and "recording viewer_001.lrr" in done.stdout, done.stdout + done.stderr
+    replayed = subprocess.run([os.path.join(tools, "lr_replay"), path("viewer_001.lrr")], capture_output=True, text=True, timeout=60)
+    assert replayed.returncode == 0, replayed.stdout + replayed.stderr
 
 
 def check_keys(path):
@@ -145,30 +225,17 @@ def check_keys(path):
     assert done.paused and abs(done.time - 1) < 1e-4
     done = after("1:space,1.2:n*1,1.4:n,1.5:period")
     assert done.paused and abs(done.time - 1 - 3 / 60) < 1e-4, done.time
-    done = after("0.5:right*2,1:down,1:right,1:down*3,1:left*2,1:tab*2,1:right,1:down*2,1:right")
-    assert done.settings == {"wind": "2.00 m/s", "direction": "35 deg", "gusts": "0.4 m/s", "turbulence": "0.4 m/s", "bodies": "256",
-                             "time": "1.00 x", "substeps": "3", "loads": "aerodynamic", "contact": "yes"}, done.settings
-    assert done.bodies <= 256
-    done = after("0.5:up*2,0.5:right")
-    assert done.settings["loads"] == "langevin" and done.hash != after("0.5:up*2").hash and done.bodies > 30
-    many = after("0.2:down*4,0.5:right*8")
-    assert many.settings["bodies"] == "2383" and many.bodies > after("0.2:down").bodies
-    assert abs(after("0:down*5,0:left*3").time - 2 / 1.25 ** 3) < 0.01
     assert after("1.5:3").scene == "petals" and after("1.5:3").time < 0.51
     assert after("1.5:r").time < 0.51
-    turned = after("1:drag@0.85/0.5/0.95/0.6")
-    plain = after("1:h")
+    plain = after("0:h")
+    turned = after("0:h,1:drag@0.85/0.5/0.95/0.6")
     assert turned.azimuth < plain.azimuth - 10 and turned.elevation > plain.elevation + 10
-    assert after("1:scroll@5").distance < 0.6 * plain.distance
-    assert after("1:drag@0.85/0.5/0.95/0.6,1.5:c").azimuth == plain.azimuth
-    # The wind slider is 72 px wide from 91.6 px on, in the panel's first row: its middle is half of 12 m/s.
-    assert after(f"1:click@{127.6 / WIDTH}/{42 / HEIGHT}").settings["wind"] == "6.00 m/s"
-    assert after(f"1:drag@{127.6 / WIDTH}/{42 / HEIGHT}/{300 / WIDTH}/{42 / HEIGHT}").settings["wind"] == "12.00 m/s"
+    assert after("0:h,1:scroll@5").distance < 0.6 * plain.distance
+    assert after("0:h,1:drag@0.85/0.5/0.95/0.6,1.5:c").azimuth == plain.azimuth
     # Some of many clicks hit a body, and the camera follows it.
     clicks = "0.5:h," + ",".join(f"1:click@{0.5 + 0.05 * i}/{0.2 + 0.1 * k}" for i in range(6) for k in range(6))
     followed = after(clicks, "--count", 6000, scene="confetti")
     assert followed.following and math.dist(followed.target, after("1:h", scene="confetti").target) > 0.05
-    assert after(clicks + ",1.5:tab*7,1.5:right", "--count", 6000, scene="confetti").following  # other loads, the same body
     assert not after(clicks + ",1.5:f", "--count", 6000, scene="confetti").following
     assert after("1:q").time <= 1.0001 and after("1:escape").pictures == 0
     with_p = subprocess.run([PROGRAM, *SIZE, "--png", path("k.png"), "--seconds", "0.2", "--press", "0.1:p"], cwd=path(""),
@@ -255,14 +322,16 @@ def main(build, root):
         check_shadows(path)
         check_pictures(path)
         check_keys(path)
+        check_panel(path)
         check_own(path, baked, meshes)
         check_ffmpeg(path)
-        window = viewer_window.check(PROGRAM, path("window.png"), Report)
+        window = viewer_window.check(PROGRAM, path("window.png"), Report, places("--scene", "petals", "--count", 300, "--png", path("k.png"), "--seconds", 1))
     print(f"viewer is right{'' if window else ', without a window'}")
 
 
 if __name__ == "__main__":
     if len(sys.argv) != 3:
         sys.exit(__doc__)
+    BUILD = sys.argv[1]
     PROGRAM = os.path.abspath(os.path.join(sys.argv[1], "viewer"))
     main(sys.argv[1], sys.argv[2])

@@ -19,7 +19,7 @@ def missing(program):
 def start_server():
     """An X server on a free display, which it reports itself."""
     ours, its = os.pipe()
-    server = subprocess.Popen(["Xvfb", "-displayfd", str(its), "-screen", "0", "640x480x24", "-nolisten", "tcp"], pass_fds=[its],
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(its), "-screen", "0", "1280x800x24", "-nolisten", "tcp"], pass_fds=[its],
                               stderr=subprocess.DEVNULL)
     os.close(its)
     with os.fdopen(ours) as pipe:
@@ -28,14 +28,14 @@ def start_server():
     return server, ":" + number
 
 
-def play(program, picture, display):
+def play(program, picture, display, places):
     """Keys and mouse like a user's; checks the viewer's final report."""
     env = {**os.environ, "DISPLAY": display}
 
     def tool(*arguments):
         return subprocess.run(["xdotool", *map(str, arguments)], env=env, capture_output=True, text=True, timeout=60).stdout.strip()
 
-    viewer = subprocess.Popen([program, "--window", "--scene", "petals", "--count", "300", "--size", "320x180", "--png", picture],
+    viewer = subprocess.Popen([program, "--window", "--scene", "petals", "--count", "300", "--size", "960x600", "--png", picture],
                               env=env, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     try:
         window, until = "", time.monotonic() + 60
@@ -45,10 +45,18 @@ def play(program, picture, display):
         assert window, f"no window within 60 s\n{viewer.communicate()[1] if viewer.poll() is not None else ''}"
         tool("windowfocus", "--sync", window)
         time.sleep(1.0)  # a picture or two
-        tool("key", "Right", "Right", "Down", "Down", "Right")
-        tool("mousemove", "--window", window, 270, 90, "mousedown", 1)
-        for x in (280, 295, 310):
-            tool("mousemove", "--window", window, x, 95)
+        x, y, _, right = places["wind number"]
+        tool("mousemove", "--window", window, round(960 * x), round(600 * y), "click", 1)
+        time.sleep(0.5)
+        tool("type", "3.25")
+        tool("key", "Return")
+        x, y, _, right = places["gusts slider"]
+        tool("mousemove", "--window", window, round(960 * x), round(600 * y), "mousedown", 1)
+        tool("mousemove", "--window", window, round(960 * right + 20), round(600 * y))
+        tool("mouseup", 1)
+        tool("mousemove", "--window", window, 600, 400, "mousedown", 1)
+        for x in (620, 650, 680):
+            tool("mousemove", "--window", window, x, 410)
         tool("mouseup", 1)
         tool("click", 4)  # the wheel
         tool("key", "a", "space", "q")
@@ -61,7 +69,7 @@ def play(program, picture, display):
     return out
 
 
-def check(program, picture, report_of):
+def check(program, picture, report_of, places):
     """Returns whether a window was checked."""
     want = missing(program)
     if want:
@@ -69,13 +77,13 @@ def check(program, picture, report_of):
         return False
     server, display = start_server()
     try:
-        report = report_of(play(program, picture, display))
+        report = report_of(play(program, picture, display, places))
     finally:
         server.terminate()
         server.wait()
     assert report.scene == "petals" and report.pictures > 0 and report.bodies > 0 and 0 < report.time
-    assert report.settings["wind"] == "1.30 m/s" and report.settings["gusts"] == "0.3 m/s", report.settings
+    assert report.settings["wind"] == "3.25 m/s" and report.settings["gusts"] == "4.0 m/s", report.settings
     assert report.paused and report.azimuth < 14.0 and report.distance < 0.9, vars(report)
     rows = pixels(picture)
-    assert len(rows) == 180 and len({row[3 * x:3 * x + 3] for row in rows for x in range(320)}) > 3000
+    assert len(rows) == 600 and len({row[3 * x:3 * x + 3] for row in rows for x in range(960)}) > 3000
     return True

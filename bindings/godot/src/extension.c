@@ -3,6 +3,7 @@
  *
  * SPDX-License-Identifier: MIT
  */
+#include "help.h"
 #include "nodes.h"
 
 #include <stdio.h>
@@ -19,6 +20,7 @@ static const gd_class* const classes[] = {&asset_class, &asset_loader_class, &wo
 
 static void initialize(void* userdata, gdx_level level) {
     (void)userdata;
+    if (level == GDX_LEVEL_EDITOR) load_help();
     if (level != GDX_LEVEL_SCENE) return;
     gd_load_names();
     for (size_t i = 0; i < CLASSES; ++i) gd_register(classes[i]);

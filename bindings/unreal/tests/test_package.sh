@@ -13,6 +13,7 @@ refuse() { # WANTED ARGUMENTS...
 }
 refuse 'no langevin_rigid library in' --native "$build/empty" --out "$build/a"
 refuse 'is for Linux, not for Win64' --native "Win64=$prefix" --out "$build/a"
+refuse '--engine is a version' --native "$prefix" --engine 5.4 --out "$build/a"
 refuse 'two of --native are for the same platform' --native "$prefix" --native "$prefix" --out "$build/a"
 refuse 'is not this plugin' --native "$prefix" --out "$build/other"
 cp -L "$prefix/lib/liblangevin_rigid.so" "$build/changed/lib/"

@@ -9,6 +9,7 @@ from pathlib import Path
 plugin = Path(sys.argv[1])
 descriptor = json.loads((plugin / "LangevinRigid.uplugin").read_text())
 assert descriptor["FileVersion"] == 3
+assert descriptor["EngineVersion"] == "5.4.0"  # as bindings/unreal/test.sh packages it
 platforms = set(descriptor["SupportedTargetPlatforms"])
 names = {module["Name"] for module in descriptor["Modules"]}
 rules = {path.name[:-len(".Build.cs")] for path in plugin.glob("Source/*/*.Build.cs")}
@@ -23,6 +24,10 @@ for module in descriptor["Modules"]:
     needed = set(re.findall(r'"(\w+)"', (folder / f"{module['Name']}.Build.cs").read_text()))
     if module["Type"] == "Runtime":
         assert not needed & {"UnrealEd", "AssetDefinition", "LangevinRigidEditor"}, module["Name"]
+for path in plugin.glob("Source/Langevin*/**/*"):  # shops ask for it
+    assert not path.is_file() or path.read_text().startswith("// Copyright Langevin Rigid contributors."), path
+icon = (plugin / "Resources/Icon128.png").read_bytes()
+assert icon[1:4] == b"PNG" and icon[16:24] == bytes([0, 0, 0, 128] * 2)
 header = (plugin / "Source/ThirdParty/LangevinRigidLibrary/include/langevin_rigid.h").read_text()
 version = ".".join(re.search(rf"#define LR_VERSION_{part} (\d+)", header).group(1) for part in ("MAJOR", "MINOR", "PATCH"))
 assert descriptor["VersionName"] == version, (descriptor["VersionName"], version)

@@ -40,6 +40,8 @@ try {
   await browser.until('globalThis.leafStorm?.frames > 3', 60);
   assert.equal(await count(), 1000);
   await later(30);
+  assert.equal(await browser.evaluate("document.getElementById('panel').open"), false, 'on a narrow screen the panel is folded');
+  await browser.evaluate("document.querySelector('#panel summary').click()");
   await browser.until("document.getElementById('stats').textContent.includes('fps')");
   assert.match(await browser.evaluate("document.getElementById('stats').textContent"), /ms a step\n.*of 1,000 in the air\nWebAssembly SIMD/);
 

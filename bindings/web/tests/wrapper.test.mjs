@@ -431,7 +431,7 @@ test('a defect ends the module with a message', async () => {
   const broken = await load();
   const world = broken.createWorld();
   world.createBatch({ asset: broken.loadAsset(leafBytes), capacity: 10 }).createBody();
-  new Uint32Array(broken.memory.buffer, world.address, 512).fill(0x7ffffff0); // addresses beyond the end of memory
+  new Uint32Array(broken.memory.buffer, world.address, 4096).fill(0x7ffffff0); // addresses beyond the end of memory
   assert.throws(() => world.hash(), refused('INTERNAL'));
   assert.throws(() => broken.createWorld(), /stopped in lr_world_hash/);
 });

@@ -29,6 +29,9 @@ namespace {
 constexpr std::size_t max_panels = 1000000;
 // Matrix entries in near blocks: 4 GB, three times the need of the largest sphere.
 constexpr std::size_t max_stored_entries = 1000000000;
+// Without patience: pairs of near panels, of which a regular mesh has twelve for each, and iterations, of which sheets whose layers do not
+// nearly coincide need fewer than fifty.
+constexpr std::size_t few_pairs = 4000000, few_pairs_each = 60, few_iterations = 100;
 // Error estimate over the largest entry of the block above which a solid is solved again, on finer panels up to this number.
 constexpr double good_estimate = 0.0025;
 constexpr std::size_t max_refined_panels = 5000;
@@ -66,7 +69,7 @@ void fix_constants(const Mesh& mesh, const SurfaceBasis& basis, const std::vecto
     }
 }
 
-using Currents = Eigen::Matrix<double, 3, 6>; // n x grad phi on one panel, one column per mode
+using Currents = Eigen::Matrix<double, 3, 6>; // grad phi x n on one panel, one column per mode
 
 std::vector<Currents> surface_currents(const SurfaceBasis& basis, const std::vector<Panel>& panels,
                                        const RigidModes& phi) {
@@ -143,25 +146,35 @@ Matrix6 discretisation_error(const Mesh& mesh, const SurfaceBasis& basis, const 
     return error;
 }
 
-// The error of flat panels on a curved surface. Moving the surface out by d changes the energy by d times the square of the
-// tangential velocity relative to the body (Hadamard); the part of the gap unknown to restore_curved_volume is of second order
-// in the turn of the normal over a panel.
-Matrix6 geometry_error(const BoundaryOperators& op, const std::vector<Currents>& currents,
-                       const CurvedSurface& surface) {
-    constexpr double factor = 0.5; // measured on ellipsoids up to 1:20 and 10:1
-    Matrix6 error = Matrix6::Zero();
+// Errors from panels that are flat. Moving the surface out by d changes the energy of the fluid, with what the body displaces, by d times the
+// square of the velocity relative to the body (Hadamard).
+struct GeometryErrors {
+    // Of a curved surface: the part of the gap unknown to restore_curved_volume is of second order in the turn of the normal over a panel.
+    Matrix6 curved = Matrix6::Zero();
+    // A mesh does not say whether its faces are facets or stand for a curved surface.
+    Matrix6 reading = Matrix6::Zero();
+};
+
+GeometryErrors geometry_errors(const BoundaryOperators& op, const std::vector<Currents>& currents,
+                               const CurvedSurface& surface) {
+    constexpr double factor = 0.2; // measured on ellipsoids up to 1:20 and 20:1
+    GeometryErrors errors;
     for (std::size_t t = 0; t < op.panels.size(); ++t) {
         const Panel& panel = op.panels[t];
-        Currents slip = currents[t]; // n x (grad phi - velocity of the body)
+        Currents slip = currents[t], rigid; // (grad phi - velocity of the body) x n, and that velocity
         for (Eigen::Index k = 0; k < 3; ++k) {
             const Eigen::Vector3d axis = Eigen::Vector3d::Unit(k);
-            slip.col(k) -= panel.normal.cross(axis);
-            slip.col(k + 3) -= panel.normal.cross(axis.cross(panel.centroid));
+            rigid.col(k) = axis;
+            rigid.col(k + 3) = axis.cross(panel.centroid);
         }
-        const double unknown = std::abs(surface.gap[t]) * std::min(1.0, surface.turn[t] * surface.turn[t]);
-        error += factor * panel.area * unknown * (slip.transpose() * slip);
+        for (Eigen::Index k = 0; k < 6; ++k) slip.col(k) += panel.normal.cross(rigid.col(k));
+        const Matrix6 change = panel.area * (slip.transpose() * slip - rigid.transpose() * rigid);
+        errors.curved +=
+            factor * std::abs(surface.gap[t]) * std::min(1.0, surface.turn[t] * surface.turn[t]) * change.cwiseAbs();
+        errors.reading += surface.doubt[t] * change;
     }
-    return error;
+    errors.reading = errors.reading.cwiseAbs().eval();
+    return errors;
 }
 
 // Replaces the matrix by the nearest one without negative eigenvalues; returns the largest eigenvalue removed.
@@ -296,9 +309,9 @@ bool solve_dense(const Mesh& unit, const SurfaceBasis& basis, const Eigen::Matri
     return true;
 }
 
-bool solve_fast(const Mesh& unit, const SurfaceBasis& basis, const Eigen::MatrixXd& position, unsigned threads,
-                const Progress& report, BoundaryOperators& op, RigidModes& phi, Eigen::MatrixXd& image, AddedMass& out,
-                Faults& faults) {
+bool solve_fast(const Mesh& unit, const SurfaceBasis& basis, const Eigen::MatrixXd& position,
+                const AddedMassOptions& options, const Progress& report, BoundaryOperators& op, RigidModes& phi,
+                Eigen::MatrixXd& image, AddedMass& out, Faults& faults) {
     const auto share = [&](double from, double to) {
         return [&report, from, to](double fraction) { report(from + (to - from) * fraction); };
     };
@@ -308,13 +321,18 @@ bool solve_fast(const Mesh& unit, const SurfaceBasis& basis, const Eigen::Matrix
                     "Remesh: avoid long faces beside short ones.", faults);
     };
     NearSingleLayer near;
-    if (!assemble_without_matrix(unit, basis, threads, share(0.0, 0.5), op, near)) return refuse();
-    FastSystem system(op, near, basis, threads);
-    if (system.stored_entries() > max_stored_entries) return refuse();
+    if (!assemble_without_matrix(unit, basis, options.threads, share(0.0, 0.5), op, near,
+                                 options.patient ? most_near_pairs
+                                                 : std::max(few_pairs, few_pairs_each * unit.faces.size())))
+        return refuse();
+    FastSystem system(op, near, basis, options.threads);
+    if (system.stored_entries() > (options.patient ? max_stored_entries : max_stored_entries / 5)) return refuse();
     system.assemble(share(0.2, 0.5));
     if (position.cols() > 0) image = system.multiply(position);
     FastSystem::Result result;
-    if (!system.solve(op.right_side, share(0.5, 0.95), result)) return refuse_singular(basis.sheet, faults);
+    if (!(options.patient || !basis.sheet ? system.solve(op.right_side, share(0.5, 0.95), result)
+                                          : system.solve(op.right_side, share(0.5, 0.95), result, few_iterations)))
+        return refuse_singular(basis.sheet, faults);
     phi = result.value;
     out.residual = result.residual;
     out.condition_estimate = result.condition;
@@ -323,8 +341,8 @@ bool solve_fast(const Mesh& unit, const SurfaceBasis& basis, const Eigen::Matrix
 }
 
 // Solves for a body of size one around the centre. Closed bodies: `curved` has the gap between flat panels and the curved
-// surface; the error estimate starts from `geometry`, which receives its geometric part.
-bool solve_surface(const Mesh& unit, const SurfaceBasis& basis, const CurvedSurface* curved, Matrix6& geometry,
+// surface; the error estimate includes `geometry.curved`, and `geometry` receives its geometric parts.
+bool solve_surface(const Mesh& unit, const SurfaceBasis& basis, const CurvedSurface* curved, GeometryErrors& geometry,
                    AddedMass& out, Faults& faults, const AddedMassOptions& options, const Progress& report) {
     Eigen::MatrixXd position, image;
     if (!basis.sheet) {
@@ -336,7 +354,7 @@ bool solve_surface(const Mesh& unit, const SurfaceBasis& basis, const CurvedSurf
     RigidModes phi;
     const bool solved = unit.faces.size() <= options.max_dense
                             ? solve_dense(unit, basis, position, report, op, phi, image, out, faults)
-                            : solve_fast(unit, basis, position, options.threads, report, op, phi, image, out, faults);
+                            : solve_fast(unit, basis, position, options, report, op, phi, image, out, faults);
     if (!solved) return false;
 
     const Matrix6 raw = -(phi.transpose() * op.moments);
@@ -349,10 +367,10 @@ bool solve_surface(const Mesh& unit, const SurfaceBasis& basis, const CurvedSurf
     Matrix6 error =
         discretisation_error(unit, basis, op, currents).cwiseAbs() + 0.5 * (raw - raw.transpose()).cwiseAbs();
     error += quadrature_floor * value.cwiseAbs();
-    error += geometry;
+    error += geometry.curved;
     if (curved) {
-        geometry = geometry_error(op, currents, *curved).cwiseAbs();
-        error += geometry;
+        geometry = geometry_errors(op, currents, *curved);
+        error += geometry.curved;
     }
     if (!basis.sheet) {
         // For translations the interior potential is x, so W x = (1/2 - K') n up to quadrature errors: a check without extra
@@ -431,8 +449,8 @@ Mesh refine(const Mesh& unit) {
     return curved;
 }
 
-bool solve_solid(const Mesh& unit, Matrix6& geometry, AddedMass& out, Faults& faults, const AddedMassOptions& options,
-                 const Progress& report) {
+bool solve_solid(const Mesh& unit, GeometryErrors& geometry, AddedMass& out, Faults& faults,
+                 const AddedMassOptions& options, const Progress& report) {
     const CurvedSurface surface = restore_curved_volume(unit);
     return solve_surface(surface.mesh, closed_basis(surface.mesh), &surface, geometry, out, faults, options, report);
 }
@@ -445,9 +463,10 @@ bool compute_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMa
     const Progress report = or_nothing(progress);
     double size = 0.0;
     const Mesh unit = scale_to_unit(mesh, centre, size);
-    Matrix6 geometry = Matrix6::Zero();
+    GeometryErrors geometry;
     Faults found;
     const bool good = solve_solid(unit, geometry, out, found, options, [&](double f) { report(first_share * f); });
+    const Matrix6 reading = geometry.reading; // of the faces as they are given
     if (good && mesh.faces.size() < max_refined_panels && !is_good(out)) {
         const Mesh fine = refine(unit);
         AddedMass better;
@@ -462,6 +481,8 @@ bool compute_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMa
     }
     faults.insert(faults.end(), found.begin(), found.end());
     if (!good) return false;
+    // How the faces are read has nothing to do with how well the solution does for them: independent errors add in squares.
+    out.error = (out.error.array().square() + reading.array().square()).sqrt().matrix().eval();
     scale_to_size(size, out);
     report(1.0);
     return true;
@@ -473,7 +494,7 @@ bool compute_sheet_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, c
     if (!check_size(mesh, faults)) return false;
     double size = 0.0;
     const Mesh unit = refine_sheet(scale_to_unit(mesh, centre, size), refinement);
-    Matrix6 geometry = Matrix6::Zero();
+    GeometryErrors geometry;
     if (!solve_surface(unit, sheet_basis(unit), nullptr, geometry, out, faults, options, or_nothing(progress)))
         return false;
     scale_to_size(size, out);

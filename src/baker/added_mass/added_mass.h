@@ -25,6 +25,8 @@ struct AddedMassOptions {
     // Triangles up to which the matrix is dense. Above, expansions make time and memory grow about linearly.
     std::size_t max_dense = 8000;
     unsigned threads = 0; // with expansions; 0: one per processor. Does not affect the result.
+    // False: gives up where it would take more than some seconds or a gigabyte, as needles and layers that nearly coincide do.
+    bool patient = true;
 };
 
 // The mesh must be closed and outward (check_and_repair).

@@ -16,8 +16,6 @@ namespace lr::baker {
 namespace {
 
 constexpr double four_pi = 4.0 * std::numbers::pi;
-// 2.5 GB; a sphere of a million panels needs a quarter of it.
-constexpr std::size_t most_near_pairs = 40000000;
 
 using Mode = Eigen::Matrix<double, 6, 1>;
 
@@ -39,15 +37,15 @@ public:
         : mesh_(mesh), basis_(basis), progress_(progress), out_(out), near_(mesh.faces.size()) {}
 
     void run() {
-        assemble_right_side(sum_all_doublets, 1);
+        assemble_right_side(sum_all_doublets, 1, most_near_pairs);
         assemble_hypersingular();
     }
 
-    bool run_fast(unsigned threads, NearSingleLayer& near) {
+    bool run_fast(unsigned threads, std::size_t most_pairs, NearSingleLayer& near) {
         const auto sum_fast = [&](DoubletArrays& arrays, std::size_t count, const auto& progress) {
             sum_doublets_fast(arrays, count, threads, progress);
         };
-        if (!assemble_right_side(sum_fast, threads)) return false;
+        if (!assemble_right_side(sum_fast, threads, most_pairs)) return false;
         near.start.assign(1, 0);
         for (std::size_t t = 0; t < near_.size(); ++t) {
             for (const NearPair& pair : near_[t]) {
@@ -74,14 +72,16 @@ private:
         }
     }
 
-    bool assemble_right_side(const SumDoublets& sum_doublets, unsigned threads) {
+    bool assemble_right_side(const SumDoublets& sum_doublets, unsigned threads, std::size_t most_pairs) {
         const auto unknowns = static_cast<Eigen::Index>(basis_.unknowns);
         for (const Face& f : mesh_.faces)
             out_.panels.push_back(make_panel(mesh_.vertices[f[0]], mesh_.vertices[f[1]], mesh_.vertices[f[2]]));
         for (const Panel& panel : out_.panels) out_.self.push_back(self_interaction(panel) / four_pi);
         out_.moments = RigidModes::Zero(unknowns, 6);
         out_.right_side = RigidModes::Zero(unknowns, 6);
-        if (!find_near_panels(out_.panels, most_near_pairs, near_, level_)) return false;
+        if (!find_near_panels(out_.panels, most_pairs, near_, level_)) return false;
+        // The single layer is integrated over the smaller of two panels; the double layer, for all neighbours at once.
+        if (basis_.sheet) level_.assign(level_.size(), 0);
         find_edges();
         if (!basis_.sheet) add_far_double_layer(sum_doublets);
         for (int levels = 0; levels < 3; ++levels) rules_.push_back(dunavant_rule(levels));
@@ -180,7 +180,10 @@ private:
         work.batch.clear();
         work.apart.clear();
         work.layers.clear();
-        for (NearPair& pair : near_[t]) (pair.touching || level_[t] > 0 ? work.batch : work.apart).push_back(&pair);
+        for (NearPair& pair : near_[t]) {
+            if (basis_.sheet && size_ratio(t, pair) > most_unlike) continue;
+            (pair.touching || level_[t] > 0 ? work.batch : work.apart).push_back(&pair);
+        }
         // Unused lanes cost nothing.
         const std::size_t spare =
             std::min((near_batch - work.batch.size() % near_batch) % near_batch, work.apart.size());
@@ -270,10 +273,14 @@ private:
 
     // The value with the outer rule on the smaller panel, where the inner potential varies least.
     double near_single_layer(std::size_t t, const NearPair& pair, const NearPair& mirror) const {
-        const double ratio = out_.panels[t].radius / out_.panels[pair.panel].radius;
-        if (ratio < 0.7) return pair.single_layer;
-        if (ratio > 1.0 / 0.7) return mirror.single_layer;
+        const double ratio = size_ratio(t, pair);
+        if (ratio < 1.0 / most_unlike) return pair.single_layer;
+        if (ratio > most_unlike) return mirror.single_layer;
         return 0.5 * (pair.single_layer + mirror.single_layer);
+    }
+    static constexpr double most_unlike = 1.0 / 0.7; // of panels whose two outer rules are as good
+    double size_ratio(std::size_t t, const NearPair& pair) const {
+        return out_.panels[t].radius / out_.panels[pair.panel].radius;
     }
 
     PanelFans find_fans() const {
@@ -386,9 +393,9 @@ BoundaryOperators assemble_boundary_operators(const Mesh& mesh, const SurfaceBas
 }
 
 bool assemble_without_matrix(const Mesh& mesh, const SurfaceBasis& basis, unsigned threads,
-                             const std::function<void(double)>& progress, BoundaryOperators& out,
-                             NearSingleLayer& near) {
+                             const std::function<void(double)>& progress, BoundaryOperators& out, NearSingleLayer& near,
+                             std::size_t most_pairs) {
     out = {};
-    return Assembler(mesh, basis, progress, out).run_fast(thread_count(threads), near);
+    return Assembler(mesh, basis, progress, out).run_fast(thread_count(threads), most_pairs, near);
 }
 } // namespace lr::baker

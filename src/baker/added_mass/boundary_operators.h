@@ -8,6 +8,9 @@
 
 namespace lr::baker {
 
+// 2.5 GB; a sphere of a million panels needs a quarter of it.
+constexpr std::size_t most_near_pairs = 40000000;
+
 // One column for each of vx vy vz wx wy wz.
 using RigidModes = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
 
@@ -33,15 +36,15 @@ struct NearSingleLayer {
 };
 
 // Assembles everything except the matrix, in linear time and memory: `near` receives the matrix's integrals of near panels;
-// far parts of the right side use expansions (fast_double_layer.h). False if the near pairs alone would exceed the memory
-// limit. threads 0: one per processor.
+// far parts of the right side use expansions (fast_double_layer.h). False if there are more than `most_pairs` pairs of near
+// panels. threads 0: one per processor.
 bool assemble_without_matrix(const Mesh& mesh, const SurfaceBasis& basis, unsigned threads,
-                             const std::function<void(double)>& progress, BoundaryOperators& out,
-                             NearSingleLayer& near);
+                             const std::function<void(double)>& progress, BoundaryOperators& out, NearSingleLayer& near,
+                             std::size_t most_pairs = most_near_pairs);
 
-// Surface curl n x grad psi of the hat functions at the corners of a panel.
+// Surface curl grad psi x n of the hat functions at the corners of a panel.
 inline Eigen::Vector3d hat_curl(const Panel& panel, std::size_t corner) {
-    // n x gradient is the opposite edge over twice the area, without the rounding of a cross product
+    // It is the opposite edge over twice the area, without the rounding of a cross product
     return (panel.corner[(corner + 2) % 3] - panel.corner[(corner + 1) % 3]) / (2.0 * panel.area);
 }
 } // namespace lr::baker

@@ -24,6 +24,8 @@ public:
         struct Side {
             std::size_t face, corner;
         };
+        std::vector<FaceBends> bends;
+        for (std::size_t t = 0; t < mesh.faces.size(); ++t) bends.push_back(bends_of(mesh, mesh.faces[t], normals[t]));
         std::map<Edge, Side> seen;
         for (std::size_t t = 0; t < mesh.faces.size(); ++t)
             for (std::size_t k = 0; k < 3; ++k) {
@@ -34,16 +36,16 @@ public:
                 Eigen::Matrix3d normal_matrix = Eigen::Matrix3d::Zero();
                 Eigen::Vector3d right = Eigen::Vector3d::Zero();
                 double largest = 0.0;
-                const auto add = [&](const CornerNormal& from, const CornerNormal& to, const Eigen::Vector3d& e) {
-                    const Eigen::Vector3d normal = (from.round + to.round).normalized();
-                    const double change = bend(from, to, e);
+                const auto add = [&](std::size_t face, std::size_t corner) {
+                    const Eigen::Vector3d normal =
+                        (normals[face][corner].round + normals[face][(corner + 1) % 3].round).normalized();
+                    const double change = bends[face].used[corner];
                     largest = std::max(largest, std::abs(change));
                     normal_matrix += normal * normal.transpose();
                     right += normal * change / 8.0;
                 };
-                const auto& [u, i] = first->second;
-                add(normals[t][k], normals[t][(k + 1) % 3], along);
-                add(normals[u][i], normals[u][(i + 1) % 3], -along);
+                add(t, k);
+                add(first->second.face, first->second.corner);
                 if (largest <= turn * along.norm()) continue;
                 const Eigen::Vector3d move = least_motion(normal_matrix, right);
                 const double limit = max_sagitta * along.norm(), length = move.norm();

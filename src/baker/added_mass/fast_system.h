@@ -33,7 +33,8 @@ public:
         double residual = 0.0, condition = 0.0; // as in ModeSolution
     };
     // Solves W x = right with the constants of closed parts fixed. False if the iteration does not converge.
-    bool solve(const RigidModes& right, const std::function<void(double)>& progress, Result& out);
+    bool solve(const RigidModes& right, const std::function<void(double)>& progress, Result& out,
+               std::size_t max_iterations = 500);
 
 private:
     ModeVectors to_tree(const Eigen::MatrixXd& x) const;

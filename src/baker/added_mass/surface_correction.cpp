@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace lr::baker {
 namespace {
@@ -22,8 +23,8 @@ class Correction {
 public:
     explicit Correction(const Mesh& mesh)
         : mesh_(mesh), area_(mesh.faces.size()), normal_(mesh.faces.size()), corner_normal_(mesh.faces.size()),
-          offset_(mesh.faces.size()), turn_(mesh.faces.size(), 0.0), start_(mesh.vertices.size() + 1, 0),
-          corners_(3 * mesh.faces.size()) {
+          offset_(mesh.faces.size()), doubt_(mesh.faces.size()), turn_(mesh.faces.size(), 0.0),
+          start_(mesh.vertices.size() + 1, 0), corners_(3 * mesh.faces.size()) {
         for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
             const Face& f = mesh.faces[i];
             const Eigen::Vector3d twice = (at(f[1]) - at(f[0])).cross(at(f[2]) - at(f[0]));
@@ -45,8 +46,8 @@ public:
     CurvedSurface run() {
         std::vector<std::vector<std::vector<Corner>>> groups(mesh_.vertices.size());
         for (uint32_t v = 0; v < mesh_.vertices.size(); ++v) groups[v] = smooth_groups(v);
-        for (std::size_t i = 0; i < mesh_.faces.size(); ++i) offset_[i] = mean_gap(i);
-        CurvedSurface result{mesh_, offset_, turn_};
+        for (std::size_t i = 0; i < mesh_.faces.size(); ++i) find_gaps(i);
+        CurvedSurface result{mesh_, offset_, doubt_, turn_};
         for (uint32_t v = 0; v < mesh_.vertices.size(); ++v) result.mesh.vertices[v] += shift(v, groups[v]);
         return result;
     }
@@ -71,7 +72,7 @@ private:
                     group.push_back(left[i]);
                     left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
                 }
-            CornerNormal normal{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+            CornerNormal normal{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 1.0};
             for (const Corner& c : group) {
                 const Face& f = mesh_.faces[c.face];
                 const Eigen::Vector3d a = at(f[(c.index + 1) % 3]) - at(vertex),
@@ -81,6 +82,7 @@ private:
             }
             normal.round.normalize();
             normal.broad.normalize();
+            normal.smooth = smoothness(group);
             for (const Corner& c : group) corner_normal_[c.face][c.index] = normal;
             groups.push_back(std::move(group));
         }
@@ -94,17 +96,37 @@ private:
         return shared >= 2 && normal_[f].dot(normal_[g]) > crease_cosine;
     }
 
+    // A mesh with 16 faces or more around a turn stands for a curved surface, one with 8 or fewer for facets. The finest turn at the vertex tells:
+    // the rim of a thin ellipsoid turns sharply across, but little along. Coplanar faces tell nothing, they can be halves of a quadrilateral.
+    double smoothness(const std::vector<Corner>& group) const {
+        constexpr double round_turn = std::numbers::pi / 8.0, facet_turn = std::numbers::pi / 4.0;
+        constexpr double flat = 0.1; // of the sharpest turn: edges below count less and less
+        std::vector<double> turns;
+        double sharpest = 0.0;
+        for (const Corner& a : group)
+            for (const Corner& b : group) {
+                if (mesh_.faces[a.face][(a.index + 1) % 3] != mesh_.faces[b.face][(b.index + 2) % 3]) continue;
+                const Eigen::Vector3d &n = normal_[a.face], &m = normal_[b.face];
+                turns.push_back(std::atan2(n.cross(m).norm(), n.dot(m)));
+                sharpest = std::max(sharpest, turns.back());
+            }
+        double smooth = 0.0;
+        for (const double turn : turns)
+            smooth = std::max(smooth, std::min(1.0, turn / (flat * sharpest + 1e-300)) *
+                                          std::clamp((facet_turn - turn) / (facet_turn - round_turn), 0.0, 1.0));
+        return smooth;
+    }
+
     // A surface with second fundamental form II is above its triangle by 1/2 sum lambda_a lambda_b II(e_ab, e_ab), on average
     // 1/24 sum II(e, e). II(e, e) is the change of the normal along edge e, to second order.
-    double mean_gap(std::size_t face) {
-        double gap = 0.0;
+    void find_gaps(std::size_t face) {
+        const FaceBends bends = bends_of(mesh_, mesh_.faces[face], corner_normal_[face]);
         for (std::size_t k = 0; k < 3; ++k) {
-            const std::size_t next = (k + 1) % 3;
-            const CornerNormal &from = corner_normal_[face][k], &to = corner_normal_[face][next];
-            gap += bend(from, to, at(mesh_.faces[face][next]) - at(mesh_.faces[face][k]));
+            const CornerNormal &from = corner_normal_[face][k], &to = corner_normal_[face][(k + 1) % 3];
+            offset_[face] += bends.used[k] / 24.0;
+            doubt_[face] += bends.doubtful[k] / 24.0;
             turn_[face] = std::max(turn_[face], (to.round - from.round).norm());
         }
-        return gap / 24.0;
     }
 
     // On a crease each side has its own offset along its own normal: least squares, without motion along the
@@ -134,7 +156,7 @@ private:
     std::vector<double> area_;
     std::vector<Eigen::Vector3d> normal_;
     std::vector<std::array<CornerNormal, 3>> corner_normal_;
-    std::vector<double> offset_;
+    std::vector<double> offset_, doubt_;
     std::vector<double> turn_;
     std::vector<std::size_t> start_;
     std::vector<Corner> corners_;
@@ -150,15 +172,33 @@ Eigen::Vector3d least_motion(const Eigen::Matrix3d& normal_matrix, const Eigen::
     return move;
 }
 
-double bend(const CornerNormal& from, const CornerNormal& to, const Eigen::Vector3d& along) {
+FaceBends bends_of(const Mesh& mesh, const Face& face, const std::array<CornerNormal, 3>& normals) {
     // Sufficient for meshes graded by thirds; a long straight side between tight bends stays straight.
     constexpr double most_broad = 1.5, most_other_end = 3.0;
     const auto limited = [](double x, double limit) {
         return x * limit <= 0.0 ? 0.0 : std::abs(x) < std::abs(limit) ? x : limit;
     };
-    const double start = -limited(from.round.dot(along), most_broad * from.broad.dot(along));
-    const double end = limited(to.round.dot(along), most_broad * to.broad.dot(along));
-    return limited(start, most_other_end * end) + limited(end, most_other_end * start);
+    FaceBends out;
+    std::array<double, 3> start{}, end{};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const CornerNormal &from = normals[k], &to = normals[(k + 1) % 3];
+        const Eigen::Vector3d along = mesh.vertices[face[(k + 1) % 3]] - mesh.vertices[face[k]];
+        const double first = -limited(from.round.dot(along), most_broad * from.broad.dot(along));
+        const double last = limited(to.round.dot(along), most_broad * to.broad.dot(along));
+        start[k] = limited(first, most_other_end * last);
+        end[k] = limited(last, most_other_end * first);
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        // II(a + b, a + b) <= 2 II(a, a) + 2 II(b, b), unless the surface is a saddle: between a flat vertex and an edge, a face is a facet.
+        const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+        const double bend = std::abs(start[k] + end[k]);
+        const double most = 2.0 * (std::abs(start[i] + end[i]) + std::abs(start[j] + end[j]));
+        const double share = bend > most ? most / bend : 1.0;
+        const double w = normals[k].smooth, v = normals[i].smooth;
+        out.used[k] = share * (w * start[k] + v * end[k]);
+        out.doubtful[k] = share * (w * (2.0 - w) * start[k] + v * (2.0 - v) * end[k]);
+    }
+    return out;
 }
 
 std::vector<std::array<CornerNormal, 3>> corner_normals(const Mesh& mesh) {

@@ -3,6 +3,8 @@
 
 #include "baker/mesh/mesh.h"
 
+#include <array>
+
 namespace lr::baker {
 
 // Faces whose normals differ by a larger angle are two surfaces with a crease, not one curved surface. 66 degrees: the rim of a
@@ -18,18 +20,26 @@ Eigen::Vector3d least_motion(const Eigen::Matrix3d& normal_matrix, const Eigen::
 struct CornerNormal {
     Eigen::Vector3d round; // exact for constant curvature (weights of Max 1999, J. Graphics Tools 4)
     Eigen::Vector3d broad; // close to that of the larger faces (weighted by area)
+    double smooth = 1.0;   // how far the faces are read as a sample of a curved surface: 0, facets as they are, to 1
 };
 
 // Normals at the corners of each face; corners of a vertex not separated by a crease share them.
 std::vector<std::array<CornerNormal, 3>> corner_normals(const Mesh& mesh);
 
-// The change of the normal along an edge, times the edge: eight times the height of the curve above its midpoint. Limited if the
-// two ends, or the faces around one end, disagree: then the mesh does not define the distribution of the turn.
-double bend(const CornerNormal& from, const CornerNormal& to, const Eigen::Vector3d& along);
+// For each side of a face, from corner k to the next: the change of the normal along it, times the side, which is eight times the height of the
+// curve above its midpoint. Limited if the two ends, or the faces around one end, disagree: then the mesh does not define the distribution of the
+// turn.
+struct FaceBends {
+    std::array<double, 3> used{}; // of the surface that is solved
+    std::array<double, 3>
+        doubtful{}; // by which another reading may differ: less all bends, or with those of a smooth surface as far as it is one
+};
+FaceBends bends_of(const Mesh& mesh, const Face& face, const std::array<CornerNormal, 3>& normals);
 
 struct CurvedSurface {
     Mesh mesh;
-    std::vector<double> gap; // of each face: mean distance of the curved surface from the triangle, along its normal
+    std::vector<double> gap;   // of each face: mean distance of the curved surface from the triangle, along its normal
+    std::vector<double> doubt; // of each face: the same distance by which another reading of the faces may differ
     std::vector<double>
         turn; // of each face: largest change of the normal between its corners, in radians for small ones
 };

@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <map>
+#include <utility>
 
 namespace lr::baker {
 namespace {
@@ -78,7 +81,24 @@ Frame frame_across(const Vector3d& normal) {
     return {x, normal.cross(x)};
 }
 
+// Dots of each square of a grid as one.
+std::vector<Dot> joined(const std::vector<Dot>& dots, double step) {
+    std::map<std::pair<int64_t, int64_t>, Dot> squares;
+    for (const Dot& d : dots) {
+        const auto index = [&](double x) { return static_cast<int64_t>(std::floor(x / step)); };
+        Dot& sum =
+            squares.try_emplace({index(d.at.x()), index(d.at.y())}, Dot{Eigen::Vector2d::Zero(), 0.0}).first->second;
+        sum.at += d.area * d.at;
+        sum.area += d.area;
+    }
+    std::vector<Dot> out;
+    for (const auto& [at, sum] : squares)
+        if (sum.area > 0.0) out.push_back({sum.at / sum.area, sum.area});
+    return out;
+}
+
 std::vector<Dot> dots_of(const Part& part, const Vector3d& normal) {
+    constexpr std::size_t most_dots = 50000; // dense meshes
     const Frame frame = frame_across(normal);
     double size = 0.0;
     for (const Vector3d& e : {frame.x, frame.y}) {
@@ -90,7 +110,7 @@ std::vector<Dot> dots_of(const Part& part, const Vector3d& normal) {
         const Vector3d m = f.middle();
         dots.push_back({{frame.x.dot(m), frame.y.dot(m)}, f.area * std::abs(f.normal.dot(normal))});
     }
-    return dots;
+    return dots.size() > most_dots ? joined(dots, size / 80.0) : dots;
 }
 
 struct Line {
@@ -226,6 +246,45 @@ Line best_line(const std::vector<Dot>& dots) {
     }
     return best;
 }
+
+// Triangles divided until no edge is longer; length_of gives its square.
+template <class Length> Part divided(const Part& part, double longest, const Length& length_of) {
+    Part out, rest = part;
+    while (!rest.empty()) {
+        const Facet f = rest.back();
+        rest.pop_back();
+        std::size_t k = 0;
+        double most = 0.0;
+        for (std::size_t e = 0; e < 3; ++e) {
+            const double length = length_of(f.at[(e + 1) % 3] - f.at[e]);
+            if (length > most) {
+                most = length;
+                k = e;
+            }
+        }
+        if (most <= longest * longest) {
+            out.push_back(f);
+            continue;
+        }
+        const Vector3d &a = f.at[k], &b = f.at[(k + 1) % 3], &c = f.at[(k + 2) % 3], m = 0.5 * (a + b);
+        add(rest, a, m, c, f);
+        add(rest, m, b, c, f);
+    }
+    return out;
+}
+
+// Divided in all directions, or, where these are too many triangles, along one only.
+Part refined_along(const Part& part, const Vector3d& direction, double longest) {
+    constexpr double most = 200000.0;
+    double count = 0.0;
+    for (const Facet& f : part)
+        for (std::size_t e = 0; e < 3; ++e) count += (f.at[(e + 1) % 3] - f.at[e]).squaredNorm() / (longest * longest);
+    if (count <= most) return refined(part, longest);
+    return divided(part, longest, [&](const Vector3d& v) {
+        const double x = direction.dot(v);
+        return x * x;
+    });
+}
 } // namespace
 
 Part part_of(const Mesh& mesh, double sides_of_sheets, std::size_t solid_faces) {
@@ -266,28 +325,7 @@ std::pair<Part, Part> cut(const Part& part, const Vector3d& direction, double of
 }
 
 Part refined(const Part& part, double longest) {
-    Part out, rest = part;
-    while (!rest.empty()) {
-        const Facet f = rest.back();
-        rest.pop_back();
-        std::size_t k = 0;
-        double most = 0.0;
-        for (std::size_t e = 0; e < 3; ++e) {
-            const double length = (f.at[(e + 1) % 3] - f.at[e]).squaredNorm();
-            if (length > most) {
-                most = length;
-                k = e;
-            }
-        }
-        if (most <= longest * longest) {
-            out.push_back(f);
-            continue;
-        }
-        const Vector3d &a = f.at[k], &b = f.at[(k + 1) % 3], &c = f.at[(k + 2) % 3], m = 0.5 * (a + b);
-        add(rest, a, m, c, f);
-        add(rest, m, b, c, f);
-    }
-    return out;
+    return divided(part, longest, [](const Vector3d& v) { return v.squaredNorm(); });
 }
 
 PartMoments moments_of(const Part& part) {
@@ -368,7 +406,7 @@ std::vector<Slice> sliced(const Part& part, const Vector3d& direction, std::size
     const double centre = 0.5 * (low + high), scale = 0.5 * (high - low);
     std::vector<std::pair<double, double>> points;
     double area = 0.0;
-    for (const Facet& f : refined(part, (high - low) / 64.0)) {
+    for (const Facet& f : refined_along(part, direction, (high - low) / 64.0)) {
         points.emplace_back((direction.dot(f.middle()) - centre) / scale, f.area);
         area += f.area;
     }

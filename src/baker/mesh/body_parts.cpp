@@ -3,6 +3,7 @@
 #include "baker/mesh/crack_repair.h"
 #include "baker/mesh/disjoint_sets.h"
 #include "baker/mesh/half_edges.h"
+#include "baker/mesh/mass_properties.h"
 #include "baker/mesh/mesh_check.h"
 
 #include <Eigen/Geometry>
@@ -168,19 +169,13 @@ private:
         sheets.insert(sheets.end(), flaps.begin(), flaps.end());
     }
 
-    double volume_of(const std::vector<Face>& faces) const {
-        double sum = 0.0;
-        for (const Face& f : faces)
-            sum +=
-                (at(f[0]) - at(faces[0][0])).dot((at(f[1]) - at(faces[0][0])).cross(at(f[2]) - at(faces[0][0]))) / 6.0;
-        return sum;
-    }
-
     // A solid that faces the other way than the one around it, as the walls of a hollow do.
     void find_cavities(Mesh& out) {
         constexpr std::size_t samples = 64;
-        double sum = 0.0; // as the file winds them: it may have all inside out
-        for (const Solid& s : solids_) sum += s.inward ? -volume_of(s.faces) : volume_of(s.faces);
+        Mesh as_wound{mesh_.vertices, {}, {}}; // in the file, which may have all inside out
+        for (const Solid& s : solids_)
+            for (const Face& f : s.faces) as_wound.faces.push_back(s.inward ? Face{f[0], f[2], f[1]} : f);
+        const double sum = as_wound.faces.empty() ? 0.0 : compute_mass_properties(as_wound).volume;
         std::vector<Face> outer;
         for (Solid& s : solids_) {
             s.inward = s.inward == (sum >= 0.0);

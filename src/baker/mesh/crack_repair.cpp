@@ -2,8 +2,12 @@
 
 #include "baker/mesh/half_edges.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <span>
 
 namespace lr::baker {
 namespace {
@@ -21,31 +25,45 @@ std::vector<HalfEdge> find_open_edges(const Mesh& mesh) {
     return open;
 }
 
-// Vertices sorted along one axis, so that an edge tests only a slice of them.
+// Vertices sorted along each axis, so that an edge tests only a slice of them, across the axis where it is the thinnest.
 class RimVertices {
 public:
-    RimVertices(const Mesh& mesh, const std::vector<HalfEdge>& open, Eigen::Index axis) : mesh_(mesh), axis_(axis) {
-        for (const HalfEdge& e : open) order_.insert(order_.end(), {e.low, e.high});
-        std::sort(order_.begin(), order_.end(),
-                  [&](uint32_t a, uint32_t b) { return at(a) != at(b) ? at(a) < at(b) : a < b; });
-        order_.erase(std::unique(order_.begin(), order_.end()), order_.end());
+    RimVertices(const Mesh& mesh, const std::vector<HalfEdge>& open) : mesh_(mesh) {
+        std::vector<uint32_t> order;
+        for (const HalfEdge& e : open) order.insert(order.end(), {e.low, e.high});
+        std::sort(order.begin(), order.end());
+        order.erase(std::unique(order.begin(), order.end()), order.end());
+        for (Eigen::Index axis = 0; axis < 3; ++axis) {
+            std::vector<Place>& places = along_[static_cast<std::size_t>(axis)];
+            for (const uint32_t v : order) places.push_back({mesh.vertices[v], v});
+            std::stable_sort(places.begin(), places.end(),
+                             [&](const Place& a, const Place& b) { return a.at[axis] < b.at[axis]; });
+        }
     }
 
     // Vertices inside the edge from a to b, in this order.
     std::vector<uint32_t> on_edge(uint32_t a, uint32_t b, double reach) const {
-        const Eigen::Vector3d& start = mesh_.vertices[a];
-        const Eigen::Vector3d along = mesh_.vertices[b] - start;
-        const double square = along.squaredNorm(), low = std::min(at(a), at(b)) - reach;
-        const double high = std::max(at(a), at(b)) + reach;
+        const Eigen::Vector3d &start = mesh_.vertices[a], &end = mesh_.vertices[b];
+        const Eigen::Vector3d along = end - start;
+        const double square = along.squaredNorm();
+        const Eigen::AlignedBox3d box(start.cwiseMin(end).array() - reach, start.cwiseMax(end).array() + reach);
+        std::span<const Place> slice = along_[0];
+        for (Eigen::Index axis = 0; axis < 3; ++axis) {
+            const std::vector<Place>& places = along_[static_cast<std::size_t>(axis)];
+            const auto first = std::lower_bound(places.begin(), places.end(), box.min()[axis],
+                                                [&](const Place& p, double x) { return p.at[axis] < x; });
+            const auto last = std::upper_bound(first, places.end(), box.max()[axis],
+                                               [&](double x, const Place& p) { return x < p.at[axis]; });
+            if (static_cast<std::size_t>(last - first) <= slice.size()) slice = {first, last};
+        }
         std::vector<std::pair<double, uint32_t>> found;
-        auto v = std::lower_bound(order_.begin(), order_.end(), low, [&](uint32_t i, double x) { return at(i) < x; });
-        for (; v != order_.end() && at(*v) <= high; ++v) {
-            if (*v == a || *v == b) continue;
-            const Eigen::Vector3d to = mesh_.vertices[*v] - start;
+        for (const auto& [at, v] : slice) {
+            if (!box.contains(at) || v == a || v == b) continue;
+            const Eigen::Vector3d to = at - start;
             const double share = to.dot(along) / square;
             if (!(share > 0.0 && share < 1.0) || (to - share * along).squaredNorm() > reach * reach) continue;
             const double from_ends = std::min(share, 1.0 - share);
-            if (from_ends * from_ends * square > reach * reach) found.emplace_back(share, *v);
+            if (from_ends * from_ends * square > reach * reach) found.emplace_back(share, v);
         }
         std::sort(found.begin(), found.end());
         std::vector<uint32_t> vertices;
@@ -54,11 +72,13 @@ public:
     }
 
 private:
-    double at(uint32_t v) const { return mesh_.vertices[v][axis_]; }
+    struct Place {
+        Eigen::Vector3d at;
+        uint32_t vertex;
+    };
 
     const Mesh& mesh_;
-    Eigen::Index axis_;
-    std::vector<uint32_t> order_;
+    std::array<std::vector<Place>, 3> along_; // sorted along each axis
 };
 } // namespace
 
@@ -68,15 +88,14 @@ std::size_t close_cracks(Mesh& mesh, double tolerance) {
         low = low.cwiseMin(v);
         high = high.cwiseMax(v);
     }
-    Eigen::Index axis = 0;
-    const double reach = tolerance * (high - low).maxCoeff(&axis);
+    const double reach = tolerance * (high - low).maxCoeff();
     std::size_t joined = 0;
     // Each round repairs one side of a face; the new faces can have cracks on other sides.
     constexpr int max_rounds = 8;
     for (int round = 0; round < max_rounds; ++round) {
         const std::vector<HalfEdge> open = find_open_edges(mesh);
         if (open.empty()) break;
-        const RimVertices rim(mesh, open, axis);
+        const RimVertices rim(mesh, open);
         std::size_t before = joined;
         uint32_t last = UINT32_MAX;
         for (const HalfEdge& e : open) {

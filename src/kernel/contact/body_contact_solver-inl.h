@@ -65,8 +65,8 @@ HWY_INLINE PairState state_of(const BodyContactInput& in, const PairBlock& block
 constexpr float most_joined = 0.2f; // of the smaller reach
 
 // The contact frame, its places on both bodies, and all gains.
-HWY_INLINE void set_frame(const BodyContactInput& in, const Gathered& g, PairBlock& block, size_t at,
-                          const Size& size_a, const Size& size_b, Side& a, Side& b) {
+HWY_NOINLINE void set_frame(const BodyContactInput& in, const Gathered& g, PairBlock& block, size_t at,
+                            const Size& size_a, const Size& size_b, Side& a, Side& b) {
     const VF zero = hn::Zero(DF()), one = constant(1.0f);
     const bool pairs = between_bodies(block);
     const Matrix turn_a = matrix_of(load4(g.a + at_q, at)), turn_b = matrix_of(load4(g.b + at_q, at));

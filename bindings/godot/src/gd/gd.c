@@ -19,6 +19,7 @@ int gd_load(gdx_get_proc_address get, gdx_library library) {
     if (!gd.name && !missing) missing = #name;
     GDX_FUNCTIONS(GD_LOAD)
 #undef GD_LOAD
+    gd.load_help = (void (*)(const char*))get("editor_help_load_xml_from_utf8_chars");
     if (missing) {
         fprintf(stderr, "langevin_rigid: this engine has no %s: Godot 4.4 or later is required\n", missing);
         return 0;

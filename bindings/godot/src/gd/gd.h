@@ -32,6 +32,7 @@ typedef struct gd_api {
     uint64_t names[GD_NAME_COUNT]; /* StringNames */
     gdx_object rendering_server;   /* from the first batch on: extensions are loaded before the server exists */
     uint8_t in_editor;
+    void (*load_help)(const char* xml); /* null: the engine takes none */
 } gd_api;
 
 extern gd_api gd;

@@ -83,7 +83,7 @@ typedef struct host_counts {
     int objects, names, rids, multimeshes, buffers, visible, connections, postinitialize;
     int errors, warnings;
     int signals_touched, signals_landed, bodies_landed;
-    int flushes;
+    int flushes, help;
     int64_t stored, room; /* bytes in the files, and their remaining room */
     char last_error[512];
 } host_counts;

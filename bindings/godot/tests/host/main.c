@@ -232,6 +232,8 @@ int main(int argc, char** argv) {
     CHECK(init && init(host_get, library, &levels) == 1 && levels.minimum_level == GDX_LEVEL_SCENE);
     const int objects = host.objects;
     for (gdx_level level = 0; level <= GDX_LEVEL_EDITOR; ++level) levels.initialize(levels.userdata, level);
+    CHECK(host.help == 3 && host.warnings == 0 &&
+          host.errors == 0); /* a warning names what has no text, or no member */
     host_class* batch = host_find_class("LangevinBatch");
     CHECK(batch && !strcmp(batch->parent, "Node3D") && batch->properties > 25 && batch->signals == 7);
     CHECK(host_find_class("LangevinWorld") && host_find_class("LangevinWorld")->constants == 10);

@@ -1,6 +1,6 @@
+// Copyright Langevin Rigid contributors. SPDX-License-Identifier: MIT
 // A component's batch in the library: bodies, their emitter and their rules. Drawing is in
 // LangevinBatchInstances.cpp.
-// SPDX-License-Identifier: MIT
 #include "LangevinBatchComponent.h"
 
 #include "Engine/World.h"

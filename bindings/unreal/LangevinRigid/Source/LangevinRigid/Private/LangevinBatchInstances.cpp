@@ -1,5 +1,5 @@
+// Copyright Langevin Rigid contributors. SPDX-License-Identifier: MIT
 // Turns a batch's bodies into instances, and into snapshots for other threads.
-// SPDX-License-Identifier: MIT
 #include "Async/ParallelFor.h"
 #include "Engine/StaticMesh.h"
 #include "LangevinBatchComponent.h"

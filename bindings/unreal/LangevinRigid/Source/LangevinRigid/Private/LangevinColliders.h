@@ -1,5 +1,5 @@
+// Copyright Langevin Rigid contributors. SPDX-License-Identifier: MIT
 // The level's collision as colliders of the library, static and moving.
-// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "CoreMinimal.h"

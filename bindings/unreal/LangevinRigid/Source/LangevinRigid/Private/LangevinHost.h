@@ -1,5 +1,5 @@
+// Copyright Langevin Rigid contributors. SPDX-License-Identifier: MIT
 // Services of the engine for a world of the library: memory, log and tasks.
-// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "CoreMinimal.h"

@@ -1,5 +1,5 @@
+// Copyright Langevin Rigid contributors. SPDX-License-Identifier: MIT
 // Wind that blows outward from points, for wind sources with bPointWind. Plain C++: called from worker threads.
-// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cmath>

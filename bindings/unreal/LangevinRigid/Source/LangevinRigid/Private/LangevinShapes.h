@@ -1,5 +1,5 @@
+// Copyright Langevin Rigid contributors. SPDX-License-Identifier: MIT
 // Converts collision of the engine's components to colliders of the library, in their component's frame.
-// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "CoreMinimal.h"

@@ -1,5 +1,5 @@
+// Copyright Langevin Rigid contributors. SPDX-License-Identifier: MIT
 // Converts the engine's vectors to those of LangevinConversion.h and to the library's arrays.
-// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "CoreMinimal.h"

@@ -1,5 +1,5 @@
+// Copyright Langevin Rigid contributors. SPDX-License-Identifier: MIT
 // Passes the level's wind sources to a world of the library.
-// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "CoreMinimal.h"

@@ -1,5 +1,5 @@
+// Copyright Langevin Rigid contributors. SPDX-License-Identifier: MIT
 // The subsystem's calls to its batches. Batches know the subsystem; it knows them only by this interface.
-// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "CoreMinimal.h"

@@ -1,3 +1,4 @@
+// Copyright Langevin Rigid contributors. SPDX-License-Identifier: MIT
 // Converts between the library's frame (metres, right-handed) and Unreal's (centimetres, left-handed, Z up). Plain C++
 // without engine types, so that tests can run it outside the engine.
 //
@@ -5,8 +6,6 @@
 // and OBJ importers do the same to a right-handed Z-up mesh file, so a mesh baked from the drawn mesh's file needs no
 // further rotation. The mirror turns true vectors (positions, velocities) into (x, -y, z), and pseudovectors (spins,
 // torques, rotation axes) into (-x, y, -z).
-//
-// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cmath>

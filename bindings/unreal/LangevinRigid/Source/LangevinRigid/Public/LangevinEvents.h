@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: MIT
+// Copyright Langevin Rigid contributors. SPDX-License-Identifier: MIT
 #pragma once
 
 #include "CoreMinimal.h"

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: MIT
+// Copyright Langevin Rigid contributors. SPDX-License-Identifier: MIT
 #include "AssetDefinition_LangevinAsset.h"
 
 #define LOCTEXT_NAMESPACE "AssetDefinition_LangevinAsset"

@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: MIT
+// Copyright Langevin Rigid contributors. SPDX-License-Identifier: MIT
 #include "Modules/ModuleManager.h"
 
 IMPLEMENT_MODULE(FDefaultModuleImpl, LangevinRigidEditor)

@@ -1,0 +1,160 @@
+// A mesh does not say whether its faces are facets or stand for a curved surface. The estimate of the error includes both.
+#include "baker/added_mass/added_mass.h"
+#include "baker/added_mass/surface_correction.h"
+#include "baker/mesh/convex_hull.h"
+#include "mesh_shapes.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+
+using namespace lr;
+using namespace lr::baker;
+
+namespace {
+
+using Vec = Eigen::Vector3d;
+
+AddedMass solve(const Mesh& mesh) {
+    AddedMass result;
+    Faults faults;
+    REQUIRE(compute_added_mass(mesh, Vec::Zero(), result, faults));
+    return result;
+}
+
+// Six squares, twelve chamfers at 45 degrees, eight corners: 44 triangles.
+Mesh brick(const Vec& size, double chamfer) {
+    std::vector<Vec> points;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int corner = 0; corner < 8; ++corner) {
+            Vec p;
+            for (int k = 0; k < 3; ++k)
+                p[k] = (0.5 * size[k] - (k == axis ? 0.0 : chamfer)) * ((corner >> k & 1) != 0 ? 1.0 : -1.0);
+            points.push_back(p);
+        }
+    ConvexHull hull;
+    Faults faults;
+    REQUIRE(compute_convex_hull(points, hull, faults));
+    return {hull.vertices, hull.faces, {}};
+}
+
+// Around z, closed by fans: radius and height of each ring, from below.
+Mesh wheel(const std::vector<std::array<double, 2>>& rings, int sides) {
+    Mesh mesh;
+    const auto at = [&](std::size_t ring, int side) {
+        return static_cast<uint32_t>(ring * static_cast<std::size_t>(sides)) + static_cast<uint32_t>(side % sides);
+    };
+    for (const auto& [radius, height] : rings)
+        for (int i = 0; i < sides; ++i) {
+            const double angle = 2.0 * std::numbers::pi * i / sides;
+            mesh.vertices.emplace_back(radius * std::cos(angle), radius * std::sin(angle), height);
+        }
+    const auto below = static_cast<uint32_t>(mesh.vertices.size()), above = below + 1;
+    mesh.vertices.emplace_back(0.0, 0.0, rings.front()[1]);
+    mesh.vertices.emplace_back(0.0, 0.0, rings.back()[1]);
+    const std::size_t last = rings.size() - 1;
+    for (int i = 0; i < sides; ++i) {
+        mesh.faces.push_back({below, at(0, i + 1), at(0, i)});
+        mesh.faces.push_back({above, at(last, i), at(last, i + 1)});
+        for (std::size_t k = 0; k < last; ++k) {
+            mesh.faces.push_back({at(k, i), at(k, i + 1), at(k + 1, i + 1)});
+            mesh.faces.push_back({at(k, i), at(k + 1, i + 1), at(k + 1, i)});
+        }
+    }
+    return mesh;
+}
+
+// Each triangle in four, in its plane.
+Mesh subdivided(const Mesh& mesh) {
+    Mesh out{mesh.vertices, {}, {}};
+    std::map<std::pair<uint32_t, uint32_t>, uint32_t> middles;
+    const auto middle = [&](uint32_t a, uint32_t b) {
+        const auto [entry, fresh] = middles.try_emplace(std::minmax(a, b), static_cast<uint32_t>(out.vertices.size()));
+        if (fresh) out.vertices.push_back(0.5 * (mesh.vertices[a] + mesh.vertices[b]));
+        return entry->second;
+    };
+    for (const Face& f : mesh.faces) {
+        const uint32_t a = middle(f[0], f[1]), b = middle(f[1], f[2]), c = middle(f[2], f[0]);
+        out.faces.insert(out.faces.end(), {{f[0], a, c}, {f[1], b, a}, {f[2], c, b}, {a, b, c}});
+    }
+    return out;
+}
+
+const Mesh& chamfered_wheel() {
+    static const Mesh mesh = wheel({{0.8, -0.2}, {1.0, -0.1}, {1.0, 0.1}, {0.8, 0.2}}, 18);
+    return mesh;
+}
+
+double largest_gap(const Mesh& mesh) {
+    const CurvedSurface surface = restore_curved_volume(mesh);
+    double largest = 0.0;
+    for (const double gap : surface.gap) largest = std::max(largest, std::abs(gap));
+    return largest;
+}
+} // namespace
+
+TEST_CASE("a coarse solid moves by no more than it states when its faces are subdivided" *
+          doctest::skip(test::sanitized)) {
+    struct Case {
+        const char* name;
+        Mesh mesh;
+        std::size_t faces;
+        double least, most; // of what it states for translations, over the largest
+    };
+    for (const Case& c :
+         {Case{"cube with chamfers of a quarter", brick({1, 1, 1}, 0.25), 44, 0.0, 0.25},
+          Case{"brick 2:1:0.6 with chamfers of 0.1", brick({2, 1, 0.6}, 0.1), 44, 0.0, 0.15},
+          Case{"wheel of 18 sides with chamfers", chamfered_wheel(), 144, 0.0, 0.15},
+          Case{"sphere by latitude and longitude", test::latitude_longitude({1, 1, 1}, 12, 12), 264, 0.0, 0.1},
+          Case{"prism of 8 sides", wheel({{1.0, -0.5}, {1.0, 0.5}}, 8), 32, 0.0, 0.005},
+          Case{"sphere", test::icosphere(2), 320, 0.025, 0.05}, Case{"sphere", test::icosphere(3), 1280, 0.006, 0.01},
+          Case{"ellipsoid 10:1:1", test::ellipsoid(10, 1, 1, 3), 1280, 0.006, 0.01}}) {
+        CAPTURE(std::string(c.name));
+        REQUIRE(c.mesh.faces.size() == c.faces);
+        const AddedMass whole = solve(c.mesh), fine = solve(subdivided(c.mesh));
+        const double mass = whole.value.diagonal().head<3>().maxCoeff();
+        double square = 0.0;
+        // Bodies nearly round have almost no inertia to turn, and what facets add is of second order.
+        for (const Vec& v : c.mesh.vertices) square = std::max(square, v.squaredNorm());
+        for (int i = 0; i < 6; ++i) {
+            CAPTURE(i);
+            const double little = mass * (i < 3 ? 1e-3 : 2e-3 * square);
+            CHECK(std::abs(fine.value(i, i) - whole.value(i, i)) < whole.error(i, i) + little);
+        }
+        const double stated = whole.error.diagonal().head<3>().maxCoeff() / mass;
+        const double moved = (fine.value - whole.value).diagonal().head<3>().cwiseAbs().maxCoeff() / mass;
+        MESSAGE(std::string(c.name), ", ", c.faces, " faces: moves by ", 100.0 * moved, " %, states ", 100.0 * stated,
+                " %");
+        CHECK(stated > c.least);
+        CHECK(stated < c.most);
+    }
+}
+
+TEST_CASE("facets at 45 degrees and more stay flat, and so do the caps of a wheel") {
+    for (const int sides : {4, 6, 8}) CHECK(largest_gap(wheel({{1.0, -0.5}, {1.0, 0.5}}, sides)) < 1e-12);
+    CHECK(largest_gap(wheel({{1.0, -0.5}, {1.0, 0.5}}, 16)) > 1e-3);
+    const CurvedSurface surface = restore_curved_volume(chamfered_wheel());
+    for (std::size_t t = 0; t < surface.gap.size(); ++t) {
+        const Face& f = chamfered_wheel().faces[t];
+        const Vec& a = chamfered_wheel().vertices[f[0]];
+        const bool cap = a.head<2>().norm() < 1e-12;
+        if (cap) CHECK(std::abs(surface.gap[t]) < 1e-12);
+    }
+}
+
+TEST_CASE("the finer a prism, the rounder it is read") {
+    double last = -1e-9;
+    for (const int sides : {8, 10, 12, 14, 16, 24}) {
+        CAPTURE(sides);
+        // The mean height of an arc above its chord.
+        const double arc = 2.0 / 3.0 * (1.0 - std::cos(std::numbers::pi / sides));
+        const double share = largest_gap(wheel({{1.0, -0.5}, {1.0, 0.5}}, sides)) / arc;
+        CHECK(share >= last);
+        CHECK(share < last + 0.45);
+        last = share - 1e-3;
+    }
+    CHECK(last == doctest::Approx(1.0).epsilon(0.02));
+}
