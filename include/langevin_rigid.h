@@ -32,7 +32,9 @@
 
 #include <stdint.h>
 
-#if defined(_WIN32)
+#if defined(LR_STATIC) /* the static library, or the sources compiled into a program */
+#define LR_API
+#elif defined(_WIN32)
 #if defined(LR_BUILD_SHARED)
 #define LR_API __declspec(dllexport)
 #else

@@ -11,7 +11,7 @@ select_platform "${1:?which platform}"
 folder=$(platform_folder "$platform")
 build=$(platform_build "$platform")
 dependencies=$folder/dependencies
-targets=(langevin_rigid lr_bake lr_drop lr_replay)
+targets=(langevin_rigid langevin_rigid_static lr_bake lr_drop lr_replay)
 tests=OFF
 if [ "${2:-}" = --tests ]; then
     targets+=(tests_core tests_api tests_determinism snapshot_file)

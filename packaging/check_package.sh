@@ -144,6 +144,16 @@ by_cmake() {
 }
 check "hello.c by CMake" by_cmake
 check "and it runs" says_hash "$work/cmake/hello$exe"
+check "and the one with the static library, without others" says_hash "$work/cmake/hello_static$exe"
+alone() { needs "$1" | grep -i -e langevin -e stdc && return 1 || true; }
+check "which needs none of them" alone "$work/cmake/hello_static$exe"
+global() { # COFF: of C alone
+    local others
+    others=$(nm -g --defined-only "$prefix/lib/liblangevin_rigid_static.a" | awk 'NF == 3 { print $3 }' | grep -v '^lr_' || true)
+    [ "$platform" != windows-x64 ] || others=$(grep -vE '^(_Z|__emutls_v|\.refptr\.|(__)?ccd)' <<<"$others" || true)
+    [ -z "$others" ] || { echo "$others"; return 1; }
+}
+check "global symbols of the static library" global
 if [ "$platform" = windows-x64 ] && command -v clang-14 >/dev/null && command -v lld-link >/dev/null; then
     mkdir microsoft
     by_lld() { # import library in Microsoft's format; MinGW's start-up code replaces Microsoft's

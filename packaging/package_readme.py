@@ -42,7 +42,10 @@ def read_me(options) -> str:
         rows += [("lib/langevin_rigid.lib", "import library for Microsoft's linker and LLVM's"),
                  ("lib/liblangevin_rigid.dll.a", "import library for MinGW"),
                  ("lib/langevin_rigid.def", "its exports, for other linkers")]
-    rows += [("lib/cmake, lib/pkgconfig", "for CMake and pkg-config; the folder may be moved anywhere"),
+    rows += [("lib/liblangevin_rigid_static.a", "the library for linking in, " + (
+        "by MinGW's GCC, with `-l:libstdc++.a -l:libwinpthread.a`" if windows else "with glibc 2.36 or later: it contains its C++ runtime, and no name but the API's is global")
+        + "; define `LR_STATIC`, or use `langevin_rigid::static` in CMake"),
+             ("lib/cmake, lib/pkgconfig", "for CMake and pkg-config; the folder may be moved anywhere"),
              (f"bin/lr_bake{exe}", "makes assets from meshes and leaf textures"),
              (f"bin/lr_drop{exe}", "drops an asset: how fast and in which manner it falls, with a picture"),
              ("assets", "baked meshes (.lrb) and their sources (.obj)"),
@@ -72,7 +75,7 @@ In this folder:
     cmake -S samples -B build -DCMAKE_PREFIX_PATH={"%CD%" if windows else "$PWD"}
     cmake --build build
 
-In your own `CMakeLists.txt`: `find_package(langevin_rigid 0.1 CONFIG REQUIRED)` and
+In your own `CMakeLists.txt`: `find_package(langevin_rigid {options.version} CONFIG REQUIRED)` and
 `target_link_libraries(yours PRIVATE langevin_rigid::langevin_rigid)`. With pkg-config:
 `PKG_CONFIG_PATH=lib/pkgconfig pkg-config --cflags --libs langevin_rigid`.
 

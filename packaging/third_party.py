@@ -30,6 +30,7 @@ CARRIED = [
     ("JSON for Modern C++", "headers; MIT", BAKER, "nlohmann-json3-dev"),
 ]
 COMPILER = {
+    "source": [],  # only what the runtime contains
     "linux-x64": [("GCC runtime", "libstdc++ and libgcc; GPL-3.0 with the GCC Runtime Library Exception", BOTH, "gcc-12-base")],
     "linux-arm64": [("GCC runtime", "libstdc++ and libgcc; GPL-3.0 with the GCC Runtime Library Exception", BOTH,
                      "gcc-12-cross-base|gcc-12-base")],
@@ -68,6 +69,8 @@ def main() -> None:
     folder.mkdir(parents=True, exist_ok=True)
     rows, common = [], set()
     for name, what, where, entry in CARRIED + COMPILER[options.platform]:
+        if options.platform == "source" and where == BAKER:
+            continue
         debian, version, terms = find(entry, options.sources, versions)
         text = terms.read_bytes().decode("utf-8", errors="replace")
         target = folder / (re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-") + ".txt")

@@ -2,25 +2,27 @@
 # SPDX-License-Identifier: MIT
 #
 # Makes binary packages: library, header, baker, bindings, assets and licences in one archive per platform.
-#   scripts/package.sh [linux-x64|windows-x64|linux-arm64|wasm|all ...] [--out DIR]     default: linux-x64, into build/packages
-# scripts/setup.sh package [windows] [arm64] installs the tools and fetches the sources of dependencies once, from Debian.
+#   scripts/package.sh [linux-x64|windows-x64|linux-arm64|macos|wasm|source ...] [--out DIR]     default: linux-x64, into build/packages
+#   scripts/package.sh all [--out DIR]     all of them, into dist, with a page that lists them
+# scripts/setup.sh package [windows] [arm64] [macos] installs the tools and fetches the sources of dependencies once, from Debian.
 # The same commit gives the same bytes. docs/maintainers/releases.md
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source packaging/platforms.sh
 
-out=build/packages
-wanted=()
+out=
+wanted=() all=false
 while [ $# -gt 0 ]; do
     case $1 in
     --out) out=${2:?--out DIR}; shift ;;
-    all) wanted=(linux-x64 windows-x64 linux-arm64 wasm) ;;
-    -h | --help) sed -n '4,9s/^# \{0,1\}//p' "scripts/package.sh"; exit 0 ;;
+    all) wanted=(source linux-x64 windows-x64 linux-arm64 macos wasm) all=true ;;
+    -h | --help) sed -n '4,10s/^# \{0,1\}//p' "scripts/package.sh"; exit 0 ;;
     *) wanted+=("$1") ;;
     esac
     shift
 done
 [ ${#wanted[@]} -gt 0 ] || wanted=(linux-x64)
+[ -n "$out" ] || { $all && out=dist || out=build/packages; }
 mkdir -p "$out"
 out=$(realpath "$out")
 
@@ -34,6 +36,11 @@ for name in "${wanted[@]}"; do
     if [ "$name" = wasm ]; then
         say "$name: library for WebAssembly (about 3 minutes the first time)"
         packaging/package_wasm.sh "$out"
+    elif [ "$name" = source ]; then
+        packaging/make_source_kit.sh "$out"
+    elif [ "$name" = macos ]; then
+        say "$name: library for both processors (about 6 minutes)"
+        packaging/package_macos.sh "$out"
     else
         select_platform "$name"
         say "$name: bundled libraries (about 4 minutes the first time on two cores)"
@@ -45,3 +52,4 @@ for name in "${wanted[@]}"; do
     fi
     echo "$name: $((SECONDS - start)) s"
 done
+if $all; then python3 packaging/list_packages.py "$out"; fi

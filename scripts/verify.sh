@@ -29,8 +29,10 @@ steps=( # name, minutes on two cores, title
     "levels       15 Held hashes: GCC and clang at -O1, -O2 and -O3"
     "arm64         8 Held hashes: 64-bit ARM, emulated"
     "windows      10 Held hashes: 64-bit Windows, by Wine"
+    "kit           8 Source kit: unpacked alone, GCC and clang, without a system, Microsoft's rules"
     "package      12 Package for Linux, as a new user uses it"
     "packages     30 Packages for Windows, 64-bit ARM and the web"
+    "macos        20 Package for macOS: compiled and linked by Zig, exports"
     "three         2 The npm package with three.js and Vite, in a browser"
     "reproducible 10 The library built twice in different folders: equal bytes"
 )
@@ -130,6 +132,16 @@ step_windows() {
 make_package() { # platform
     scripts/package.sh "$1"
     packaging/check_package.sh build/packages/langevin_rigid-*-"$1".*[xi][zp]
+}
+step_kit() {
+    [ -d /usr/x86_64-w64-mingw32/include ] || skip "MinGW's headers are not installed: scripts/setup.sh test windows"
+    scripts/package.sh source
+    packaging/check_source_kit.sh build/packages/langevin_rigid-*-source.tar.xz
+    packaging/check_msvc_rules.sh
+}
+step_macos() {
+    [ -d build/zig/node_modules ] || skip "Zig is not installed: scripts/setup.sh package macos"
+    scripts/package.sh macos
 }
 step_package() {
     on_platform linux-x64 || skip "the tools above are not installed"

@@ -73,7 +73,7 @@ Kick kick_of(const Batch& batch, const BodyState& body, const Push& p) {
     return impulse_response(batch.step.body, wide(body.value[field_scale]), kick);
 }
 
-bool within(Double3 v, double most) {
+bool all_within(Double3 v, double most) {
     return in_range(v.x, -most, most) && in_range(v.y, -most, most) && in_range(v.z, -most, most);
 }
 
@@ -81,7 +81,7 @@ bool within(Double3 v, double most) {
 const char* too_large(const Batch& batch, uint32_t index, const Push& p) {
     if (!continuous(p.mode)) {
         const Kick kick = kick_of(batch, batch.read(index), p);
-        return within(kick.v, most_kick) && within(kick.w, most_kick)
+        return all_within(kick.v, most_kick) && all_within(kick.w, most_kick)
                    ? nullptr
                    : "an impulse or velocity gives more than 1e6 m/s or rad/s";
     }
@@ -89,7 +89,7 @@ const char* too_large(const Batch& batch, uint32_t index, const Push& p) {
     const double mass = scale * scale * scale * wide(batch.step.body.unit_mass);
     const bool force = p.mode == LR_FORCE_MODE_FORCE;
     const double most = force ? most_acceleration * mass : most_acceleration;
-    return within(p.force, most) && within(p.torque, force ? most * length : most / length)
+    return all_within(p.force, most) && all_within(p.torque, force ? most * length : most / length)
                ? nullptr
                : "a force or acceleration gives more than 1e9 m/s^2";
 }

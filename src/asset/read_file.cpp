@@ -1,5 +1,10 @@
 #include "asset/asset.h"
 
+#if defined(LR_NO_OS)
+lr_status lr::read_asset_bytes(const char*, std::vector<unsigned char>&) {
+    return LR_ERROR_UNSUPPORTED;
+}
+#else
 #include <algorithm>
 #include <cerrno>
 #include <cstddef>
@@ -106,3 +111,4 @@ lr_status read_asset_bytes(const char* path_utf8, std::vector<unsigned char>& ou
 }
 #endif
 } // namespace lr
+#endif

@@ -2,20 +2,8 @@
 
 #include <algorithm>
 
-#if defined(__SSE2__) || defined(_M_X64)
-#include <emmintrin.h>
-#endif
-
 namespace lr {
 namespace {
-
-void pause_processor() {
-#if defined(__SSE2__) || defined(_M_X64)
-    _mm_pause();
-#elif defined(__aarch64__)
-    __asm__ volatile("yield");
-#endif
-}
 
 // Some tens of microseconds: the length of a chunk, and what waking a thread costs. A pause is 40 to 140 cycles on x86.
 constexpr uint32_t spins = 1000;

@@ -1,55 +1,86 @@
-// Threads, waiting and yielding on this platform.
+// Threads, waiting, yielding and the clock of this platform. LR_NO_OS: none of them; workers come from lr_job_system alone.
 #pragma once
 
 #include <atomic>
 #include <cstdint>
 
+#if defined(__SSE2__) || defined(_M_X64)
+#include <emmintrin.h>
+#elif defined(_M_ARM64)
+#include <intrin.h>
+#endif
+
 // WebAssembly built without -pthread has no threads, nor the headers for them.
-#if defined(__wasm__) && !defined(_REENTRANT)
+#if defined(LR_NO_OS) || (defined(__wasm__) && !defined(_REENTRANT))
 #define LR_HAS_THREADS 0
 #else
 #define LR_HAS_THREADS 1
 #include <thread>
 #endif
+#if !defined(LR_NO_OS)
+#include <chrono>
+#endif
 
 // Without a futex, libstdc++ before 13 compares before it locks and notifies without the lock: wake-ups get lost, and both sides wait forever.
-#if defined(_WIN32) && defined(__GLIBCXX__)
+#if defined(LR_NO_OS) || (defined(_WIN32) && defined(__GLIBCXX__))
 #define LR_WAITS_ON_ATOMICS 0
-#include <condition_variable>
-#include <mutex>
 #else
 #define LR_WAITS_ON_ATOMICS 1
+#endif
+#if !LR_WAITS_ON_ATOMICS && !defined(LR_NO_OS)
+#include <condition_variable>
+#include <mutex>
+#endif
+
+#if defined(_MSC_VER) && !defined(__clang__) // a hint, which Microsoft's compiler lacks
+#define __builtin_prefetch(address) ((void)(address))
 #endif
 
 namespace lr {
 
-#if LR_HAS_THREADS
-using ThreadId = std::thread::id;
-inline ThreadId nobody() {
-    return {};
+inline void pause_processor() {
+#if defined(__SSE2__) || defined(_M_X64)
+    _mm_pause();
+#elif defined(_M_ARM64)
+    __yield();
+#elif defined(__aarch64__)
+    __asm__ volatile("yield");
+#endif
 }
+
+// The address of a variable of the thread.
+using ThreadId = const void*;
 inline ThreadId this_thread() {
-    return std::this_thread::get_id();
+    static thread_local char here;
+    return &here;
 }
 inline unsigned hardware_threads() { // 0 if the system does not say
+#if LR_HAS_THREADS
     return std::thread::hardware_concurrency();
-}
 #else
-using ThreadId = int;
-inline ThreadId nobody() {
-    return -1;
-}
-inline ThreadId this_thread() {
-    return 0;
-}
-inline unsigned hardware_threads() {
     return 1;
-}
 #endif
+}
+inline double clock_seconds() { // since any time; without a system always 0
+#if defined(LR_NO_OS)
+    return 0.0;
+#else
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+#endif
+}
 
 // A count that threads can wait for; replaces std::atomic's waits if these are unreliable.
 #if LR_WAITS_ON_ATOMICS
 using WaitedCount = std::atomic<uint32_t>;
+#elif defined(LR_NO_OS)
+class WaitedCount : public std::atomic<uint32_t> {
+public:
+    using std::atomic<uint32_t>::atomic;
+
+    void wait(uint32_t) const { pause_processor(); }
+    void notify_one() {}
+    void notify_all() {}
+};
 #else
 class WaitedCount : public std::atomic<uint32_t> {
 public:

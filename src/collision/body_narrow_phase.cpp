@@ -1,3 +1,5 @@
+#include "kernel/compiled_once.h"
+
 #include "collision/body_narrow_phase.h"
 
 #include "collision/contact_patch.h"
@@ -26,10 +28,10 @@ Float4 size_of(Float4 a) {
     return greater(a, -a);
 }
 Float4 next(Float4 a) {
-    return __builtin_shufflevector(a, a, 1, 2, 0, 3);
+    return shuffled<1, 2, 0, 3>(a);
 }
 Float4 after_next(Float4 a) {
-    return __builtin_shufflevector(a, a, 2, 0, 1, 3);
+    return shuffled<2, 0, 1, 3>(a);
 }
 
 // Whether the boxes about the cores are farther apart than `enough` along any of the fifteen axes (Gottschalk et al. 1996). True for NaN.

@@ -35,7 +35,7 @@ public:
             else if (rise < 0.0f)
                 first_[k] = greater(first_[k], -1.0f / rise * at);
             else
-                last_[k] = at <= all(0.0f) ? last_[k] : all(-far);
+                last_[k] = choose(at <= all(0.0f), last_[k], all(-far));
             some |= first_[k] <= last_[k];
         }
         return any(some);

@@ -1,3 +1,5 @@
+#include "kernel/compiled_once.h"
+
 #include "collision/convex_separation.h"
 
 #include "kernel/contact/gjk-inl.h"

@@ -1,3 +1,5 @@
+#include "kernel/compiled_once.h"
+
 #include "kernel/body_constants.h"
 
 #include "asset/asset_file.h"

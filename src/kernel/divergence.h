@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/lane_arrays.h"
+#include "hwy/base.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -62,13 +63,13 @@ bool hold_if_insane(const BatchArrays& a, size_t i, uint32_t* faults, const Befo
 // The former state of a vector's bodies, for those that diverge.
 class BodiesBefore {
 public:
-    __attribute__((noinline)) void take(const BatchArrays& a, size_t begin, size_t count) {
+    HWY_NOINLINE void take(const BatchArrays& a, size_t begin, size_t count) {
         for (size_t f = 0; f < field_count; ++f)
             if (a.field[f]) std::copy_n(a.field[f] + begin, count, value_[f]);
     }
     // a: their present state; seconds: since then; gusts: as in is_sane().
-    __attribute__((noinline)) void hold(const BatchArrays& a, size_t begin, size_t count, float seconds, bool gusts,
-                                        uint32_t* faults) {
+    HWY_NOINLINE void hold(const BatchArrays& a, size_t begin, size_t count, float seconds, bool gusts,
+                           uint32_t* faults) {
         for (size_t i = 0; i < count; ++i) {
             const float age = value_[field_age][i], age_remainder = value_[field_age_remainder][i];
             if (is_held(age_remainder)) {

@@ -172,14 +172,14 @@ void Recorder::answer(Kind kind, uint32_t count, uint32_t batch, double time, co
         }
         if (any != 0) record.given |= 1u << v;
     }
-    while (writing_.test_and_set(std::memory_order_acquire)) writing_.wait(true, std::memory_order_relaxed);
+    while (writing_.exchange(1, std::memory_order_acquire) != 0) writing_.wait(1);
     open(kind);
     value(record);
     for (int k = 0; k < 3; ++k) put(positions[k], bytes);
     for (uint32_t v = 0; v < value_count; ++v)
         if ((record.given & 1u << v) != 0) put(values[v], bytes);
     close();
-    writing_.clear(std::memory_order_release);
+    writing_.store(0, std::memory_order_release);
     writing_.notify_one();
 }
 } // namespace lr::recording

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "base/allocator.h"
+#include "base/threads.h"
 #include "recording/recording_format.h"
 
-#include <atomic>
 #include <utility>
 
 struct lr_asset;
@@ -93,6 +93,6 @@ private:
     };
     Callers<lr_wind_fn> wind_;
     Callers<lr_water_fn> surface_;
-    std::atomic_flag writing_;
+    WaitedCount writing_{0};
 };
 } // namespace lr::recording

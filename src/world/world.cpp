@@ -363,7 +363,7 @@ bool lr_world::step(float dt, uint32_t substeps, const FloatMode& mode) {
     wake_left();
     lap(events.on() ? timings.events : timings.emit_and_rules);
     // The phases' sum, which rounds, is never more.
-    timings.total = std::chrono::duration<double>(lapped - began).count() * (1.0 + 1e-12);
+    timings.total = (lapped - began) * (1.0 + 1e-12);
     return met;
 }
 
@@ -415,8 +415,8 @@ void lr_world::run(StepItem* some, uint32_t count, const WaterStep* at_surface, 
 }
 
 void lr_world::lap(double& phase) {
-    const auto last = std::exchange(lapped, std::chrono::steady_clock::now());
-    phase += std::chrono::duration<double>(lapped - last).count();
+    const double last = std::exchange(lapped, clock_seconds());
+    phase += lapped - last;
 }
 
 // Reach of the largest bodies at scale 1 plus their way in a step, at typical speeds of fluttering bodies plus the wind.

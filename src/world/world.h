@@ -13,7 +13,6 @@
 #include "world/schedule/step_chunks.h"
 
 #include <atomic>
-#include <chrono>
 #include <cstdint>
 
 namespace lr::recording {
@@ -32,7 +31,7 @@ public:
 
     // LR_OK: the calling thread owns the world until leave(). Else LR_ERROR_CONCURRENT_USE or LR_ERROR_REENTRANT.
     lr_status enter(const char* function) {
-        ThreadId owner = nobody();
+        ThreadId owner = nullptr;
         const ThreadId self = this_thread();
         if (!owner_.compare_exchange_strong(owner, self, std::memory_order_acquire, std::memory_order_relaxed))
             return owner == self ? LR_ERROR_REENTRANT : LR_ERROR_CONCURRENT_USE;
@@ -41,7 +40,7 @@ public:
     }
     void leave() {
         function_.store(nullptr, std::memory_order_relaxed);
-        owner_.store(nobody(), std::memory_order_release);
+        owner_.store(nullptr, std::memory_order_release);
     }
     const char* function() const { return function_.load(std::memory_order_relaxed); } // null: between two calls
 
@@ -51,7 +50,7 @@ public:
 
 private:
     bool checked_ = false;
-    std::atomic<ThreadId> owner_{nobody()};
+    std::atomic<ThreadId> owner_{nullptr};
     std::atomic<const char*> function_{nullptr};
     std::atomic<bool> telling_{false};
 };
@@ -136,7 +135,7 @@ struct lr_world {
     lr::BodyContactBuffers body_contact_buffers{allocator}; // of batches with body contact
     lr::EventList events;
     lr_timings timings{}; // of the last step
-    std::chrono::steady_clock::time_point lapped;
+    double lapped = 0.0;  // s
     uint64_t step_count = 0, substep_count = 0;
     double time = 0.0; // s
     lr::StepScheduler pacing;

@@ -11,22 +11,49 @@ mkdir -p "$work"
 check() {
     at=$1
     name=$2
+    config=$(dirname "$(find "$at" -name langevin_rigid.pc)")
     baker=OFF
     [ ! -e "$at/include/langevin_rigid_baker.hpp" ] || baker=ON
-    cmake -G Ninja -S "$here" -B "$work/$name" -DCMAKE_PREFIX_PATH="$at" -DWITH_BAKER=$baker > "$work/$name.log" 2>&1 || { cat "$work/$name.log"; return 1; }
+    static=OFF
+    [ ! -e "$config/langevin_rigid_static.pc" ] || static=ON
+    cmake -G Ninja -S "$here" -B "$work/$name" -DCMAKE_PREFIX_PATH="$at" -DWITH_BAKER=$baker -DWITH_STATIC=$static > "$work/$name.log" 2>&1 || { cat "$work/$name.log"; return 1; }
     cmake --build "$work/$name" >> "$work/$name.log" 2>&1 || { cat "$work/$name.log"; return 1; }
     grep -q "langevin_rigid_DIR:PATH=$at" "$work/$name/CMakeCache.txt" || { echo "another package was found"; return 1; }
     in_c=$("$work/$name/in_c")
     in_cpp=$("$work/$name/in_cpp")
-    [ $baker = OFF ] || "$work/$name/importer"
-    config=$(dirname "$(find "$at" -name langevin_rigid.pc)")
-    # $flags is intentionally a list of words.
-    flags=$(PKG_CONFIG_PATH="$config" pkg-config --cflags --libs langevin_rigid)
     library=$(PKG_CONFIG_PATH="$config" pkg-config --variable=libdir langevin_rigid)
-    ${CC:-cc} -std=c99 -Wall -Wextra -pedantic -Werror "$here/falls.c" -o "$work/$name/by_pkg_config" $flags
-    by_pkg_config=$(LD_LIBRARY_PATH="$library" "$work/$name/by_pkg_config")
-    echo "$name: $in_c $in_cpp $by_pkg_config"
-    [ "$in_c" = "$in_cpp" ] && [ "$in_c" = "$by_pkg_config" ]
+    by_pkg_config "$name/by_pkg_config" "$here/falls.c" langevin_rigid
+    linked=$(LD_LIBRARY_PATH="$library" "$work/$name/by_pkg_config")
+    echo "$name: $in_c $in_cpp $linked"
+    [ "$in_c" = "$in_cpp" ] && [ "$in_c" = "$linked" ]
+    if [ $static = ON ]; then
+        [ "$in_c" = "$("$work/$name/in_static")" ]
+        by_pkg_config "$name/hello" "$here/../../samples/hello.c" langevin_rigid_static
+        "$work/$name/hello" | grep -Fxf "$here/../../packaging/hello.hash"
+        by_pkg_config "$name/out_of_memory" "$here/out_of_memory.c" langevin_rigid_static
+        truncate -s 900M "$work/large"
+        (ulimit -v 300000 && "$work/$name/out_of_memory" "$work/large")
+        alien=langevin # and the C++ runtime, which the library contains unless its users must link it
+        grep -q stdc++ "$config/langevin_rigid_static.pc" || alien='langevin|stdc'
+        for program in hello in_static; do
+            if readelf -d "$work/$name/$program" | grep -E "NEEDED.*($alien)"; then return 1; fi
+        done
+    fi
+    if [ $baker = ON ]; then
+        "$work/$name/importer"
+        by_pkg_config "$name/importer_by_pkg_config" "$here/importer.cpp" langevin_rigid_baker langevin_rigid
+        LD_LIBRARY_PATH="$library" "$work/$name/importer_by_pkg_config"
+    fi
+}
+by_pkg_config() { # program, source, packages
+    program=$1 source=$2
+    shift 2
+    # $flags is intentionally a list of words.
+    flags=$(PKG_CONFIG_PATH="$config" pkg-config --cflags --libs "$@")
+    case $source in
+    *.c) ${CC:-cc} -std=c99 -Wall -Wextra -pedantic -Werror "$source" -o "$work/$program" $flags ;;
+    *) ${CXX:-c++} -std=c++17 -Wall -Wextra -pedantic -Werror "$source" -o "$work/$program" $flags ;;
+    esac
 }
 
 check "$prefix" installed

@@ -1,8 +1,12 @@
-# cmake -DNM= -DLIBRARY= -DHEADERS= -DALLOWED= -P check_exports.cmake
-# Three lists must be one: symbols of the shared library, declarations of the header, and tests/api/exports.txt, which
+# cmake -DNM= -DLIBRARY= -DHEADERS= -DALLOWED= [-DSTATIC=ON] -P check_exports.cmake
+# Three lists must be one: symbols of the library (shared: the exported; static: the global), declarations of the header, and tests/api/exports.txt, which
 # bindings/generator/runtime.py writes.
 cmake_minimum_required(VERSION 3.25)
-execute_process(COMMAND "${NM}" -D --defined-only "${LIBRARY}" OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
+set(which -D)
+if(STATIC)
+    set(which -g)
+endif()
+execute_process(COMMAND "${NM}" ${which} --defined-only "${LIBRARY}" OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
 string(REPLACE "\n" ";" lines "${output}")
 set(exported "")
 foreach(line IN LISTS lines)

@@ -15,7 +15,11 @@
 
 // Lambdas in kernels: compiled for the target, and inlined, because a call would pass vectors through memory.
 #undef LR_LAMBDA
+#if HWY_COMPILER_MSVC
+#define LR_LAMBDA
+#else
 #define LR_LAMBDA HWY_ATTR __attribute__((always_inline))
+#endif
 
 // Files with and without pairs have functions of the same names: separate namespaces keep the linker from mixing those that are not inlined.
 #undef LR_KERNEL_PAIRS
