@@ -26,7 +26,7 @@ def main() -> None:
     folder = Path(sys.argv[1])
     for file in folder.glob("*.sha256"):
         file.unlink()
-    files = sorted(p for p in folder.iterdir() if p.name not in ("SHA256SUMS", "index.html"))
+    files = sorted(p for p in folder.iterdir() if p.is_file() and p.name not in ("SHA256SUMS", "index.html"))
     sums, rows, version = [], [], ""
     for end, platform, what in PURPOSES:
         for file in (p for p in files if p.name.endswith("-" + end)):
@@ -45,7 +45,8 @@ def main() -> None:
         "padding:.4em .8em .4em 0;border-top:1px solid #ccc}</style>\n"
         f"<h1>Langevin Rigid {version}</h1>\n<p>Leaves, paper and sinking things that flutter and tumble. Unpack the file of your platform: its README.md has the "
         'first steps. Check a download: <code>sha256sum --ignore-missing -c <a href="SHA256SUMS">SHA256SUMS</a></code>.</p>\n'
-        "<table><tr><th>file<th>for<th>what is in it<th>size\n" + "\n".join(rows) + "\n</table>\n", encoding="utf-8")
+        "<table><tr><th>file<th>for<th>what is in it<th>size\n" + "\n".join(rows) + "\n</table>\n"
+        + ('<p><a href="docs/index.html">Documentation</a>, with tutorial, recipes and API reference</p>\n' if (folder / "docs").is_dir() else ""), encoding="utf-8")
     print(f"{folder}: {len(files)} packages, {sum(p.stat().st_size for p in files) / 1e6:.1f} MB")
 
 

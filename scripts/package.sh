@@ -3,7 +3,7 @@
 #
 # Makes binary packages: library, header, baker, bindings, assets and licences in one archive per platform.
 #   scripts/package.sh [linux-x64|windows-x64|linux-arm64|macos|wasm|source ...] [--out DIR]     default: linux-x64, into build/packages
-#   scripts/package.sh all [--out DIR]     all of them, into dist, with a page that lists them
+#   scripts/package.sh all [--out DIR]     all of them, into dist, with the documentation and a page that lists them
 # scripts/setup.sh package [windows] [arm64] [macos] installs the tools and fetches the sources of dependencies once, from Debian.
 # The same commit gives the same bytes. docs/maintainers/releases.md
 set -euo pipefail
@@ -52,4 +52,7 @@ for name in "${wanted[@]}"; do
     fi
     echo "$name: $((SECONDS - start)) s"
 done
-if $all; then python3 packaging/list_packages.py "$out"; fi
+if $all; then
+    scripts/site.py "$out/docs"
+    python3 packaging/list_packages.py "$out"
+fi
