@@ -315,6 +315,7 @@ void show_graphs(panel& p, viewer& v, const scene_report& r) {
     if (v.frame_seconds > 0.0) ImGui::Text("%.0f pictures/s", 1.0 / v.frame_seconds);
     for (const Graph& g : p.graphs) {
         if (g.count == 0 || (g.timing && !(v.frame_seconds > 0.0))) continue;
+        if (&g == &p.graphs[graph_hits] && !p.show_hits) continue; // no events are asked for
         const float most = *std::max_element(g.values, g.values + graph_room);
         if (g.timing && most < 0.01f) continue; // a phase that this scene has not
         ImGui::PlotLines("##graph", g.values, g.count, g.count < graph_room ? 0 : g.at, nullptr, 0.0f, 1.05f * most,
