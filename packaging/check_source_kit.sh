@@ -73,16 +73,15 @@ assert port["version"] == version, port
 text = (kit / "vcpkg/langevin-rigid/portfile.cmake").read_text()
 recipe = (kit / "conanfile.py").read_text()
 tree = ast.parse(recipe)
-source = next(ast.literal_eval(n.value) for n in ast.walk(tree) if isinstance(n, ast.Assign) and n.targets[0].id == "exports_sources"
-              ) if True else None
-for pattern in source:
+patterns = next(ast.literal_eval(n.value) for n in ast.walk(tree) if isinstance(n, ast.Assign) and n.targets[0].id == "exports_sources")
+for pattern in patterns:
     assert list(kit.glob(pattern)), f"conanfile.py exports {pattern}, which is not there"
 cmake = (kit / "CMakeLists.txt").read_text()
 assert re.search(r"project\(langevin_rigid VERSION ([0-9.]+)", cmake).group(1) == version
 for option in re.findall(r"-D([A-Z_]+)=", text) + re.findall(r'cache_variables\["(\w+)"\]', recipe):
     assert f"option({option} " in cmake, f"no option {option} in CMakeLists.txt"
 for target in re.findall(r"langevin_rigid::(\w+)", cmake):
-    assert f'"{target}"' in recipe or target in recipe, target
+    assert target in recipe, target
 for path in (kit / "LICENSE", kit / "third_party/licences/highway.txt"):
     assert path.stat().st_size > 300, path
 assert "@" not in re.sub(r"\S+@\S+", "", text), "a placeholder is left"

@@ -31,8 +31,8 @@ std::vector<std::array<CornerNormal, 3>> corner_normals(const Mesh& mesh);
 // turn.
 struct FaceBends {
     std::array<double, 3> used{}; // of the surface that is solved
-    std::array<double, 3>
-        doubtful{}; // by which another reading may differ: less all bends, or with those of a smooth surface as far as it is one
+    // By which another reading may differ: without any bend, or with those of a smooth surface as far as it is one.
+    std::array<double, 3> doubtful{};
 };
 FaceBends bends_of(const Mesh& mesh, const Face& face, const std::array<CornerNormal, 3>& normals);
 
