@@ -199,6 +199,7 @@ void ContactGroup::touch_others(uint32_t i, const ContactSubstep& substep) {
     };
     // Contacts of all parts of a mesh together, reduced to the best: hundreds of parts can be under a body.
     std::optional<ContactPoints> mesh;
+    std::optional<PlacedBody> began;
     uint32_t mesh_slot = 0;
     Pose mesh_pose{};
     const auto finish_mesh = [&] {
@@ -219,7 +220,8 @@ void ContactGroup::touch_others(uint32_t i, const ContactSubstep& substep) {
         if (!mesh) {
             mesh_slot = candidate.slot;
             mesh_pose = pose_at(c, substep.end);
-            mesh.emplace(*step_->shape, scale, relative(mesh_pose, at), margin);
+            began.emplace(*step_->shape, scale, relative(pose_at(c, substep.begin), pose_in(substep.before, i)));
+            mesh.emplace(*step_->shape, scale, relative(mesh_pose, at), margin, &*began);
         }
         add_mesh(*mesh, *c.geometry.mesh, candidate.part);
     });

@@ -295,23 +295,38 @@ float sweep_heightfield(const Way& way, const HeightfieldGeometry& field) {
     }
     return least;
 }
+
+// Shorter ways pass through nothing.
+bool sweeps(const Way& way) {
+    return way.farthest > short_way * way.scale * way.shape.thickness;
+}
+
+MetTriangle sweep_mesh(const Way& way, const MeshGeometry& mesh, ColliderPart part, SkipTriangle skips,
+                       const void* context) {
+    MetTriangle least{1.0f, 0};
+    for (uint32_t i = part.first; i < part.first + part.count && i < mesh.triangle_count; ++i) {
+        const Triangle t = mesh_triangle(mesh, i);
+        if (!(dot(t.normal, t.normal) > 0.5f) || !near_triangle(way, t) || (skips && skips(context, t, i))) continue;
+        const float free = sweep_triangle(way, t);
+        if (free < least.free) least = {free, i};
+    }
+    return least;
+}
 } // namespace
+
+MetTriangle first_triangle(const BodyShape& shape, float scale, const Pose& from, const Pose& to,
+                           const MeshGeometry& mesh, ColliderPart part, SkipTriangle skips, const void* context) {
+    const Way way(shape, scale, from, to);
+    return sweeps(way) ? sweep_mesh(way, mesh, part, skips, context) : MetTriangle{1.0f, 0};
+}
 
 float free_fraction(const BodyShape& shape, float scale, const Pose& from, const Pose& to, const Geometry& collider,
                     ColliderPart part) {
     if (collider.kind == ColliderKind::plane) return 1.0f; // solid below: contacts work from any depth
     const Way way(shape, scale, from, to);
-    if (!(way.farthest > short_way * scale * shape.thickness)) return 1.0f;
+    if (!sweeps(way)) return 1.0f;
     if (collider.kind == ColliderKind::heightfield) return sweep_heightfield(way, *collider.heightfield);
-    if (collider.kind == ColliderKind::mesh) {
-        float least = 1.0f;
-        for (uint32_t i = part.first; i < part.first + part.count && i < collider.mesh->triangle_count; ++i) {
-            const Triangle t = mesh_triangle(*collider.mesh, i);
-            if (dot(t.normal, t.normal) > 0.5f && near_triangle(way, t))
-                least = std::min(least, sweep_triangle(way, t));
-        }
-        return least;
-    }
+    if (collider.kind == ColliderKind::mesh) return sweep_mesh(way, *collider.mesh, part, nullptr, nullptr).free;
     const bool round = collider.kind == ColliderKind::sphere || collider.kind == ColliderKind::capsule;
     const float half_length = collider.kind == ColliderKind::capsule ? collider.size[1] : 0.0f;
     const bool near = round           ? near_axis(way, collider.size[0], half_length)

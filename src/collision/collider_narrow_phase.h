@@ -10,6 +10,8 @@ namespace lr {
 
 inline constexpr uint32_t most_contacts = 8; // of one pair
 
+struct Triangle;
+
 struct Contact {
     Vector arm;    // m, body frame: the touching point of the body, from its centre of mass, at its true size
     Vector normal; // collider frame, unit: from the collider to the body
@@ -28,4 +30,14 @@ uint32_t find_contacts(const BodyShape& shape, float scale, const Pose& at, cons
 // up part of the core's remaining distance. Conservative advancement: the result can be too small.
 float free_fraction(const BodyShape& shape, float scale, const Pose& from, const Pose& to, const Geometry& collider,
                     ColliderPart part);
+
+// The triangle of a mesh's part that leaves the least free fraction, the first of equals; free 1: none. Triangles for which skips(context,
+// triangle, index) is true are passed over.
+struct MetTriangle {
+    float free;
+    uint32_t index;
+};
+using SkipTriangle = bool (*)(const void* context, const Triangle& triangle, uint32_t index);
+MetTriangle first_triangle(const BodyShape& shape, float scale, const Pose& from, const Pose& to,
+                           const MeshGeometry& mesh, ColliderPart part, SkipTriangle skips, const void* context);
 } // namespace lr

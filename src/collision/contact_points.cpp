@@ -180,27 +180,31 @@ void add_rims(ContactPoints& set, const PlacedCollider& round, Double3 normal, f
 }
 } // namespace
 
-void add_manifold(ContactPoints& set, const PlacedCollider& collider, const Separation& along) {
+void add_patch(ContactPoints& set, const PlacedCollider& collider, const Separation& along) {
     const PlacedBody& body = set.body;
     const Vector n = to_float(along.normal);
     const auto rounding = static_cast<float>(collider.radius);
-    const uint32_t first = set.count();
     const auto gap = static_cast<float>(along.distance) - rounding;
-    if (body.count > 0) {
-        const Across across(n);
-        Side on_body, on_collider;
-        set_body_side(BodyCore{body}, across, -n, set.margin - (gap - body.radius), on_body);
-        set_collider_side(collider, across, on_collider);
-        Patch patch;
-        lay_over(on_body, on_collider, 1e-5f * body.reach, patch);
-        for (uint32_t i = 0; i < patch.count; ++i) {
-            const float u = patch.u[i], v = patch.v[i];
-            set.add_core(across.at(u, v, on_body.height_at(u, v)), n, patch.gap[i] - rounding);
-        }
+    const Across across(n);
+    Side on_body, on_collider;
+    set_body_side(BodyCore{body}, across, -n, set.margin - (gap - body.radius), on_body);
+    set_collider_side(collider, across, on_collider);
+    Patch patch;
+    lay_over(on_body, on_collider, 1e-5f * body.reach, patch);
+    for (uint32_t i = 0; i < patch.count; ++i) {
+        const float u = patch.u[i], v = patch.v[i];
+        set.add_core(across.at(u, v, on_body.height_at(u, v)), n, patch.gap[i] - rounding);
     }
+}
+
+void add_manifold(ContactPoints& set, const PlacedCollider& collider, const Separation& along) {
+    const PlacedBody& body = set.body;
+    const uint32_t first = set.count();
+    const float gap = static_cast<float>(along.distance) - static_cast<float>(collider.radius);
+    if (body.count > 0) add_patch(set, collider, along);
     if (gap - body.radius >= set.margin || set.least_gap(first) <= gap - body.radius + 0.05f * set.margin) return;
     const Vector point = to_float(along.has_points ? along.on_body : body.support(-along.normal));
-    set.add_core(point, n, gap);
+    set.add_core(point, to_float(along.normal), gap);
     if (body.count == 0) add_rims(set, collider, along.normal, gap);
 }
 } // namespace lr

@@ -10,14 +10,16 @@ inline constexpr uint32_t most_found = 48;
 
 class ContactPoints {
 public:
-    // at: in the collider's frame. Contacts closer than `near` (m) count.
-    ContactPoints(const BodyShape& shape, float scale, const Pose& at, float near)
-        : body(shape, scale, at), margin(near) {}
+    // at: in the collider's frame. Contacts closer than `near` (m) count. began: where the body was as the substep began, which tells from
+    // which side it met a triangle; null: unknown.
+    ContactPoints(const BodyShape& shape, float scale, const Pose& at, float near, const PlacedBody* began = nullptr)
+        : body(shape, scale, at), margin(near), before(began) {}
     ContactPoints(const ContactPoints&) = delete;
     ContactPoints& operator=(const ContactPoints&) = delete;
 
     const PlacedBody body;
     const float margin;
+    const PlacedBody* const before;
 
     // point: m, of the body's surface, from its centre of mass along the collider's axes.
     void add(Vector point, Vector normal, float gap);
@@ -39,6 +41,8 @@ private:
     Contact found_[most_found]; // arms along the collider's axes
 };
 
-// Adds contacts along a given normal: corners of one over a side of the other, and crossings of their edges.
+// Adds contacts along a given normal: corners of one over a side of the other, and crossings of their edges. For bodies with corners.
+void add_patch(ContactPoints& set, const PlacedCollider& collider, const Separation& along);
+// The same; where these are none, or farther than the nearest points, adds the nearest point too.
 void add_manifold(ContactPoints& set, const PlacedCollider& collider, const Separation& along);
 } // namespace lr

@@ -31,6 +31,24 @@ struct Side {
     float offset;
 };
 
+// Triangles that a body passes over: those of a mesh that it has met, and those behind planes on whose front it stays.
+struct PassedTriangles {
+    const Candidate* met;
+    uint32_t met_count, slot, side_count;
+    float little;           // m
+    Side sides[most_stops]; // in the mesh's frame
+
+    static bool skips(const void* passed, const Triangle& t, uint32_t index) {
+        const auto& p = *static_cast<const PassedTriangles*>(passed);
+        const auto is_it = [&](const Candidate& m) { return m.slot == p.slot && m.part.first == index; };
+        if (std::any_of(p.met, p.met + p.met_count, is_it)) return true;
+        return std::any_of(p.sides, p.sides + p.side_count, [&](const Side& side) {
+            return std::all_of(t.corners, t.corners + 3,
+                               [&](Vector corner) { return dot(side.normal, corner) <= side.offset + p.little; });
+        });
+    }
+};
+
 // A thing that a body runs into, and the contacts there.
 struct Stop {
     Candidate candidate;
@@ -46,7 +64,7 @@ bool find_side(const BodyShape& s, float scale, const Pose& met, const Geometry&
     Contact* end = stop.contacts;
     if (g.kind == ColliderKind::mesh) {
         ContactPoints contacts(s, scale, met, near);
-        add_mesh(contacts, *g.mesh, part, true); // only this part was met: no neighbour handles its edges
+        add_mesh(contacts, *g.mesh, part, true); // only this triangle was met
         end += contacts.keep(stop.contacts);
     } else {
         end += find_contacts(s, scale, met, g, part, near, stop.contacts);
@@ -84,14 +102,16 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
     for (uint32_t i = 0; i < count_; ++i) {
         const float scale = arrays_.field[field_scale][i];
         const Pose from = pose_in(substep.before, i), to = pose_of(i);
-        const auto free_way = [&](const Pose& a, const Pose& b, const Candidate& candidate) {
+        const float little = 1e-3f * scale * step_->shape->reach;
+        const auto free_way = [&](const Pose& target, const Candidate& candidate) {
             const Collider& c = step_->colliders->at(candidate.slot);
             if (c.geometry.kind == ColliderKind::plane) return 1.0f;
             // Solid below: only a part thinner than the way could be jumped.
             if (const HeightfieldGeometry* const f = c.geometry.heightfield; f && !c.moves)
-                if (length(b.position - a.position) < 0.5f * std::min(f->spacing[0], f->spacing[1])) return 1.0f;
-            return free_fraction(*step_->shape, scale, relative(pose_at(c, begin), a), relative(pose_at(c, end), b),
-                                 c.geometry, candidate.part);
+                if (length(target.position - from.position) < 0.5f * std::min(f->spacing[0], f->spacing[1]))
+                    return 1.0f;
+            return free_fraction(*step_->shape, scale, relative(pose_at(c, begin), from),
+                                 relative(pose_at(c, end), target), c.geometry, candidate.part);
         };
         // A stopped body slides along the thing up to the next, and along both up to a third.
         const float margin = margin_of(i, substep.h);
@@ -104,13 +124,26 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
             float free = 1.0f;
             Candidate candidate{};
             const Box way{low_of(from.position, target.position), high_of(from.position, target.position)};
-            any_order(i, grown(way, step_->shape->reach * scale), [&](const Candidate& c) {
-                const auto same = [&](const Candidate& m) { return m.slot == c.slot && m.part.first == c.part.first; };
-                if (std::any_of(met_before, met_before + met_count, same)) return;
-                const float here = free_way(from, target, c);
+            const auto meet = [&](const Candidate& c, float here) {
                 if (here > free || (here == free && (free == 1.0f || comes_before(candidate, c)))) return;
                 free = here;
                 candidate = c;
+            };
+            any_order(i, grown(way, step_->shape->reach * scale), [&](const Candidate& c) {
+                const Collider& other = step_->colliders->at(c.slot);
+                if (const MeshGeometry* const mesh = other.geometry.mesh) {
+                    const Pose ends = pose_at(other, end);
+                    PassedTriangles passed{met_before, met_count, c.slot, count, little, {}};
+                    for (uint32_t k = 0; k < count; ++k)
+                        passed.sides[k] = {rotate(inverse(ends.rotation), sides[k].normal),
+                                           sides[k].offset + dot(sides[k].normal, from.position - ends.position)};
+                    const MetTriangle one =
+                        first_triangle(*step_->shape, scale, relative(pose_at(other, begin), from),
+                                       relative(ends, target), *mesh, c.part, PassedTriangles::skips, &passed);
+                    return meet({c.slot, {one.index, 1}}, one.free);
+                }
+                const auto same = [&](const Candidate& m) { return m.slot == c.slot; };
+                if (!std::any_of(met_before, met_before + met_count, same)) meet(c, free_way(target, c));
             });
             if (!(free < 1.0f)) break;
             met_before[met_count++] = candidate;

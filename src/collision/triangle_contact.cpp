@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lr {
 namespace {
@@ -42,6 +43,41 @@ bool covers(const Triangle& t, Vector position, float reach) {
     return true;
 }
 
+// Whether the foot of a point on the triangle's plane lies within the triangle.
+bool is_over(const Triangle& t, Vector point) {
+    for (uint32_t i = 0; i < 3; ++i)
+        if (dot(cross(t.normal, t.corners[(i + 1) % 3] - t.corners[i]), point - t.corners[i]) < 0.0f) return false;
+    return true;
+}
+
+// Towards the side on which the body was as the substep began; 0 if unknown. A thin body that is pressed in beyond its middle plane would
+// else be pushed out on the other side.
+Double3 side_before(const ContactPoints& set, const Triangle& t) {
+    if (!set.before) return {};
+    const PlacedCollider collider(t.corners, set.before->at.position);
+    return separate(*set.before, collider, std::numeric_limits<double>::infinity()).normal;
+}
+
+// Along the triangle's normal, on the given side; on that of less overlap if it is 0.
+Separation separate_from_side(const ContactPoints& set, const Triangle& t, const PlacedCollider& collider,
+                              Double3 side) {
+    const Double3 normal = to_double(t.normal);
+    const double along = dot(side, normal);
+    if (t.one_sided || along == 0.0) return separate_from_plane(set.body, collider, normal, t.one_sided);
+    return separate_from_plane(set.body, collider, along < 0.0 ? -normal : normal, true);
+}
+
+// The neighbours handle the surroundings of a hidden edge. Here only the part of the body over the triangle counts: beside a ridge the body
+// reaches below the triangle's plane, where the triangle no longer is.
+void add_over_triangle(ContactPoints& set, const Triangle& t, const PlacedCollider& collider, bool apart,
+                       Double3 side) {
+    const Separation flat = separate_from_side(set, t, collider, side);
+    if (set.body.count > 0) return add_patch(set, collider, flat);
+    const Vector lowest = to_float(set.body.support(-flat.normal));
+    if (!apart && is_over(t, set.body.at.position + lowest)) add_manifold(set, collider, flat);
+}
+
+// alone: no neighbour handles the surroundings of its edges.
 void add_triangle(ContactPoints& set, const Triangle& t, bool alone = false) {
     const PlacedBody& body = set.body;
     const float reach = body.reach + body.radius, far = reach + set.margin;
@@ -50,22 +86,26 @@ void add_triangle(ContactPoints& set, const Triangle& t, bool alone = false) {
     if (off > far || (!t.one_sided && off < -far)) return;
     if (!reaches(grown({position, position}, far), t)) return;
     const PlacedCollider collider(t.corners, position);
-    const Double3 normal = to_double(t.normal);
     const double enough = static_cast<double>(set.margin + body.radius);
     if (body.count > 0 && covers(t, position, reach)) {
-        const Separation flat = separate_from_plane(body, collider, normal, t.one_sided);
+        Separation flat = separate_from_side(set, t, collider, {});
+        if (flat.distance < 0.0 && !t.one_sided) flat = separate_from_side(set, t, collider, side_before(set, t));
         if (flat.distance < enough) add_manifold(set, collider, flat);
         return;
     }
+    const Double3 normal = to_double(t.normal);
     Separation along = separate(body, collider, enough, {t.one_sided, normal});
     if (along.distance >= enough) return;
-    if (is_hidden(t, to_float(along.normal))) {
-        // The neighbours handle the edge's surroundings; here only the part over the triangle counts.
-        const bool apart = along.has_points;
-        along = separate_from_plane(body, collider, normal, t.one_sided);
-        if (body.count == 0 && apart && !alone) return;
+    Double3 side = along.has_points ? along.normal : Double3{};
+    if (!along.has_points && !t.one_sided) {
+        side = side_before(set, t);
+        if (set.before) along = separate(body, collider, enough, {true, side});
     }
-    add_manifold(set, collider, along);
+    if (!is_hidden(t, to_float(along.normal))) return add_manifold(set, collider, along);
+    if (!alone) return add_over_triangle(set, t, collider, along.has_points, side);
+    // Along the floor that the triangle is a part of, if the body is over all of its plane: an edge within a floor is no obstacle.
+    const Separation flat = separate_from_side(set, t, collider, side);
+    add_manifold(set, collider, flat.distance > 0.0 ? flat : along);
 }
 
 float sample(const HeightfieldGeometry& field, uint32_t i, uint32_t k) {

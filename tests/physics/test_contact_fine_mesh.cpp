@@ -128,3 +128,38 @@ TEST_CASE("no shot goes through walls of fine triangles" * doctest::test_suite("
         CHECK(met > count * 9 / 10);
     }
 }
+
+// Slopes of up to 30 degrees, with ridges and valleys at every edge. A body that falls through goes on falling below the ground.
+TEST_CASE("nothing falls through uneven ground of triangles" * doctest::test_suite("long")) {
+#ifdef LR_TEST_QUICK
+    constexpr uint32_t count = 16;
+#else
+    constexpr uint32_t count = 200;
+#endif
+    for (const Kind& kind : kinds())
+        for (const float cell : {0.7f * kind.reach, 3.0f * kind.reach, 15.0f * kind.reach}) {
+            CAPTURE(kind.reach);
+            CAPTURE(cell);
+            const World world = make(world_desc());
+            Random heights(7);
+            constexpr float steep = 0.3f; // of a cell, up and down
+            const Triangles ground = fine_sheet(static_cast<uint32_t>(40.0f * kind.reach / cell) + 20, cell,
+                                                [&](float, float) { return steep * cell * heights.real(-1, 1); });
+            add_collider(world, mesh_collider(ground));
+            const lr_batch batch = add_batch(world, kind.asset, count);
+            Random random(5);
+            std::vector<lr_body> bodies;
+            for (uint32_t i = 0; i < count; ++i) {
+                lr_body_desc d = body_desc();
+                for (float& q : d.orientation) q = random.real(-1, 1);
+                d.position[0] = 4.0f * cell * random.real(-1, 1), d.position[2] = 4.0f * cell * random.real(-1, 1);
+                d.position[1] = steep * cell + 3.0f * kind.reach;
+                d.linear_velocity[1] = -1.0f;
+                bodies.push_back(add_body(world, batch, d));
+            }
+            steps(world, 120, 1.0f / 60.0f, 2);
+            const float bottom = -steep * cell - kind.reach;
+            CHECK(std::none_of(bodies.begin(), bodies.end(),
+                               [&](lr_body body) { return state_of(world, body).position[1] < bottom; }));
+        }
+}
