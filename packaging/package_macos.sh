@@ -49,8 +49,8 @@ for target in x86_64-macos.11.0 aarch64-macos.11.0; do # programs link with both
 done
 mkdir -p "$stage/samples"
 rm -rf "$stage/share"
-cp samples/hello.c "$stage/samples/"
-sed 's/LANGUAGES C)/LANGUAGES C CXX)/' packaging/sample.cmake >"$stage/samples/CMakeLists.txt"
+cp samples/hello.c samples/small/*.cpp "$stage/samples/"
+cp packaging/sample.cmake "$stage/samples/CMakeLists.txt"
 cp -R "$kit"/third_party/{THIRD_PARTY.md,licences} LICENSE "$stage/"
 libraries=${zig%/zig}/lib # of LLVM and Zig, in the shared library
 cat "$libraries"/{libcxx,libcxxabi,libunwind}/LICENSE.TXT >"$stage/licences/libcxx.txt"

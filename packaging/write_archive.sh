@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 #
 # Writes FOLDER/NAME with SHA256SUMS as an archive. Its bytes depend only on names and contents.
-#   packaging/write_archive.sh FOLDER NAME FILE.tar.xz|FILE.zip
+#   packaging/write_archive.sh FOLDER NAME FILE.tar.xz|FILE.tgz|FILE.zip
 set -euo pipefail
 folder=${1:?} name=${2:?} file=${3:?}
 export LC_ALL=C TZ=UTC
@@ -19,9 +19,9 @@ rm -f "$file"
 case $file in
 *.zip) find "$name" ! -type d | sort | zip -q -X -9 "$file" -@ ;;
 *)
-    tar --create --sort=name --format=gnu --owner=0 --group=0 --numeric-owner --mtime="@$epoch" "$name" |
-        xz -9 --threads=1 >"$file"
+    press=(xz -9 --threads=1)
+    [[ $file != *.tgz ]] || press=(gzip -9 --no-name)
+    tar --create --sort=name --format=gnu --owner=0 --group=0 --numeric-owner --mtime="@$epoch" "$name" | "${press[@]}" >"$file"
     ;;
 esac
-(cd "$(dirname "$file")" && sha256sum "$(basename "$file")" >"$(basename "$file").sha256")
 echo "$file: $(stat -c %s "$file") bytes"
