@@ -39,8 +39,8 @@ ROWS = [
     (rf"langevin-rigid-{VERSION}\.tgz", "browsers and node, three.js", "WebAssembly with a JavaScript module and types", "npm install ./FILE", LANGUAGES + "web-from-zero-to-falling-leaves"),
 ]
 STYLE = """body{font:16px/1.5 sans-serif;max-width:66em;margin:2em auto;padding:0 1em;color:#222}a{color:#b33c00}h2{font-size:1.1em;margin:1.6em 0 .2em}
-table{border-collapse:collapse;width:100%}td{text-align:left;vertical-align:top;padding:.4em .8em .4em 0;border-top:1px solid #ccc}
-td:nth-child(1){width:17em;overflow-wrap:anywhere}td:nth-child(4){white-space:nowrap;text-align:right;padding-right:0}
+table{border-collapse:collapse;width:100%;table-layout:fixed}td{text-align:left;vertical-align:top;padding:.4em .8em .4em 0;border-top:1px solid #ccc}
+td:nth-child(1){width:17em;overflow-wrap:anywhere}td:nth-child(3){width:19em;overflow-wrap:anywhere}td:nth-child(4){width:4.5em;white-space:nowrap;text-align:right;padding-right:0}
 @media(max-width:50em){td{display:block;border:0;padding:0;width:auto!important}td:nth-child(4){text-align:left}tr{display:block;border-top:1px solid #ccc;padding:.5em 0}}"""
 
 
