@@ -34,19 +34,23 @@ fi
 mkdir -p "$stage/samples" "$stage/assets"
 cp samples/hello.c samples/small/*.cpp "$stage/samples/"
 cp packaging/sample.cmake "$stage/samples/CMakeLists.txt"
-# Baked by the packaged lr_bake with the options in assets/README.md.
-export WINEDEBUG=${WINEDEBUG:--all}
-bake() { # asset, mesh, options
-    "${runner[@]}" "$stage/bin/lr_bake$exe" mesh "assets/$2.obj" -o "$stage/assets/$1.lrb" "${@:3}" --quiet
-}
-bake leaf leaf --density 350
-bake leaf_maple leaf_maple --density 350
-bake petal petal --density 700
-bake confetti confetti --density 800
-bake samara samara --density 1716
-bake curled_leaf curled_leaf --density 330
-bake dart dart --density 1850 --center-of-mass 0.0396,0,0
-bake paper_plane paper_plane_surface --sheet --thickness 0.0001 --areal-density 0.08 --mass-from assets/paper_plane_layers.obj
+# Baked by the packaged lr_bake with the options in assets/README.md; once for all platforms of a run (LR_BAKED: a folder), as users do.
+if [ -n "${LR_BAKED:-}" ]; then
+    cp "$LR_BAKED"/*.lrb "$stage/assets/"
+else
+    export WINEDEBUG=${WINEDEBUG:--all}
+    bake() { # asset, mesh, options
+        "${runner[@]}" "$stage/bin/lr_bake$exe" mesh "assets/$2.obj" -o "$stage/assets/$1.lrb" "${@:3}" --quiet
+    }
+    bake leaf leaf --density 350
+    bake leaf_maple leaf_maple --density 350
+    bake petal petal --density 700
+    bake confetti confetti --density 800
+    bake samara samara --density 1716
+    bake curled_leaf curled_leaf --density 330
+    bake dart dart --density 1850 --center-of-mass 0.0396,0,0
+    bake paper_plane paper_plane_surface --sheet --thickness 0.0001 --areal-density 0.08 --mass-from assets/paper_plane_layers.obj
+fi
 for mesh in leaf leaf_maple petal confetti samara curled_leaf dart paper_plane; do cp "assets/$mesh.obj" "$stage/assets/"; done
 cp assets/README.md "$stage/assets/"
 

@@ -58,6 +58,8 @@ platform() { # its dependencies, its library, its archive: 4, 6 and 1 minutes th
     packaging/build_dependencies.sh "$1"
     packaging/build_library.sh "$1"
     packaging/make_bundle.sh "$1" "$out"
+    LR_BAKED=${LR_BAKED:-$(echo "$(platform_folder "$1")"/stage/*/assets)}
+    export LR_BAKED
 }
 times=$(mktemp)
 trap 'rm -f "$times"' EXIT
