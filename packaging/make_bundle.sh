@@ -50,37 +50,13 @@ bake paper_plane paper_plane_surface --sheet --thickness 0.0001 --areal-density 
 for mesh in leaf leaf_maple petal confetti samara curled_leaf dart paper_plane; do cp "assets/$mesh.obj" "$stage/assets/"; done
 cp assets/README.md "$stage/assets/"
 
-# Each binding in the form that users install: the output of its package.py, or its files without tests.
-mkdir -p "$stage/bindings"
-for binding in bindings/*/; do
-    binding=$(basename "$binding")
-    [ -d "bindings/$binding" ] || continue
-    case $binding in generator | web) continue ;; esac # generator: internal; web: a separate platform
-    if [ -f "bindings/$binding/package.py" ]; then
-        python3 "bindings/$binding/package.py" --native "$stage" --out "$stage/bindings/$binding" >"$folder/$binding.log" 2>&1 ||
-            { cat "$folder/$binding.log" >&2; echo "bindings/$binding could not be packaged" >&2; exit 1; }
-    else
-        git ls-files -z "bindings/$binding" | grep -zvE "^bindings/$binding/(tests|shim)/|/(test|wheel)\.sh$|/extension\.py$|/\.gitignore$" |
-            xargs -0 -r cp --parents -t "$stage"
-    fi
+# Bindings without their tests. Engines have packages of their own (packaging/package_engines.sh); the web is a separate platform.
+for binding in csharp python; do
+    git ls-files -z "bindings/$binding" | grep -zvE "^bindings/$binding/tests/|/(test|wheel)\.sh$|/extension\.py$|/\.gitignore$" |
+        xargs -0 -r cp --parents -t "$stage"
 done
-# Godot's addon, compiled, with the library.
-case $platform in linux-x64 | windows-x64)
-    { cmake -S bindings/godot -B "$folder/godot" -G Ninja "${toolchain[@]}" -DCMAKE_BUILD_TYPE=Release "-DCMAKE_PREFIX_PATH=$stage" \
-        "-DCMAKE_FIND_ROOT_PATH=$stage" "-DCMAKE_C_FLAGS=-ffile-prefix-map=$PWD=." \
-        "-DLANGEVIN_GODOT_OUTPUT=$stage/bindings/godot/addons/langevin_rigid" && cmake --build "$folder/godot"; } >"$folder/godot.log" 2>&1 ||
-        { cat "$folder/godot.log" >&2; exit 1; }
-    find "$stage/bindings/godot/addons" \( -name '*.so*' -o -name '*.dll' \) -exec "$strip" --strip-unneeded {} +
-    # Its demo, ready to open. bindings/godot/demo.sh explains extension_list.cfg.
-    demo=$stage/bindings/godot/demo
-    cp -R "$stage/bindings/godot/addons" "$demo/"
-    cp "$stage"/assets/leaf{,_maple}.{lrb,obj} "$demo/"
-    mkdir -p "$demo/.godot"
-    echo "res://addons/langevin_rigid/langevin_rigid.gdextension" >"$demo/.godot/extension_list.cfg"
-    ;;
-esac
 mkdir -p "$stage/docs/guide" "$stage/docs/images"
-cp docs/guide/{engines,languages}.md "$stage/docs/guide/"
+cp docs/guide/languages.md "$stage/docs/guide/"
 grep -ho '\.\./images/[a-z_]*\.png' "$stage"/docs/guide/*.md | sort -u | sed 's|^\.\./|docs/|' | xargs -r cp -t "$stage/docs/images"
 
 cp LICENSE "$stage/"

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: MIT
 #
 # Makes binary packages: library, header, baker, bindings, assets and licences in one archive per platform.
-#   scripts/package.sh [linux-x64|windows-x64|linux-arm64|macos|wasm|source ...] [--out DIR]     default: linux-x64, into build/packages
+#   scripts/package.sh [linux-x64|windows-x64|linux-arm64|macos|engines|wasm|source ...] [--out DIR]     default: linux-x64, into build/packages
+#                                          engines: Godot, Unity and Unreal, for the platforms that were made before
 #   scripts/package.sh all [--out DIR]     all of them, into dist, with the documentation and a page that lists them
 # scripts/setup.sh package [windows] [arm64] [macos] installs the tools and fetches the sources of dependencies once, from Debian.
 # The same commit gives the same bytes. docs/maintainers/releases.md
@@ -15,8 +16,8 @@ wanted=() all=false
 while [ $# -gt 0 ]; do
     case $1 in
     --out) out=${2:?--out DIR}; shift ;;
-    all) wanted=(source linux-x64 windows-x64 linux-arm64 macos wasm) all=true ;;
-    -h | --help) sed -n '4,10s/^# \{0,1\}//p' "scripts/package.sh"; exit 0 ;;
+    all) wanted=(source linux-x64 windows-x64 linux-arm64 macos engines wasm) all=true ;;
+    -h | --help) sed -n '4,11s/^# \{0,1\}//p' "scripts/package.sh"; exit 0 ;;
     *) wanted+=("$1") ;;
     esac
     shift
@@ -41,6 +42,8 @@ for name in "${wanted[@]}"; do
     elif [ "$name" = macos ]; then
         say "$name: library for both processors (about 6 minutes)"
         packaging/package_macos.sh "$out"
+    elif [ "$name" = engines ]; then
+        packaging/package_engines.sh "$out"
     else
         select_platform "$name"
         say "$name: bundled libraries (about 4 minutes the first time on two cores)"

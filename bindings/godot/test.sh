@@ -133,7 +133,7 @@ demo() {
 
 # The editor with the demo's scene open: nodes exist but do not run.
 editor() {
-    engine --path "$build/demo_project" --editor --quit-after 60 res://storm.tscn >"$build/editor.txt" 2>&1 || return 1
+    engine --path "$build/demo_project" --editor --quit-after 60 res://addons/langevin_rigid/demo/storm.tscn >"$build/editor.txt" 2>&1 || return 1
     cat "$build/editor.txt"
     no_complaints "$build/editor.txt"
 }
