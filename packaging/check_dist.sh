@@ -19,7 +19,7 @@ rows=( # name, file or folder; the function use_NAME gets it in $file
     "windows      langevin_rigid-*-windows-x64.zip"
     "macos        langevin_rigid-*-macos.tar.xz"
     "source       langevin_rigid-*-source.tar.xz"
-    "unity        com.langevin.rigid-*.tgz"
+    "unity        langevin_rigid-*-unity.tgz"
     "unreal       langevin_rigid-*-unreal.zip"
     "godot        langevin_rigid-*-godot.zip"
     "wheel        langevin_rigid-*-manylinux_*_x86_64.whl"
@@ -80,16 +80,17 @@ use_unreal() { # as a project's plugin: its modules, libraries of all platforms 
         find "LangevinRigid/Source/$module" -name '*.cpp' -printf '#include "%p"\n' | g++ "${flags[@]}" -I. -x c++ - || return
     done
 }
-use_godot() { # the project: all files that the extension names, and the extension finds its library; in an engine the demo runs
-    unpack && cd ./*/ || return
+use_godot() { # unpacked into an empty project: all files that the extension and its scenes name; in an engine the demo runs
+    unpack && printf 'config_version=5\n[application]\nconfig/name="test"\n' >project.godot || return
     local addon=addons/langevin_rigid named
-    for named in $(grep -oE 'addons/[A-Za-z0-9_./]+\.(so|so\.0|dll|svg)' "$addon/langevin_rigid.gdextension" | sort -u); do
-        [ -s "$named" ] || [ ! -d "${named%/*}" ] || { echo "no $named"; return 1; }
-    done
-    for named in $(grep -ohE 'res://[A-Za-z0-9_./]+' project.godot storm.tscn storm.gd .godot/extension_list.cfg | cut -c7- | sort -u); do [ -s "$named" ] || { echo "no $named"; return 1; }; done
-    ! ldd "$addon/bin/linux_x86_64/langevin_rigid_godot.so" | grep 'not found' || return
+    [ -s $addon/LICENSE ] && [ -s $addon/licences/highway.txt ] || return
+    for named in $(grep -ohE 'res://[A-Za-z0-9_./]+' $addon/*.gdextension $addon/demo/* | cut -c7- | sort -u); do [ -s "$named" ] || { echo "no $named"; return 1; }; done
+    ! ldd $addon/bin/linux_x86_64/langevin_rigid_godot.so | grep 'not found' || return
     [ -n "${GODOT:-}" ] || { echo "SKIPPED: the demo in an engine: GODOT is not set"; return 0; }
-    HOME=$PWD/.. timeout 120 "$GODOT" --headless --path . --fixed-fps 60 --quit-after 120 2>&1 | tee ../log && ! grep -E '^(SCRIPT )?ERROR' ../log
+    mkdir .godot && echo "res://$addon/langevin_rigid.gdextension" >.godot/extension_list.cfg
+    for named in --import "--fixed-fps 60 --quit-after 120 res://$addon/demo/storm.tscn"; do
+        HOME=$PWD timeout 120 "$GODOT" --headless --path . $named 2>&1 | tee log && ! grep -E '^(SCRIPT )?ERROR' log || return
+    done
 }
 use_wheel() { # the program of docs/guide/languages.md
     /usr/bin/python3 -c 'import numpy, venv' || exit 77

@@ -56,8 +56,9 @@ cp assets/README.md "$stage/assets/"
 
 # C#'s sources. Other bindings are packages of their own: Python's below, engines' by packaging/package_engines.sh, the web's by package_wasm.sh.
 git ls-files -z bindings/csharp | grep -zvE '^bindings/csharp/(tests/|test\.sh|\.gitignore)' | xargs -0 cp --parents -t "$stage"
-mkdir -p "$stage/docs/guide"
+mkdir -p "$stage/docs/guide" "$stage/docs/images"
 cp docs/guide/languages.md "$stage/docs/guide/"
+cp docs/images/{web,blender}_storm.png "$stage/docs/images/"
 
 cp LICENSE "$stage/"
 rm -rf "$stage/share"

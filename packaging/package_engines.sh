@@ -1,42 +1,70 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# Makes the packages for Unity, Unreal and Godot, each with the libraries of all platforms that packaging/make_bundle.sh has made.
+# Makes the packages for Godot, Unity and Unreal from the platforms' packages that are there: each holds the libraries of all of them.
 #   packaging/package_engines.sh OUT
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source packaging/platforms.sh
 out=${1:?which folder}
 version=$(sed -n 's/^project(langevin_rigid VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
-work=$PWD/build/packaging/engines
-godot=$work/godot/langevin_rigid-$version-godot
-rm -rf "$work"
-mkdir -p "$work/prefix" "$godot/.godot"
-silent() { "$@" >"$work/log" 2>&1 || { cat "$work/log" >&2; echo "package_engines.sh: $1 failed" >&2; exit 1; }; }
+folder=$PWD/build/packaging/engines
+stage=$folder/stage
+addon=$stage/godot/addons/langevin_rigid
+rm -rf "$stage"
+mkdir -p "$addon"
 
-native=()
-for name in linux-x64 windows-x64 linux-arm64; do
-    stage=$(platform_folder $name)/stage/langevin_rigid-$version-$name prefix=$work/prefix/$name
-    [ -d "$stage" ] || continue
+# Godot's extension, by CMake, for the library in PREFIX.
+extension() { # name, prefix, cmake's options
+    { cmake -S bindings/godot -B "$folder/godot-$1" -G Ninja -DCMAKE_BUILD_TYPE=Release -DLR_SELF_CONTAINED=ON "-DCMAKE_PREFIX_PATH=$2" \
+        "-DCMAKE_FIND_ROOT_PATH=$2" "-DCMAKE_C_FLAGS=-ffile-prefix-map=$PWD=." "-DLANGEVIN_GODOT_OUTPUT=$addon" "${@:3}" &&
+        cmake --build "$folder/godot-$1"; } >"$folder/godot-$1.log" 2>&1 || { cat "$folder/godot-$1.log" >&2; exit 1; }
+}
+natives=()
+installed() { # name: its package, with the licences of all that it contains where an installation has them, as package.py wants them
+    local licence
+    from=$(platform_folder "$1")/stage/langevin_rigid-$version-$1
+    prefix=$folder/prefix/$1
+    [ -d "$from" ] || return 1
+    mkdir -p "$folder/prefix"
+    rm -rf "$prefix"
+    cp -Rl "$from" "$prefix"
+    mkdir -p "$prefix/share/doc/langevin_rigid"
+    for licence in "$from"/licences/*.txt; do cp "$licence" "$prefix/share/doc/langevin_rigid/LICENSE.$(basename "$licence" .txt)"; done
+}
+for name in linux-x64 linux-arm64 windows-x64; do
+    installed $name || { echo "engines: without $name: scripts/package.sh $name engines"; continue; }
     select_platform $name
-    cp -Rl "$stage" "$prefix"
-    mkdir -p "$prefix/share/doc/langevin_rigid" # where an installation has them, and each package looks for them
-    for licence in "$stage"/licences/*.txt; do cp "$licence" "$prefix/share/doc/langevin_rigid/LICENSE.$(basename "$licence" .txt)"; done
-    native+=(--native "$prefix")
-    # A cross compiler looks for packages in CMAKE_FIND_ROOT_PATH alone.
-    silent cmake -S bindings/godot -B "$work/$name" -G Ninja "${toolchain[@]}" -DCMAKE_BUILD_TYPE=Release "-DCMAKE_PREFIX_PATH=$prefix" \
-        "-DCMAKE_FIND_ROOT_PATH=$prefix" "-DCMAKE_C_FLAGS=-ffile-prefix-map=$PWD=." -DCMAKE_MODULE_LINKER_FLAGS=-s \
-        "-DLANGEVIN_GODOT_OUTPUT=$godot/addons/langevin_rigid"
-    silent cmake --build "$work/$name"
+    natives+=(--native "$prefix")
+    extension $name "$from" "${toolchain[@]}"
+    find "$addon/bin" -path "*${name%%-*}*" -type f -exec "$strip" --strip-unneeded {} + 2>/dev/null || true
 done
-[ ${#native[@]} -gt 0 ] || { echo "engines need a platform's library: scripts/package.sh linux-x64 engines" >&2; exit 3; }
+[ ${#natives[@]} -gt 0 ] || { echo "engines need a platform: scripts/package.sh linux-x64 engines" >&2; exit 3; }
+mac=$(platform_folder macos)
+if [ -d "$mac/arm64/prefix" ]; then
+    export ZIG_GLOBAL_CACHE_DIR=$PWD/build/zig/cache ZIG_LOCAL_CACHE_DIR=$PWD/build/zig/cache
+    for processor in x86_64 arm64; do
+        extension macos-$processor "$mac/$processor/prefix" "-DCMAKE_TOOLCHAIN_FILE=$PWD/cmake/zig-macos.cmake" -DLR_MACOS_PROCESSOR=$processor
+    done
+    mkdir "$addon/bin/macos"
+    llvm-lipo-14 -create "$addon"/bin/macos_*/langevin_rigid_godot.dylib -output "$addon/bin/macos/langevin_rigid_godot.dylib"
+    rm -r "$addon"/bin/macos_*
+    installed macos
+    natives+=(--native "$prefix")
+else
+    echo "engines: without macos: scripts/package.sh macos engines"
+fi
 
-silent python3 bindings/unity/package.py "${native[@]}" --out "$work/unity" --tgz
-mv "$work"/unity/*.tgz "$out/"
-silent python3 bindings/unreal/package.py "${native[@]}" --out "$work/unreal"
-packaging/write_archive.sh "$work/unreal" LangevinRigid "$out/langevin_rigid-$version-unreal.zip"
-# A project to open, with the addon. bindings/godot/demo.sh explains extension_list.cfg.
-git ls-files -z bindings/godot/demo | xargs -0 cp -t "$godot"
-cp "${native[1]}"/assets/leaf{,_maple}.{lrb,obj} LICENSE "$godot/"
-echo "res://addons/langevin_rigid/langevin_rigid.gdextension" >"$godot/.godot/extension_list.cfg"
-packaging/write_archive.sh "$work/godot" "${godot##*/}" "$out/${godot##*/}.zip"
+# Godot: the Asset Library's layout, all in addons/. Libraries that are not there are not named, as a missing file may stop the editor.
+while read -r file; do
+    [ -e "$addon/$file" ] || sed -i "\\|/langevin_rigid/$file\"|d" "$addon/langevin_rigid.gdextension"
+done < <(sed -n 's|.*res://addons/langevin_rigid/\(bin/.*\)"$|\1|p' "$addon/langevin_rigid.gdextension")
+first=${natives[1]}
+cp "$first"/assets/leaf{,_maple}.{lrb,obj} "$addon/demo/"
+cp -R "$first"/{THIRD_PARTY.md,licences} "$addon/"
+packaging/write_archive.sh "$stage/godot" addons "$out/langevin_rigid-$version-godot.zip" addons/langevin_rigid
+
+python3 bindings/unity/package.py "${natives[@]}" --out "$stage/unity" --tgz >"$folder/unity.log"
+mv "$stage"/unity/com.langevin.rigid-*.tgz "$out/langevin_rigid-$version-unity.tgz"
+python3 bindings/unreal/package.py "${natives[@]}" --out "$stage/unreal" >"$folder/unreal.log"
+packaging/write_archive.sh "$stage/unreal" LangevinRigid "$out/langevin_rigid-$version-unreal.zip"

@@ -18,7 +18,7 @@ wanted=() all=false
 while [ $# -gt 0 ]; do
     case $1 in
     --out) out=${2:?--out DIR}; shift ;;
-    all) wanted=(source linux-x64 windows-x64 linux-arm64 engines macos wasm) all=true ;;
+    all) wanted=(source linux-x64 windows-x64 linux-arm64 macos engines wasm) all=true ;;
     -h | --help) sed -n '4,11s/^# \{0,1\}//p' "scripts/package.sh"; exit 0 ;;
     *) wanted+=("$1") ;;
     esac

@@ -73,7 +73,7 @@ def package_native(plugin: Path, native: str, also: list) -> str:
         fail(f"{header} differs from that of another --native: all must be of one version")
     put(header, shipped)
 
-    for licence in sorted((prefix / "share/doc/langevin_rigid").glob("*")):
+    for licence in sorted([*(prefix / "share/doc/langevin_rigid").glob("*"), *(prefix / "licences").glob("*")]):
         if licence.is_file():
             put(licence, plugin / "Licenses" / licence.name)
 
