@@ -66,6 +66,13 @@ double mean(const std::vector<double>& values) {
 
 } // namespace
 
+TEST_CASE("defaults: no two bodies of a batch are alike") {
+    const lr_batch_desc d = LR_BATCH_DESC_INIT;
+    CHECK(d.variation == 0.15f);
+    const lr_emitter_desc e = LR_EMITTER_DESC_INIT;
+    CHECK(e.pose == LR_POSE_RANDOM);
+}
+
 TEST_CASE("defaults: bodies created without a pose are out of step within a second") {
     CHECK(apart(ellipsoid(0.035, 0.02, 0.00015, 350.0), 2, 1.0, false) > 60.0 * degree);  // a leaf
     CHECK(apart(ellipsoid(0.006, 0.005, 0.0001, 700.0), 4, 1.0, false) > 60.0 * degree);  // a petal
