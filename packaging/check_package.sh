@@ -174,7 +174,24 @@ check "every way gives the hash in packaging/hello.hash" same_hash
 mkdir "bäked 葉"
 bake() { (cd "$work" && env -i HOME="$HOME" PATH=/usr/bin:/bin WINEDEBUG="$WINEDEBUG" WINEPREFIX="${WINEPREFIX:-$HOME/.wine}" LC_ALL=C.UTF-8 "${runner[@]}" "$prefix/bin/lr_bake$exe" "$@"); }
 check "lr_bake bakes a mesh" bake mesh "moved there/assets/leaf.obj" -o "bäked 葉/葉.lrb" --density 350 --quiet
-check "equal to the package's asset" cmp "bäked 葉/葉.lrb" "$prefix/assets/leaf.lrb"
+same_asset() { # which x86-64 Linux has baked: other builds of lr_bake name themselves in it, and MinGW differs in the 16th digit
+    [ "$platform" != linux-x64 ] || { cmp "bäked 葉/葉.lrb" "$prefix/assets/leaf.lrb"; return; }
+    local file
+    for file in "bäked 葉/葉.lrb" "moved there/assets/leaf.lrb"; do bake info "$file" --json | tr -d '\r' >"$(basename "$file").json" || return; done
+    python3 - 葉.lrb.json leaf.lrb.json <<'PY'
+import json, math, sys
+def same(a, b, at=""):
+    if isinstance(a, dict): return all(same(a[k], b[k], f"{at}.{k}") for k in a) and a.keys() == b.keys()
+    if isinstance(a, list): return len(a) == len(b) and all(same(x, y, at) for x, y in zip(a, b))
+    good = math.isclose(a, b, rel_tol=1e-9, abs_tol=1e-15) if isinstance(a, float) else a == b
+    if not good: print(at, a, b)
+    return good
+a, b = (json.load(open(path, encoding="utf-8")) for path in sys.argv[1:])
+a.pop("provenance"), b.pop("provenance") # another build of lr_bake
+sys.exit(not same(a, b))
+PY
+}
+check "equal to the package's asset" same_asset
 check "lr_bake reads it again" bake check "bäked 葉/葉.lrb"
 "$root/packaging/write_meshes.py" meshes
 draco=$root/build/sources/draco/testdata/Box/glTF_Binary/Box_Draco.glb
