@@ -145,8 +145,8 @@ by_cmake() {
 check "hello.c by CMake" by_cmake
 check "and it runs" says_hash "$work/cmake/hello$exe"
 check "and the one with the static library, without others" says_hash "$work/cmake/hello_static$exe"
-falls() { run "$work/cmake/leaves$exe" | tr -d '\r' | tail -n 1 | grep -E '^30 s: [0-9]{4} hits, [0-9]{3,4} landings$'; }
-check "and the leaves of the tutorial" falls
+sinks() { run "$work/cmake/coin$exe" | tr -d '\r' | tail -n 1 | grep -E '^at rest after [0-9.]+ s, 1\.99[0-9] m deep$'; }
+check "and the tutorial's coin" sinks
 alone() { needs "$1" | grep -i -e langevin -e stdc && return 1 || true; }
 check "which needs none of them" alone "$work/cmake/hello_static$exe"
 global() { # COFF: of C alone
