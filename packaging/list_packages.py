@@ -11,11 +11,14 @@ from pathlib import Path
 
 # The end of a file's name, for whom it is, what it has. Files of no row are an error: a page that lists all must say what each is for.
 PURPOSES = [
-    ("linux-x64.tar.xz", "Linux on x86-64", "Library, static library, headers, lr_bake and other tools, bindings for C#, Python, Unity, Unreal and Godot, "
+    ("linux-x64.tar.xz", "Linux on x86-64", "Library, static library, headers, lr_bake and other tools, bindings for C# and Python, "
      "baked leaves. glibc 2.17, the tools 2.30."),
-    ("linux-arm64.tar.xz", "Linux on 64-bit ARM", "The same, without Godot's addon and the wheel."),
+    ("linux-arm64.tar.xz", "Linux on 64-bit ARM", "The same, without the wheel."),
     ("windows-x64.zip", "Windows 10 and later on x86-64", "The same with a DLL, and import libraries for Microsoft's and MinGW's linkers."),
     ("macos.tar.xz", "macOS 11 and later, Apple silicon and Intel", "Library and static library for both processors. Cross-compiled; <b>not yet run</b>."),
+    ("godot.zip", "Godot 4.4 and later", "The addon, with a scene to try, for Linux, Windows and macOS."),
+    ("unity.tgz", "Unity 2022.3 and later", "The package, with a sample and a bake window. Compiled against a stand-in for the engine, <b>not yet run in it</b>."),
+    ("unreal.zip", "Unreal Engine 5.4 and later", "The plugin, for Windows and Linux. Compiled against a stand-in for the engine, <b>not yet run in it</b>."),
     ("wasm.tar.xz", "The web", "WebAssembly with JavaScript and types, and a page to try."),
     ("source.tar.xz", "Consoles, phones, Microsoft's compiler, vcpkg, Conan",
      "The runtime's sources with all that it contains, one CMake file; threads through a job system where there is no system."),

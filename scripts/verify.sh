@@ -32,6 +32,7 @@ steps=( # name, minutes on two cores, title
     "kit           8 Source kit: unpacked alone, GCC and clang, without a system, Microsoft's rules"
     "package      12 Package for Linux, as a new user uses it"
     "packages     30 Packages for Windows, 64-bit ARM and the web"
+    "engines       4 Packages for Godot, Unity and Unreal, each unpacked in an empty folder and used there"
     "macos        20 Package for macOS: compiled and linked by Zig, exports"
     "three         2 The npm package with three.js and Vite, in a browser"
     "reproducible 10 The library built twice in different folders: equal bytes"
@@ -152,6 +153,12 @@ step_packages() {
     for platform in windows-x64 linux-arm64; do on_platform $platform || skip "the tools above are not installed"; done
     for platform in windows-x64 linux-arm64; do make_package $platform; done
     scripts/package.sh wasm
+}
+step_engines() { # of the platforms that are packaged; at least this one
+    on_platform linux-x64 || skip "the tools above are not installed"
+    [ -n "$(ls -d build/packaging/linux-x64/stage/*/ 2>/dev/null)" ] || scripts/package.sh linux-x64
+    scripts/package.sh engines
+    packaging/check_engines.sh build/packages
 }
 step_three() {
     need chromium test browser
