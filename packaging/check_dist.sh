@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 #
 # Uses each package of a folder as a new user does: unpacked alone in an empty folder, by the first steps of its page. Prints the time of each.
-#   packaging/check_dist.sh [FOLDER] [NAME...]     default: dist, all that is there. GODOT: an engine, for the demo
+#   packaging/check_dist.sh [FOLDER] [NAME...]     default: dist, all that is there
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 root=$PWD
@@ -19,9 +19,7 @@ rows=( # name, file or folder; the function use_NAME gets it in $file
     "windows      langevin_rigid-*-windows-x64.zip"
     "macos        langevin_rigid-*-macos.tar.xz"
     "source       langevin_rigid-*-source.tar.xz"
-    "unity        langevin_rigid-*-unity.tgz"
-    "unreal       langevin_rigid-*-unreal.zip"
-    "godot        langevin_rigid-*-godot.zip"
+    "engines      langevin_rigid-*-godot.zip"
     "wheel        langevin_rigid-*-manylinux_*_x86_64.whl"
     "wheel_arm64  langevin_rigid-*-manylinux_*_aarch64.whl"
     "wheel_win    langevin_rigid-*-win_amd64.whl"
@@ -56,42 +54,7 @@ use_macos() { # compiled and linked by the line of its README, for both processo
         "$zig" cc -target $processor-macos.11.0 -std=c99 -Iinclude samples/hello.c -Llib -llangevin_rigid "-Wl,-rpath,$PWD/lib" -o hello || return
     done
 }
-use_unity() { # as Unity unpacks it: checked, baker run, compiled against the stand-in for Unity, library loaded by Mono
-    need mcs mono
-    unpack && cd package || return
-    (cd "$root/bindings/unity" && python3 -c 'import pathlib, sys, package; faults = package.check(pathlib.Path(sys.argv[1])); print("\n".join(faults)); sys.exit(bool(faults))' "$OLDPWD") || return
-    Tools~/linux-x64/lr_bake mesh Samples~/LeafStorm/leaf.obj -o ../leaf.lrb --density 350 --quiet && cmp ../leaf.lrb Samples~/LeafStorm/leaf.lrb || return
-    local flags=(-langversion:latest -unsafe -nologo -d:UNITY_STANDALONE) shim=$root/bindings/unity/shim
-    mcs "${flags[@]}" -target:library -out:../UnityEngine.dll "$shim"/{Mathematics,Scene,Attributes,Physics,Collections,Rendering}.cs &&
-        mcs "${flags[@]}" -target:library -out:../LangevinRigid.dll $(find Runtime/Bindings -name '*.cs') &&
-        mcs "${flags[@]}" -nowarn:0649,0169 -target:library -out:../Package.dll -r:../UnityEngine.dll -r:../LangevinRigid.dll $(find Runtime -maxdepth 1 -name '*.cs') Samples~/*/*.cs &&
-        mcs "${flags[@]}" -r:../LangevinRigid.dll -out:../Hello.exe "$root/bindings/csharp/samples/Hello.cs" &&
-        LD_LIBRARY_PATH=$PWD/Runtime/Plugins/Linux/x86_64 mono ../Hello.exe | grep "$hash"
-}
-use_unreal() { # as a project's plugin: its modules, libraries of all platforms by the rules of its Build.cs, every source against the stand-in for Unreal
-    need mcs mono
-    unpack || return
-    local tests=$root/bindings/unreal/tests shim=$root/bindings/unreal/shim plugin=$PWD/LangevinRigid module flags
-    mcs -nologo -out:rules.exe "$tests/build_rules.cs" $(find LangevinRigid -name '*.Build.cs') && mono rules.exe "$plugin" $(ls LangevinRigid/Source/ThirdParty/*/lib) || return
-    python3 "$shim/header_tool.py" gen $(find LangevinRigid/Source -name '*.h' -not -path '*/ThirdParty/*') || return
-    flags=(-std=c++20 -fsyntax-only -w -Igen "-I$shim" -isystem LangevinRigid/Source/ThirdParty/LangevinRigidLibrary/include '-DLANGEVIN_RIGID_LIBRARY="x"')
-    for module in LangevinRigid LangevinRigidNiagara LangevinRigidEditor; do flags+=("-I$PWD/LangevinRigid/Source/$module/Public" "-I$PWD/LangevinRigid/Source/$module/Private" "-D${module^^}_API="); done
-    for module in LangevinRigid LangevinRigidNiagara LangevinRigidEditor; do
-        find "LangevinRigid/Source/$module" -name '*.cpp' -printf '#include "%p"\n' | g++ "${flags[@]}" -I. -x c++ - || return
-    done
-}
-use_godot() { # unpacked into an empty project: all files that the extension and its scenes name; in an engine the demo runs
-    unpack && printf 'config_version=5\n[application]\nconfig/name="test"\n' >project.godot || return
-    local addon=addons/langevin_rigid named
-    [ -s $addon/LICENSE ] && [ -s $addon/licences/highway.txt ] || return
-    for named in $(grep -ohE 'res://[A-Za-z0-9_./]+' $addon/*.gdextension $addon/demo/* | cut -c7- | sort -u); do [ -s "$named" ] || { echo "no $named"; return 1; }; done
-    ! ldd $addon/bin/linux_x86_64/langevin_rigid_godot.so | grep 'not found' || return
-    [ -n "${GODOT:-}" ] || { echo "SKIPPED: the demo in an engine: GODOT is not set"; return 0; }
-    mkdir .godot && echo "res://$addon/langevin_rigid.gdextension" >.godot/extension_list.cfg
-    for named in --import "--fixed-fps 60 --quit-after 120 res://$addon/demo/storm.tscn"; do
-        HOME=$PWD timeout 120 "$GODOT" --headless --path . $named 2>&1 | tee log && ! grep -E '^(SCRIPT )?ERROR' log || return
-    done
-}
+use_engines() { "$root/packaging/check_engines.sh" "$dist"; } # all three
 use_wheel() { # the program of docs/guide/languages.md
     /usr/bin/python3 -c 'import numpy, venv' || exit 77
     /usr/bin/python3 -m venv --system-site-packages --without-pip venv && /usr/bin/python3 -m pip install --quiet --no-index --no-deps --target venv/site "$file" || return

@@ -21,38 +21,28 @@ extension() { # name, prefix, cmake's options
         cmake --build "$folder/godot-$1"; } >"$folder/godot-$1.log" 2>&1 || { cat "$folder/godot-$1.log" >&2; exit 1; }
 }
 natives=()
-installed() { # name: its package, with the licences of all that it contains where an installation has them, as package.py wants them
-    local licence
-    from=$(platform_folder "$1")/stage/langevin_rigid-$version-$1
-    prefix=$folder/prefix/$1
-    [ -d "$from" ] || return 1
-    mkdir -p "$folder/prefix"
-    rm -rf "$prefix"
-    cp -Rl "$from" "$prefix"
-    mkdir -p "$prefix/share/doc/langevin_rigid"
-    for licence in "$from"/licences/*.txt; do cp "$licence" "$prefix/share/doc/langevin_rigid/LICENSE.$(basename "$licence" .txt)"; done
-}
 for name in linux-x64 linux-arm64 windows-x64; do
-    installed $name || { echo "engines: without $name: scripts/package.sh $name engines"; continue; }
+    prefix=$(platform_folder $name)/stage/langevin_rigid-$version-$name
+    [ -d "$prefix" ] || { echo "engines: without $name: scripts/package.sh $name engines"; continue; }
     select_platform $name
     natives+=(--native "$prefix")
-    extension $name "$from" "${toolchain[@]}"
+    extension $name "$prefix" "${toolchain[@]}"
     find "$addon/bin" -path "*${name%%-*}*" -type f -exec "$strip" --strip-unneeded {} + 2>/dev/null || true
 done
 [ ${#natives[@]} -gt 0 ] || { echo "engines need a platform: scripts/package.sh linux-x64 engines" >&2; exit 3; }
-mac=$(platform_folder macos)
-if [ -d "$mac/arm64/prefix" ]; then
+macos=$(platform_folder macos)
+if [ -d "$macos/arm64/prefix" ]; then
     export ZIG_GLOBAL_CACHE_DIR=$PWD/build/zig/cache ZIG_LOCAL_CACHE_DIR=$PWD/build/zig/cache
     for processor in x86_64 arm64; do
-        extension macos-$processor "$mac/$processor/prefix" "-DCMAKE_TOOLCHAIN_FILE=$PWD/cmake/zig-macos.cmake" -DLR_MACOS_PROCESSOR=$processor
+        extension macos-$processor "$macos/$processor/prefix" "-DCMAKE_TOOLCHAIN_FILE=$PWD/cmake/zig-macos.cmake" -DLR_MACOS_PROCESSOR=$processor -DCMAKE_SHARED_LINKER_FLAGS=-s # stripped afterwards, its signature would be wrong
     done
     mkdir "$addon/bin/macos"
     llvm-lipo-14 -create "$addon"/bin/macos_*/langevin_rigid_godot.dylib -output "$addon/bin/macos/langevin_rigid_godot.dylib"
     rm -r "$addon"/bin/macos_*
-    installed macos
-    natives+=(--native "$prefix")
+    mac=(--native "$macos/stage/langevin_rigid-$version-macos")
 else
     echo "engines: without macos: scripts/package.sh macos engines"
+    mac=()
 fi
 
 # Godot: the Asset Library's layout, all in addons/. Libraries that are not there are not named, as a missing file may stop the editor.
@@ -61,10 +51,14 @@ while read -r file; do
 done < <(sed -n 's|.*res://addons/langevin_rigid/\(bin/.*\)"$|\1|p' "$addon/langevin_rigid.gdextension")
 first=${natives[1]}
 cp "$first"/assets/leaf{,_maple}.{lrb,obj} "$addon/demo/"
-cp -R "$first"/{THIRD_PARTY.md,licences} "$addon/"
+python3 packaging/third_party.py --platform engines --sources build/sources --out "$addon"
+if [ ${#mac[@]} -gt 0 ]; then
+    cp "${mac[1]}"/licences/{libcxx,zig}.txt "$addon/licences/"
+    tail -n 1 "${mac[1]}/THIRD_PARTY.md" >>"$addon/THIRD_PARTY.md"
+fi
 packaging/write_archive.sh "$stage/godot" addons "$out/langevin_rigid-$version-godot.zip" addons/langevin_rigid
 
-python3 bindings/unity/package.py "${natives[@]}" --out "$stage/unity" --tgz >"$folder/unity.log"
+python3 bindings/unity/package.py "${natives[@]}" "${mac[@]}" --out "$stage/unity" --tgz >"$folder/unity.log"
 mv "$stage"/unity/com.langevin.rigid-*.tgz "$out/langevin_rigid-$version-unity.tgz"
 python3 bindings/unreal/package.py "${natives[@]}" --out "$stage/unreal" >"$folder/unreal.log"
 packaging/write_archive.sh "$stage/unreal" LangevinRigid "$out/langevin_rigid-$version-unreal.zip"

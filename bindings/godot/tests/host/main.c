@@ -361,6 +361,10 @@ int main(int argc, char** argv) {
     host_variant_destroy(&hold);
     for (int level = GDX_LEVEL_EDITOR; level >= 0; --level) levels.deinitialize(levels.userdata, (gdx_level)level);
     CHECK(host.objects == objects && host.names == 0 && host.rids == 0 && !host.plugin);
+    /* A class that stays crashes the editor at its end. */
+    static const char* const names[] = {"LangevinAsset", "LangevinAssetLoader", "LangevinWorld",
+                                        "LangevinBatch", "LangevinGizmoPlugin", "LangevinEditorPlugin"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; ++i) CHECK(!host_find_class(names[i]));
     host_stop();
     CHECK(host.objects == 0);
     printf("host: %d passed, %d failed\n", passed, failed);
