@@ -28,7 +28,7 @@ ROWS = [
      "Package Manager, +, <i>Install package from tarball</i>", ENGINES + "unity-ten-minutes"),
     (NATIVE + r"unreal\.zip", "Unreal 5.4 and later", "plugin with libraries for Windows and Linux. Compiled against a stand-in; <b>not yet run in Unreal</b>",
      "Unpack into the project's <i>Plugins</i>", ENGINES + "unreal-ten-minutes"),
-    (NATIVE + r"godot\.zip", "Godot 4.4 and later", "the addon for Linux, Windows and macOS, with a scene to try", "Unpack into the project; play addons/langevin_rigid/demo/storm.tscn", ENGINES + "godot-the-demo"),
+    (NATIVE + r"godot\.zip", "Godot 4.4 and later", "the addon for Linux, Windows and macOS, with a scene to try", "Unpack into the project; play addons/langevin_rigid/demo/storm.tscn", ENGINES + "godot-ten-minutes"),
     ("Python and Blender",),
     (rf"leaf_storm-{VERSION}-linux-x64\.zip", "Blender 3.4 and later on Linux", "add-on with all it needs", "Preferences, <i>Install from Disk</i>", LANGUAGES + "blender"),
     (rf"leaf_storm-{VERSION}-windows-x64\.zip", "Blender on Windows", "the same", "Preferences, <i>Install from Disk</i>", LANGUAGES + "blender"),
