@@ -191,7 +191,7 @@ refuses() { ! bake mesh no_such.obj -o x.lrb --density 350 2>refused.txt && grep
 check "lr_bake reports a numbered fault" refuses
 # The bindings, with the library and baker of the package.
 held=$(cat "$root/packaging/hello.hash")
-check "docs for languages" test -s "$prefix/docs/guide/languages.md"
+for page in engines languages; do check "docs for $page" test -s "$prefix/docs/guide/$page.md"; done
 if [ "$platform" = linux-x64 ]; then
     if /usr/bin/python3 -c 'import numpy, pip' 2>/dev/null; then
         by_wheel() {

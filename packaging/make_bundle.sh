@@ -56,7 +56,7 @@ for binding in csharp python; do
         xargs -0 -r cp --parents -t "$stage"
 done
 mkdir -p "$stage/docs/guide" "$stage/docs/images"
-cp docs/guide/languages.md "$stage/docs/guide/"
+cp docs/guide/{engines,languages}.md "$stage/docs/guide/"
 grep -ho '\.\./images/[a-z_]*\.png' "$stage"/docs/guide/*.md | sort -u | sed 's|^\.\./|docs/|' | xargs -r cp -t "$stage/docs/images"
 
 cp LICENSE "$stage/"
