@@ -208,7 +208,7 @@ wrong_usage() { local status=0; bake mesh || status=$?; [ "$status" -eq 2 ]; } #
 check "lr_bake ends wrong usage with 2" wrong_usage
 refuses() { ! bake mesh no_such.obj -o x.lrb --density 350 2>refused.txt && grep -q 101 refused.txt && [ ! -e x.lrb ]; }
 check "lr_bake reports a numbered fault" refuses
-check "the page of languages" test -s "$prefix/docs/guide/languages.md"
+for page in engines languages; do check "the page of $page" test -s "$prefix/docs/guide/$page.md"; done
 held=$(cat "$root/packaging/hello.hash")
 if [ "$platform" = linux-x64 ]; then
     if command -v mcs >/dev/null; then

@@ -57,8 +57,8 @@ cp assets/README.md "$stage/assets/"
 # C#'s sources. Other bindings are packages of their own: Python's below, engines' by packaging/package_engines.sh, the web's by package_wasm.sh.
 git ls-files -z bindings/csharp | grep -zvE '^bindings/csharp/(tests/|test\.sh|\.gitignore)' | xargs -0 cp --parents -t "$stage"
 mkdir -p "$stage/docs/guide" "$stage/docs/images"
-cp docs/guide/languages.md "$stage/docs/guide/"
-cp docs/images/{web,blender}_storm.png "$stage/docs/images/"
+cp docs/guide/{engines,languages}.md "$stage/docs/guide/"
+grep -ho '\.\./images/[a-z_]*\.png' "$stage"/docs/guide/*.md | sort -u | sed 's|^\.\./|docs/|' | xargs -r cp -t "$stage/docs/images"
 
 cp LICENSE "$stage/"
 rm -rf "$stage/share"
