@@ -35,7 +35,7 @@ samples() { # built against the installed package, as users do
     cmake --build build/samples
     build/samples/hello
     build/samples/job_system
-    python3 tests/samples/check_small.py build/samples .
+    python3 tests/samples/check_small.py build/samples . "$prefix"
     python3 tests/samples/check_assets.py .
     "$prefix/bin/lr_bake" mesh assets/leaf.obj -o build/samples/leaf.lrb --density 350 --quiet
     build/samples/import_mesh assets/leaf.obj build/samples/imported.lrb 2>/dev/null

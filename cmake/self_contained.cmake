@@ -10,7 +10,7 @@ set(lr_new_in_glibc
     pthread_mutex_trylock pthread_once pthread_setspecific pthread_sigmask stat stat64)
 
 if(LR_SELF_CONTAINED AND CMAKE_SYSTEM_NAME STREQUAL "Linux")
-    add_library(lr_glibc_floor OBJECT "${PROJECT_SOURCE_DIR}/packaging/glibc_floor.c")
+    add_library(lr_glibc_floor OBJECT "${CMAKE_CURRENT_LIST_DIR}/../packaging/glibc_floor.c")
     target_compile_options(lr_glibc_floor PRIVATE -ffunction-sections -fdata-sections)
     target_link_libraries(lr_glibc_floor PRIVATE lr_flags)
 endif()

@@ -145,6 +145,8 @@ by_cmake() {
 check "hello.c by CMake" by_cmake
 check "and it runs" says_hash "$work/cmake/hello$exe"
 check "and the one with the static library, without others" says_hash "$work/cmake/hello_static$exe"
+sinks() { run "$work/cmake/coin$exe" | tr -d '\r' | tail -n 1 | grep -E '^at rest after [0-9.]+ s, 1\.99[0-9] m deep$'; }
+check "and the tutorial's coin" sinks
 alone() { needs "$1" | grep -i -e langevin -e stdc && return 1 || true; }
 check "which needs none of them" alone "$work/cmake/hello_static$exe"
 global() { # COFF: of C alone
@@ -172,7 +174,24 @@ check "every way gives the hash in packaging/hello.hash" same_hash
 mkdir "bäked 葉"
 bake() { (cd "$work" && env -i HOME="$HOME" PATH=/usr/bin:/bin WINEDEBUG="$WINEDEBUG" WINEPREFIX="${WINEPREFIX:-$HOME/.wine}" LC_ALL=C.UTF-8 "${runner[@]}" "$prefix/bin/lr_bake$exe" "$@"); }
 check "lr_bake bakes a mesh" bake mesh "moved there/assets/leaf.obj" -o "bäked 葉/葉.lrb" --density 350 --quiet
-check "equal to the package's asset" cmp "bäked 葉/葉.lrb" "$prefix/assets/leaf.lrb"
+same_asset() { # which x86-64 Linux has baked: other builds of lr_bake name themselves in it, and MinGW differs in the 16th digit
+    [ "$platform" != linux-x64 ] || { cmp "bäked 葉/葉.lrb" "$prefix/assets/leaf.lrb"; return; }
+    local file
+    for file in "bäked 葉/葉.lrb" "moved there/assets/leaf.lrb"; do bake info "$file" --json | tr -d '\r' >"$(basename "$file").json" || return; done
+    python3 - 葉.lrb.json leaf.lrb.json <<'PY'
+import json, math, sys
+def same(a, b, at=""):
+    if isinstance(a, dict): return all(same(a[k], b[k], f"{at}.{k}") for k in a) and a.keys() == b.keys()
+    if isinstance(a, list): return len(a) == len(b) and all(same(x, y, at) for x, y in zip(a, b))
+    good = math.isclose(a, b, rel_tol=1e-9, abs_tol=1e-15) if isinstance(a, float) else a == b
+    if not good: print(at, a, b)
+    return good
+a, b = (json.load(open(path, encoding="utf-8")) for path in sys.argv[1:])
+a.pop("provenance"), b.pop("provenance") # another build of lr_bake
+sys.exit(not same(a, b))
+PY
+}
+check "equal to the package's asset" same_asset
 check "lr_bake reads it again" bake check "bäked 葉/葉.lrb"
 "$root/packaging/write_meshes.py" meshes
 draco=$root/build/sources/draco/testdata/Box/glTF_Binary/Box_Draco.glb
@@ -189,43 +208,9 @@ wrong_usage() { local status=0; bake mesh || status=$?; [ "$status" -eq 2 ]; } #
 check "lr_bake ends wrong usage with 2" wrong_usage
 refuses() { ! bake mesh no_such.obj -o x.lrb --density 350 2>refused.txt && grep -q 101 refused.txt && [ ! -e x.lrb ]; }
 check "lr_bake reports a numbered fault" refuses
-# The bindings, with the library and baker of the package.
+for page in engines languages; do check "the page of $page" test -s "$prefix/docs/guide/$page.md"; done
 held=$(cat "$root/packaging/hello.hash")
-for page in engines languages; do check "docs for $page" test -s "$prefix/docs/guide/$page.md"; done
-check "Unity's package" test -s "$prefix/bindings/unity/com.langevin.rigid/package.json"
-unity_carries() { find "$prefix/bindings/unity/com.langevin.rigid/Runtime/Plugins" -type f ! -name '*.meta' -exec cmp {} "$prefix/$library" \; ; }
-[ "$platform" = linux-arm64 ] || check "and the library is in it" unity_carries
-check "Unreal's plugin" test -s "$(find "$prefix/bindings/unreal" -name LangevinRigid.uplugin)"
-if [ "$platform" != linux-arm64 ]; then
-    addon=$prefix/bindings/godot/addons/langevin_rigid
-    check "Godot's addon" test -s "$addon/langevin_rigid.gdextension"
-    godot_whole() { # all files that the extension names for this platform
-        local key=linux file files
-        [ "$platform" != windows-x64 ] || key=windows
-        files=$(grep -ohE "bin/${key}_x86_64/[A-Za-z0-9_.]+" "$addon/langevin_rigid.gdextension" | sort -u)
-        [ -n "$files" ] || return 1
-        for file in $files; do [ -s "$addon/$file" ] || { echo "no $file"; return 1; }; done
-    }
-    check "with all files that its .gdextension names" godot_whole
-    godot_demo() { # ready to open: has the addon, its assets, and the list without which the first start loads no extension
-        local demo=$prefix/bindings/godot/demo
-        diff -r "$prefix/bindings/godot/addons" "$demo/addons" && cmp "$demo/leaf.lrb" "$prefix/assets/leaf.lrb" &&
-            [ -s "$demo/leaf.obj" ] && [ -s "$demo/leaf_maple.lrb" ] && grep -qx 'res://addons/.*\.gdextension' "$demo/.godot/extension_list.cfg"
-    }
-    check "Godot's demo, ready to be opened" godot_demo
-fi
 if [ "$platform" = linux-x64 ]; then
-    addon_loads() { (cd "$addon/bin/linux_x86_64" && ! ldd ./langevin_rigid_godot.so | grep 'not found'); }
-    check "and it finds its library" addon_loads
-    if /usr/bin/python3 -c 'import numpy, pip' 2>/dev/null; then
-        by_wheel() {
-            /usr/bin/python3 -m pip install --quiet --no-index --no-deps --target wheel "$prefix"/bindings/python/*.whl &&
-                (cd wheel && env -i PATH=/usr/bin:/bin PYTHONPATH="$PWD" /usr/bin/python3 "$prefix/bindings/python/samples/hello.py") | grep -x "$held.*" >/dev/null
-        }
-        check "Python's wheel, with the same bits" by_wheel
-    else
-        echo "SKIPPED: the wheel: python3-numpy or python3-pip is not installed"
-    fi
     if command -v mcs >/dev/null; then
         by_mono() {
             mkdir mono && find "$prefix/bindings/csharp/src" -name '*.cs' -print0 |

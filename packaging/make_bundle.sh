@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# Makes the archive of one platform from the output of packaging/build_library.sh.
+# Makes the archive of one platform from the output of packaging/build_library.sh, and beside it Python's wheel and Blender's zip.
 #   packaging/make_bundle.sh PLATFORM OUT
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -32,53 +32,30 @@ if [ "$platform" = windows-x64 ]; then
 fi
 
 mkdir -p "$stage/samples" "$stage/assets"
-cp samples/hello.c "$stage/samples/"
+cp samples/hello.c samples/small/*.cpp "$stage/samples/"
 cp packaging/sample.cmake "$stage/samples/CMakeLists.txt"
-# Baked by the packaged lr_bake with the options in assets/README.md.
-export WINEDEBUG=${WINEDEBUG:--all}
-bake() { # asset, mesh, options
-    "${runner[@]}" "$stage/bin/lr_bake$exe" mesh "assets/$2.obj" -o "$stage/assets/$1.lrb" "${@:3}" --quiet
-}
-bake leaf leaf --density 350
-bake leaf_maple leaf_maple --density 350
-bake petal petal --density 700
-bake confetti confetti --density 800
-bake samara samara --density 1716
-bake curled_leaf curled_leaf --density 330
-bake dart dart --density 1850 --center-of-mass 0.0396,0,0
-bake paper_plane paper_plane_surface --sheet --thickness 0.0001 --areal-density 0.08 --mass-from assets/paper_plane_layers.obj
+# Baked by the packaged lr_bake with the options in assets/README.md; once for all platforms of a run (LR_BAKED: a folder), as users do.
+if [ -n "${LR_BAKED:-}" ]; then
+    cp "$LR_BAKED"/*.lrb "$stage/assets/"
+else
+    export WINEDEBUG=${WINEDEBUG:--all}
+    bake() { # asset, mesh, options
+        "${runner[@]}" "$stage/bin/lr_bake$exe" mesh "assets/$2.obj" -o "$stage/assets/$1.lrb" "${@:3}" --quiet
+    }
+    bake leaf leaf --density 350
+    bake leaf_maple leaf_maple --density 350
+    bake petal petal --density 700
+    bake confetti confetti --density 800
+    bake samara samara --density 1716
+    bake curled_leaf curled_leaf --density 330
+    bake dart dart --density 1850 --center-of-mass 0.0396,0,0
+    bake paper_plane paper_plane_surface --sheet --thickness 0.0001 --areal-density 0.08 --mass-from assets/paper_plane_layers.obj
+fi
 for mesh in leaf leaf_maple petal confetti samara curled_leaf dart paper_plane; do cp "assets/$mesh.obj" "$stage/assets/"; done
 cp assets/README.md "$stage/assets/"
 
-# Each binding in the form that users install: the output of its package.py, or its files without tests.
-mkdir -p "$stage/bindings"
-for binding in bindings/*/; do
-    binding=$(basename "$binding")
-    [ -d "bindings/$binding" ] || continue
-    case $binding in generator | web) continue ;; esac # generator: internal; web: a separate platform
-    if [ -f "bindings/$binding/package.py" ]; then
-        python3 "bindings/$binding/package.py" --native "$stage" --out "$stage/bindings/$binding" >"$folder/$binding.log" 2>&1 ||
-            { cat "$folder/$binding.log" >&2; echo "bindings/$binding could not be packaged" >&2; exit 1; }
-    else
-        git ls-files -z "bindings/$binding" | grep -zvE "^bindings/$binding/(tests|shim)/|/(test|wheel)\.sh$|/extension\.py$|/\.gitignore$" |
-            xargs -0 -r cp --parents -t "$stage"
-    fi
-done
-# Godot's addon, compiled, with the library.
-case $platform in linux-x64 | windows-x64)
-    { cmake -S bindings/godot -B "$folder/godot" -G Ninja "${toolchain[@]}" -DCMAKE_BUILD_TYPE=Release "-DCMAKE_PREFIX_PATH=$stage" \
-        "-DCMAKE_FIND_ROOT_PATH=$stage" "-DCMAKE_C_FLAGS=-ffile-prefix-map=$PWD=." \
-        "-DLANGEVIN_GODOT_OUTPUT=$stage/bindings/godot/addons/langevin_rigid" && cmake --build "$folder/godot"; } >"$folder/godot.log" 2>&1 ||
-        { cat "$folder/godot.log" >&2; exit 1; }
-    find "$stage/bindings/godot/addons" \( -name '*.so*' -o -name '*.dll' \) -exec "$strip" --strip-unneeded {} +
-    # Its demo, ready to open. bindings/godot/demo.sh explains extension_list.cfg.
-    demo=$stage/bindings/godot/demo
-    cp -R "$stage/bindings/godot/addons" "$demo/"
-    cp "$stage"/assets/leaf{,_maple}.{lrb,obj} "$demo/"
-    mkdir -p "$demo/.godot"
-    echo "res://addons/langevin_rigid/langevin_rigid.gdextension" >"$demo/.godot/extension_list.cfg"
-    ;;
-esac
+# C#'s sources. Other bindings are packages of their own: Python's below, engines' by packaging/package_engines.sh, the web's by package_wasm.sh.
+git ls-files -z bindings/csharp | grep -zvE '^bindings/csharp/(tests/|test\.sh|\.gitignore)' | xargs -0 cp --parents -t "$stage"
 mkdir -p "$stage/docs/guide" "$stage/docs/images"
 cp docs/guide/{engines,languages}.md "$stage/docs/guide/"
 grep -ho '\.\./images/[a-z_]*\.png' "$stage"/docs/guide/*.md | sort -u | sed 's|^\.\./|docs/|' | xargs -r cp -t "$stage/docs/images"
@@ -86,13 +63,10 @@ grep -ho '\.\./images/[a-z_]*\.png' "$stage"/docs/guide/*.md | sort -u | sed 's|
 cp LICENSE "$stage/"
 rm -rf "$stage/share"
 python3 packaging/third_party.py --platform "$platform" --sources build/sources --out "$stage"
-# A wheel with library, baker and licences, and Blender's zip.
-case $platform in linux-x64 | windows-x64)
-    { PYTHON=/usr/bin/python3 bindings/python/wheel.sh "$stage" "$stage/bindings/python" &&
-        PYTHON=/usr/bin/python3 bindings/python/extension.py "$stage" "$stage/bindings/python"; } >"$folder/wheel.log" 2>&1 ||
-        { cat "$folder/wheel.log" >&2; exit 1; }
-    ;;
-esac
+# A wheel with library, baker and licences, and Blender's zip, beside the archive.
+{ PYTHON=/usr/bin/python3 bindings/python/wheel.sh "$stage" "$out" &&
+    { [ "$platform" = linux-arm64 ] || PYTHON=/usr/bin/python3 bindings/python/extension.py "$stage" "$out"; }; } >"$folder/wheel.log" 2>&1 ||
+    { cat "$folder/wheel.log" >&2; exit 1; }
 floor=()
 case $platform in
 linux-*)

@@ -23,7 +23,7 @@ thin=()
 for processor in x86_64 arm64; do
     build=$folder/$processor
     { cmake -S "$kit" -B "$build" -G Ninja "-DCMAKE_TOOLCHAIN_FILE=$PWD/cmake/zig-macos.cmake" -DLR_MACOS_PROCESSOR=$processor -DCMAKE_BUILD_TYPE=Release \
-        -DLR_BUILD_SHARED_TOO=ON -DCMAKE_INSTALL_LIBDIR=lib && cmake --build "$build" -j "${LR_JOBS:-$(nproc)}" &&
+        -DLR_BUILD_SHARED_TOO=ON -DCMAKE_SHARED_LINKER_FLAGS=-s -DCMAKE_INSTALL_LIBDIR=lib && cmake --build "$build" -j "${LR_JOBS:-$(nproc)}" &&
         cmake --install "$build" --prefix "$build/prefix" --component runtime; } >"$folder/$processor.log" 2>&1 ||
         { tail -n 40 "$folder/$processor.log" >&2; exit 1; }
     llvm-strip-14 -S "$build/prefix/lib/liblangevin_rigid_static.a"
@@ -49,8 +49,8 @@ for target in x86_64-macos.11.0 aarch64-macos.11.0; do # programs link with both
 done
 mkdir -p "$stage/samples"
 rm -rf "$stage/share"
-cp samples/hello.c "$stage/samples/"
-sed 's/LANGUAGES C)/LANGUAGES C CXX)/' packaging/sample.cmake >"$stage/samples/CMakeLists.txt"
+cp samples/hello.c samples/small/*.cpp "$stage/samples/"
+cp packaging/sample.cmake "$stage/samples/CMakeLists.txt"
 cp -R "$kit"/third_party/{THIRD_PARTY.md,licences} LICENSE "$stage/"
 libraries=${zig%/zig}/lib # of LLVM and Zig, in the shared library
 cat "$libraries"/{libcxx,libcxxabi,libunwind}/LICENSE.TXT >"$stage/licences/libcxx.txt"

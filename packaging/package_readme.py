@@ -26,7 +26,6 @@ def read_me(options) -> str:
     windows = options.platform.startswith("windows")
     exe = ".exe" if windows else ""
     library = LIBRARY.get(options.platform, "lib/liblangevin_rigid.so")
-    bindings = sorted(p.name for p in (options.stage / "bindings").glob("*")) if (options.stage / "bindings").is_dir() else []
     needs = ("It needs Windows' own DLLs and nothing else." + PROCESSOR[options.platform]
              if windows else floor_of_linux(options))
     cc = (r"cl /std:c11 /I include samples\hello.c lib\langevin_rigid.lib" "\n"
@@ -49,16 +48,15 @@ def read_me(options) -> str:
              (f"bin/lr_bake{exe}", "makes assets from meshes and leaf textures"),
              (f"bin/lr_drop{exe}", "drops an asset: how fast and in which manner it falls, with a picture"),
              ("assets", "baked meshes (.lrb) and their sources (.obj)"),
-             ("samples/hello.c", "the first falling bodies")]
-    if bindings:
-        rows.append(("bindings", ", ".join(bindings) + ": `docs/guide` has a chapter for each, from zero to falling leaves"))
-    rows += [("LICENSE, THIRD_PARTY.md, licences", "licences of this library and of the software inside"),
+             ("samples", "the first falling bodies in C; leaves, a dart, confetti, a coin and a car in twenty lines of C++ each"),
+             ("bindings/csharp", "the API in C#: `docs/guide/languages.md`. Engines, Python, Blender and the web have packages of their own"),
+             ("LICENSE, THIRD_PARTY.md, licences", "licences of this library and of the software inside"),
              ("SHA256SUMS", "`sha256sum -c SHA256SUMS` checks every file")]
     table = "\n".join(f"| `{name}` | {what} |" for name, what in rows)
     return f"""# Langevin Rigid {options.version} for {NAMES[options.platform]}
 
-This package is for programs that simulate leaves, paper, petals and confetti that flutter, glide and tumble: thousands to a million, on the CPU, with
-the same bits on every machine. {needs}
+For programs in C, C++ and C# that simulate leaves, paper, petals and confetti that flutter, glide and tumble: thousands to a million, on the CPU,
+with the same bits on every machine. {needs}
 
 | | |
 |---|---|

@@ -31,6 +31,8 @@ CARRIED = [
 ]
 COMPILER = {
     "source": [],  # only what the runtime contains
+    "engines": [("GCC runtime", "libstdc++ and libgcc; GPL-3.0 with the GCC Runtime Library Exception", RUNTIME, "gcc-12-base"),
+                ("MinGW-w64", "start-up code, winpthreads, parts of the C library; ZPL-2.1, MIT, public domain", RUNTIME, "mingw-w64-common")],
     "linux-x64": [("GCC runtime", "libstdc++ and libgcc; GPL-3.0 with the GCC Runtime Library Exception", BOTH, "gcc-12-base")],
     "linux-arm64": [("GCC runtime", "libstdc++ and libgcc; GPL-3.0 with the GCC Runtime Library Exception", BOTH,
                      "gcc-12-cross-base|gcc-12-base")],
@@ -69,7 +71,7 @@ def main() -> None:
     folder.mkdir(parents=True, exist_ok=True)
     rows, common = [], set()
     for name, what, where, entry in CARRIED + COMPILER[options.platform]:
-        if options.platform == "source" and where == BAKER:
+        if options.platform in ("source", "engines") and where == BAKER:
             continue
         debian, version, terms = find(entry, options.sources, versions)
         text = terms.read_bytes().decode("utf-8", errors="replace")

@@ -1,10 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 #
-# Makes binary packages: library, header, baker, bindings, assets and licences in one archive per platform.
-#   scripts/package.sh [linux-x64|windows-x64|linux-arm64|macos|wasm|source ...] [--out DIR]     default: linux-x64, into build/packages
-#   scripts/package.sh all [--out DIR]     all of them, into dist, with the documentation and a page that lists them
-# scripts/setup.sh package [windows] [arm64] [macos] installs the tools and fetches the sources of dependencies once, from Debian.
+# Makes the packages that users download, with their checksums and a page that lists them.
+#   scripts/package.sh [NAME...] [--out DIR]     default: linux-x64, into build/packages
+#       linux-x64 windows-x64 linux-arm64   library, headers, tools, assets, licences in one archive; Python's wheel and Blender's zip
+#       macos source wasm                   library for macOS; sources for consoles and phones; npm's tarball and a page
+#       engines                             for Unity, Unreal and Godot, with the libraries of the platforms made before
+#   scripts/package.sh all [--out DIR]           all of them and the documentation, into dist, as it can be published
+# scripts/setup.sh test package windows arm64 macos installs the tools and fetches the sources of dependencies once.
 # The same commit gives the same bytes. docs/maintainers/releases.md
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -15,44 +18,58 @@ wanted=() all=false
 while [ $# -gt 0 ]; do
     case $1 in
     --out) out=${2:?--out DIR}; shift ;;
-    all) wanted=(source linux-x64 windows-x64 linux-arm64 macos wasm) all=true ;;
-    -h | --help) sed -n '4,10s/^# \{0,1\}//p' "scripts/package.sh"; exit 0 ;;
+    all) wanted=(source linux-x64 windows-x64 linux-arm64 macos engines wasm) all=true ;;
+    -h | --help) sed -n '4,11s/^# \{0,1\}//p' "scripts/package.sh"; exit 0 ;;
     *) wanted+=("$1") ;;
     esac
     shift
 done
 [ ${#wanted[@]} -gt 0 ] || wanted=(linux-x64)
-[ -n "$out" ] || { $all && out=dist || out=build/packages; }
-mkdir -p "$out"
-out=$(realpath "$out")
+clean=false
+[ -n "$out" ] || { $all && out=dist clean=true || out=build/packages; }
 
 # Archives contain this time: the last commit's, for equal bytes.
 export SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || echo 0)} TZ=UTC LC_ALL=C
 umask 022
 
-say() { printf '[%d:%02d] %s\n' $((SECONDS / 60)) $((SECONDS % 60)) "$*"; }
+# What is missing is said before anything is built.
+missing=()
 for name in "${wanted[@]}"; do
-    start=$SECONDS
-    if [ "$name" = wasm ]; then
-        say "$name: library for WebAssembly (about 3 minutes the first time)"
-        packaging/package_wasm.sh "$out"
-    elif [ "$name" = source ]; then
-        packaging/make_source_kit.sh "$out"
-    elif [ "$name" = macos ]; then
-        say "$name: library for both processors (about 6 minutes)"
-        packaging/package_macos.sh "$out"
-    else
-        select_platform "$name"
-        say "$name: bundled libraries (about 4 minutes the first time on two cores)"
-        packaging/build_dependencies.sh "$name"
-        say "$name: library and lr_bake (about 6 minutes)"
-        packaging/build_library.sh "$name"
-        say "$name: bindings, assets, licences, archive"
-        packaging/make_bundle.sh "$name" "$out"
-    fi
-    echo "$name: $((SECONDS - start)) s"
+    case $name in
+    linux-* | windows-*) (select_platform "$name") || missing+=("$name") ;;
+    macos) [ -d build/zig/node_modules ] || { echo "macos needs Zig: scripts/setup.sh package macos" >&2; missing+=(macos); } ;;
+    source | wasm | engines) ;;
+    *) echo "unknown package: $name; scripts/package.sh --help lists them" >&2; exit 2 ;;
+    esac
 done
-if $all; then
-    scripts/site.py "$out/docs"
-    python3 packaging/list_packages.py "$out"
-fi
+! $all || command -v mkdocs >/dev/null || { echo "the documentation needs mkdocs: scripts/setup.sh test" >&2; missing+=(docs); }
+[ ${#missing[@]} -eq 0 ] || exit 3
+! $clean || rm -rf "$out"
+mkdir -p "$out"
+out=$(realpath "$out")
+
+step() { # name, command: prints its time
+    local start=$SECONDS
+    "${@:2}"
+    printf '%-12s %4d s\n' "$1" $((SECONDS - start)) | tee -a "$times"
+}
+platform() { # its dependencies, its library, its archive: 4, 6 and 1 minutes the first time on two cores
+    select_platform "$1"
+    packaging/build_dependencies.sh "$1"
+    packaging/build_library.sh "$1"
+    packaging/make_bundle.sh "$1" "$out"
+    LR_BAKED=${LR_BAKED:-$(echo "$(platform_folder "$1")"/stage/*/assets)}
+    export LR_BAKED
+}
+times=$(mktemp)
+trap 'rm -f "$times"' EXIT
+for name in "${wanted[@]}"; do
+    case $name in
+    source) step source packaging/make_source_kit.sh "$out" ;;
+    macos | wasm | engines) step "$name" "packaging/package_$name.sh" "$out" ;;
+    *) step "$name" platform "$name" ;;
+    esac
+done
+! $all || step docs scripts/site.py "$out/docs"
+python3 packaging/list_packages.py "$out"
+cat "$times"

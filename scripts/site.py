@@ -32,6 +32,7 @@ theme:
       primary: deep orange
       toggle: {{icon: material/weather-sunny, name: Light}}
   features: [navigation.sections, navigation.top, content.code.annotate, search.highlight]
+extra_css: [wide.css]
 plugins: [search]
 markdown_extensions:
   - tables
@@ -114,6 +115,9 @@ def main(out):
     shutil.copytree(ROOT / "build/api/html", SOURCE / "api")
     header = (ROOT / "include/langevin_rigid.h").read_text(encoding="utf-8")
     version = ".".join(re.search(rf"define LR_VERSION_{part} (\d+)", header)[1] for part in ("MAJOR", "MINOR", "PATCH"))
+    # Room for lines of code; drawings that are shifted on a phone rather than made illegible.
+    (SOURCE / "wide.css").write_text(".md-grid{max-width:76rem}.md-typeset pre>code{font-size:.76em}\n@media(max-width:44em){p:has(>img[src*='concepts/'])"
+                                     "{overflow-x:auto}.md-typeset img[src*='concepts/']{max-width:none;width:34rem}}\n", encoding="utf-8")
     config = ROOT / "build/site.yml"
     config.write_text(CONFIG.format(version=version, source=SOURCE, out=out, nav=navigation()), encoding="utf-8")
     subprocess.run(["/usr/bin/mkdocs", "--quiet", "build", "--strict", "--clean", "--config-file", config], check=True)

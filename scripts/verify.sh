@@ -30,10 +30,8 @@ steps=( # name, minutes on two cores, title
     "arm64         8 Held hashes: 64-bit ARM, emulated"
     "windows      10 Held hashes: 64-bit Windows, by Wine"
     "kit           8 Source kit: unpacked alone, GCC and clang, without a system, Microsoft's rules"
-    "package      12 Package for Linux, as a new user uses it"
-    "packages     30 Packages for Windows, 64-bit ARM and the web"
-    "macos        20 Package for macOS: compiled and linked by Zig, exports"
-    "three         2 The npm package with three.js and Vite, in a browser"
+    "package      15 Packages for Linux, engines, Python, Blender and the web, as a new user uses them"
+    "dist         60 All packages and the site, each unpacked in a bare place and used as its page says"
     "reproducible 10 The library built twice in different folders: equal bytes"
 )
 
@@ -129,34 +127,20 @@ step_windows() {
     on_platform windows-x64 || skip "the tools above are not installed"
     scripts/check_determinism.sh windows
 }
-make_package() { # platform
-    scripts/package.sh "$1"
-    packaging/check_package.sh build/packages/langevin_rigid-*-"$1".*[xi][zp]
-}
 step_kit() {
     [ -d /usr/x86_64-w64-mingw32/include ] || skip "MinGW's headers are not installed: scripts/setup.sh test windows"
     scripts/package.sh source
     packaging/check_source_kit.sh build/packages/langevin_rigid-*-source.tar.xz
     packaging/check_msvc_rules.sh
 }
-step_macos() {
-    [ -d build/zig/node_modules ] || skip "Zig is not installed: scripts/setup.sh package macos"
-    scripts/package.sh macos
-}
 step_package() {
     on_platform linux-x64 || skip "the tools above are not installed"
-    make_package linux-x64
+    scripts/package.sh linux-x64 engines wasm
+    packaging/check_dist.sh build/packages
 }
-step_packages() {
-    local platform
-    for platform in windows-x64 linux-arm64; do on_platform $platform || skip "the tools above are not installed"; done
-    for platform in windows-x64 linux-arm64; do make_package $platform; done
-    scripts/package.sh wasm
-}
-step_three() {
-    need chromium test browser
-    bindings/web/build.sh
-    node bindings/web/tests/three.mjs "$(command -v chromium)" build/web/package "$results" || { [ $? -ne 77 ] || skip "there is no registry of npm packages"; return 1; }
+step_dist() {
+    scripts/package.sh all || { [ $? -ne 3 ] || skip "the tools above are not installed"; return 1; }
+    packaging/check_dist.sh
 }
 step_reproducible() { scripts/check_reproducible.sh; }
 

@@ -41,6 +41,7 @@ PLUGINS = {
     "Linux/x86_64": {"Editor": ("x86_64", "Linux"), "Linux64": "x86_64"},
     "Linux/arm64": {"EmbeddedLinux": "ARM64"},
     "Windows/x86_64": {"Editor": ("x86_64", "Windows"), "Win64": "x86_64"},
+    "macOS": {"Editor": ("AnyCPU", "OSX"), "OSXUniversal": "AnyCPU"},
     "WebGL": {"WebGL": ""},
 }
 
@@ -65,7 +66,7 @@ def plugin(path):
 
 
 def is_library(path):
-    return re.search(r"\.(dll|a|so)$", path) is not None
+    return re.search(r"\.(dll|a|so|dylib)$", path) is not None
 
 
 def importer_of(path, is_folder):

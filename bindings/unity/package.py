@@ -23,6 +23,7 @@ import sys
 import tarfile
 
 import metas
+import scene
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[1] / "packaging"))
@@ -35,6 +36,7 @@ HEADER = HERE.parents[1] / "include" / "langevin_rigid.h"
 NAME = "com.langevin.rigid"
 
 ELF_MACHINES = {62: "Linux/x86_64", 183: "Linux/arm64"}
+MACHO_UNIVERSAL = b"\xca\xfe\xba\xbe"
 TOOLS = {"Linux/x86_64": "linux-x64", "Linux/arm64": "linux-arm64", "Windows/x86_64": "windows-x64"}
 
 
@@ -59,6 +61,12 @@ def pe_platform(path):
     return "Windows/x86_64"
 
 
+def macho_platform(path):
+    if path.read_bytes()[:4] != MACHO_UNIVERSAL:
+        raise PackageError(f"{path}: not a library for both of macOS's processors")
+    return "macOS"
+
+
 def archive_platform(path):
     data = path.read_bytes()
     if data[:8] != b"!<arch>\n" or b"\0asm" not in data:
@@ -69,7 +77,8 @@ def archive_platform(path):
 def library_of(prefix):
     """(platform, path) of the runtime library in a prefix."""
     candidates = [("lib/liblangevin_rigid.so", elf_platform), ("bin/langevin_rigid.dll", pe_platform), ("bin/liblangevin_rigid.dll", pe_platform),
-                  ("lib/langevin_rigid.dll", pe_platform), ("lib/liblangevin_rigid.a", archive_platform)]
+                  ("lib/langevin_rigid.dll", pe_platform), ("lib/liblangevin_rigid.dylib", macho_platform),
+                  ("lib/liblangevin_rigid.a", archive_platform)]
     for name, platform in candidates:
         path = prefix / name
         if path.exists():
@@ -90,7 +99,7 @@ def put_native(prefix, package, licences):
     folder = package / "Runtime" / "Plugins" / platform
     if folder.exists():
         raise PackageError(f"{prefix}: a library for {platform} is there already")
-    names = {"WebGL": "liblangevin_rigid.a", "Windows/x86_64": "langevin_rigid.dll"}
+    names = {"WebGL": "liblangevin_rigid.a", "macOS": "liblangevin_rigid.dylib", "Windows/x86_64": "langevin_rigid.dll"}
     if platform.startswith("Linux"):
         copied, found = copy_elf(library, folder, "liblangevin_rigid.so", as_plugin=True)
         licences.update(licence_of(path, prefix) for path in found)
@@ -109,6 +118,8 @@ def put_native(prefix, package, licences):
                         print(f"package: warning: {error}")
     for document in (prefix / "share/doc/langevin_rigid").glob("LICENSE.*"): # licenses of code in the library
         licences[document.suffix[1:]] = document.read_text()
+    for document in (prefix / "licences").glob("*.txt"): # the same in a package
+        licences[document.stem] = document.read_text(errors="replace")
     print(f"package: {platform}: {', '.join(copied)}")
     put_tool(prefix, platform, package, licences)
 
@@ -153,6 +164,7 @@ def put_sample(prefixes, package):
                 "ScriptedImporter:\n  internalIDToNameTable: []\n  externalObjects: {}\n  serializedVersion: 2\n" + metas.TAIL +
                 f"  script: {{fileID: 11500000, guid: {importer}, type: 3}}\n  meshMirror: 1\n")
         (folder / f"{name}.meta").write_text(text)
+    scene.write(folder)
 
 
 def header_version(header):
@@ -185,7 +197,7 @@ OUTSIDE = {"Unity.Burst", "UnityEngine.TestRunner", "UnityEditor.TestRunner"}
 def check(package):
     """All problems of a package."""
     faults, documents = check_json(package)
-    faults += metas.check(package)
+    faults += metas.check(package) + scene.check(package)
     definitions = {path: json for path, json in documents.items() if path.suffix == ".asmdef"}
     names = [definition.get("name") for definition in definitions.values()]
     for path, definition in definitions.items():
@@ -211,7 +223,7 @@ def check(package):
     if not (package / "Third Party Notices.md").exists():
         faults.append("Third Party Notices.md: missing")
     libraries = [path for path in sorted((package / "Runtime" / "Plugins").rglob("*")) if path.name in
-                 ("liblangevin_rigid.so", "langevin_rigid.dll", "liblangevin_rigid.a")]
+                 ("liblangevin_rigid.so", "langevin_rigid.dll", "liblangevin_rigid.dylib", "liblangevin_rigid.a")]
     if not libraries:
         faults.append("Runtime/Plugins: no native library")
     for library in libraries:

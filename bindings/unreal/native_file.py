@@ -11,7 +11,7 @@ from pathlib import Path
 
 SYSTEM = re.compile(
     r"^(lib(c|m|dl|pthread|rt|gcc_s|stdc\+\+|util)\.so\.\d+|ld-linux.*|"
-    r"kernel32\.dll|user32\.dll|advapi32\.dll|ntdll\.dll|msvcrt\.dll|ucrtbase\.dll|api-ms-win-.*\.dll|"
+    r"kernel32\.dll|user32\.dll|advapi32\.dll|shell32\.dll|ole32\.dll|ntdll\.dll|msvcrt\.dll|ucrtbase\.dll|api-ms-win-.*\.dll|"
     r"vcruntime140(_1)?\.dll|msvcp140(_\d)?\.dll)$", re.IGNORECASE)
 
 

@@ -73,7 +73,7 @@ def package_native(plugin: Path, native: str, also: list) -> str:
         fail(f"{header} differs from that of another --native: all must be of one version")
     put(header, shipped)
 
-    for licence in sorted((prefix / "share/doc/langevin_rigid").glob("*")):
+    for licence in sorted([*(prefix / "share/doc/langevin_rigid").glob("*"), *(prefix / "licences").glob("*")]):
         if licence.is_file():
             put(licence, plugin / "Licenses" / licence.name)
 
@@ -96,7 +96,28 @@ def package_native(plugin: Path, native: str, also: list) -> str:
             title, text = licence_of(origin, prefix)
             (plugin / "Licenses").mkdir(exist_ok=True)
             (plugin / "Licenses" / f"{title}.txt").write_text(text)
+    tool = prefix / "bin" / ("lr_bake.exe" if platform == "Win64" else "lr_bake")
+    tools = plugin / THIRD_PARTY / "bin" / platform
+    if not tool.is_file():
+        print(f"  no {tool}: meshes cannot be baked in the editor on {platform}")
+    elif platform == "Win64":
+        put(tool, tools / tool.name)
+        put_dlls(tool, native_file.describe(tool), tools, [prefix / "bin", *also])
+    else:
+        _, origins = copy_elf(tool, tools, tool.name, also=also)
+        print(f"  {tools / tool.name}")
+        for origin in origins:
+            title, text = licence_of(origin, prefix)
+            (plugin / "Licenses").mkdir(exist_ok=True)
+            (plugin / "Licenses" / f"{title}.txt").write_text(text)
     return platform
+
+
+def write_leaf(plugin: Path) -> None:
+    """The sample's leaf, in the engine's unit: importers take an OBJ's numbers for centimetres."""
+    lines = [" ".join(["v", *(f"{100.0 * float(x):.6g}" for x in line.split()[1:4])]) if line.startswith("v ") else line
+             for line in (HERE.parents[1] / "assets/leaf.obj").read_text().splitlines()]
+    (plugin / "Content/Python/leaf.obj").write_text("\n".join(lines) + "\n")
 
 
 def main() -> None:
@@ -118,6 +139,7 @@ def main() -> None:
         file = plugin / "LangevinRigid.uplugin"
         text = file.read_text()
         file.write_text(text.replace('\t"FriendlyName"', f'\t"EngineVersion": "{arguments.engine}",\n\t"FriendlyName"', 1))
+    write_leaf(plugin)
     licence = HERE.parents[1] / "LICENSE"
     if licence.is_file():
         shutil.copyfile(licence, plugin / "LICENSE")

@@ -96,6 +96,7 @@ fi
 [[ -n $arm64 ]] && platforms+=(LinuxArm64) && native+=(--native "LinuxArm64=$arm64")
 step "package.py: ${platforms[*]}" python3 "$here/package.py" "${native[@]}" --engine 5.4.0 --out "$build/plugin"
 step "package.py refuses what cannot work" "$here/tests/test_package.sh" "$here/package.py" "$prefix" "$build/refused"
+step "the script of the sample map, against a stand-in for the editor's Python" python3 "$here/tests/test_sample.py" "$build/plugin/LangevinRigid"
 step "the .uplugin names modules that are there" python3 "$here/tests/test_uplugin.py" "$build/plugin/LangevinRigid"
 if [[ -n $win64 ]] && have x86_64-w64-mingw32-gcc; then
     step "the import library: MinGW and lld link, and delay-load, by it" "$here/tests/test_import_library.sh" \

@@ -43,49 +43,29 @@ int sheet_height(const Options& options) {
     return rows * (options.height + gap) - gap;
 }
 
-// The camera is at the height of a child's eyes; for a heap it is lower.
-View view_of_ground(const Park& park, bool heap) {
-    if (heap) {
-        const Park::Place at = park.heap();
-        return {{at.x, at.y + 0.75f, at.z + 1.9f}, -0.27f, 0.1f, 400.0f, 26.0f, {0.48f, 0.45f, -0.7531f}};
-    }
-    const double z = 4.0;
-    const auto floor = static_cast<float>(park.terrain().at(0.0, z).height);
-    return {{0.0f, floor + 1.25f, static_cast<float>(z)}, -0.19f, 0.1f, 400.0f, 26.0f, {0.48f, 0.45f, -0.7531f}};
-}
-
-Look look_for(const std::string& name) {
-    if (name.find("petal") != std::string::npos) return Look::petal;
-    if (name.find("confetti") != std::string::npos || name.find("paper") != std::string::npos) return Look::paper;
-    return Look::leaf;
-}
-
 } // namespace
 
 Mesh drawn_mesh(const Options& options, const Storm& storm, std::size_t kind, std::string& path) {
     const Storm::Kind& of = storm.kinds()[kind];
     path = mesh_for(options, kind, of.path);
-    return path.empty() ? ellipse_card(of.info) : load_obj(path, of.info);
+    return load_mesh(path, of.info);
 }
 
 ContactSheet::ContactSheet(const Options& options, const Storm& storm)
-    : view_(storm.park() ? view_of_ground(*storm.park(), options.heap) : view_of(storm.box())),
-      picture_(sheet_width(options), sheet_height(options), from_srgb(22, 20, 18)) {
-    renderer_ = std::make_unique<Renderer>(options.width, options.height);
-    if (storm.park()) scenery_ = std::make_unique<Scenery>(*storm.park());
+    : picture_(sheet_width(options), sheet_height(options), from_srgb(22, 20, 18)) {
+    std::vector<DrawnStorm::Kind> kinds;
     for (std::size_t k = 0; k < storm.kinds().size(); ++k) {
         const Storm::Kind& kind = storm.kinds()[k];
         std::string path;
-        const Mesh mesh = drawn_mesh(options, storm, k, path);
+        Mesh mesh = drawn_mesh(options, storm, k, path);
         const double ratio = 2.0 * static_cast<double>(mesh.radius()) / kind.info.length_d;
         if (ratio < 0.6 || ratio > 2.5) {
             std::fprintf(stderr, "leaf_storm: %s is %.2g times the size of %s: check the mesh and its unit\n",
                          path.c_str(), ratio, kind.path.c_str());
         }
-        const std::string name = std::filesystem::path(path.empty() ? kind.path : path).stem().string();
-        bodies_.push_back({kind.batch, renderer_->add_kind(mesh, look_for(name), kind.count)});
-        if (scenery_) scenery_->add_kind(kind.batch, mesh);
+        kinds.push_back({std::move(mesh), std::filesystem::path(path.empty() ? kind.path : path).stem().string()});
     }
+    drawn_ = std::make_unique<DrawnStorm>(options, storm, std::move(kinds));
     for (int i = 0; i < options.frames; ++i) {
         const std::uint64_t step = options.frame_step(i);
         if (options.ground) {
@@ -106,11 +86,7 @@ bool ContactSheet::due(std::uint64_t step) const {
 
 void ContactSheet::take(const Storm& storm) {
     const Tile& tile = tiles_[taken_++];
-    const auto pixels =
-        renderer_->draw(storm.world(), bodies_, view_, tile.width, tile.height, [&](const Frame& frame) {
-            if (scenery_) scenery_->draw(storm.world(), frame);
-        });
-    picture_.paste_srgba(pixels, tile.width, tile.height, tile.left, tile.top);
+    picture_.paste_srgb(drawn_->draw(tile.width, tile.height), tile.width, tile.height, tile.left, tile.top);
 
     char text[96];
     std::snprintf(text, sizeof text, "t = %.1f s", storm.info().time);

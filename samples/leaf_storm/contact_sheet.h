@@ -8,10 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "drawn_storm.h"
 #include "image/picture.h"
 #include "options.h"
-#include "renderer/renderer.h"
-#include "renderer/scenery.h"
 #include "storm.h"
 
 // The mesh for the bodies of a kind: from --mesh, or from a file beside the asset, or an ellipse. path: receives the file's
@@ -35,9 +34,6 @@ private:
     };
     std::vector<Tile> tiles_;
     std::size_t taken_ = 0;
-    View view_;
-    std::unique_ptr<Renderer> renderer_;
-    std::unique_ptr<Scenery> scenery_; // with --ground
-    std::vector<Renderer::Bodies> bodies_;
+    std::unique_ptr<DrawnStorm> drawn_;
     Picture picture_;
 };

@@ -23,7 +23,7 @@ Actor load_actor(const Options& options, const std::string& asset, const std::st
     lr_asset_info info;
     check(lr_asset_info_init(&info, sizeof info), "lr_asset_info_init");
     check(lr_asset_get_info(actor.asset.get(), &info), "asset info");
-    actor.mesh = load_obj(options.meshes + "/" + mesh, info);
+    actor.mesh = load_mesh(options.meshes + "/" + mesh, info);
     return actor;
 }
 

@@ -1,5 +1,4 @@
-// The drawn mesh of a body: triangles with normals and texture coordinates, in the body frame, coarser at a
-// distance.
+// The drawn mesh of a body, as in drawing/mesh.h, that frees itself.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -7,25 +6,22 @@
 #include <string>
 #include <vector>
 
-#include "langevin_rigid.h"
+extern "C" {
+#include "drawing/mesh.h"
+}
 
-struct Vertex {
-    float position[3]; // m, from the centre of mass, body axes
-    float normal[3];
-    float uv[2]; // u along the long axis, v across it, 0.5 in the middle; equal scale, as the asset meshes have it
-};
+using Vertex = mesh_vertex;
 
 struct Mesh {
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices;
-    float radius() const; // m, about the centre of mass
+    float radius() const;   // m, about the centre of mass
+    body_mesh view() const; // for functions that do not change it, as long as this exists
 };
 
-// Reads an OBJ in metres, and moves its origin to the centre of mass. Throws Failure.
-Mesh load_obj(const std::string& path, const lr_asset_info& info);
+// Failures of drawing/ become exceptions (Failure).
+void throw_failures();
 
-// The ellipse of the ellipsoid with the asset's inertia, for an asset without a mesh.
-Mesh ellipse_card(const lr_asset_info& info);
-
-// Merges the vertices in each cell of a grid and drops degenerate triangles. cell: m.
-Mesh coarser(const Mesh& mesh, float cell);
+// Reads an OBJ in metres, and moves its origin to the centre of mass; without a path the ellipsoid with the asset's inertia. Throws
+// Failure.
+Mesh load_mesh(const std::string& path, const lr_asset_info& info);

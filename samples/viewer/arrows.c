@@ -3,9 +3,9 @@
 
 #include <string.h>
 
-#include "failure.h"
+#include "drawing/failure.h"
+#include "drawing/shaders.h"
 #include "ground.h"
-#include "shaders.h"
 
 enum { sides = 8, across = 9, layers = 3, lattice = across * across * layers };
 
@@ -31,7 +31,7 @@ static int band(float (*vertices)[6], int n, float r0, float z0, float r1, float
 }
 
 void arrows_create(arrows* a) {
-    a->program = pass_program("arrows", shader_arrow_vert, shader_mark_frag);
+    a->program = pass_program(&light_day, "arrows", shader_arrow_vert, shader_mark_frag);
     float vertices[sides * 6 * 4][6];
     int n = band(vertices, 0, 0.0f, 0.0f, 0.4f, 0.0f, 0.0f, -1.0f);
     n = band(vertices, n, 0.4f, 0.0f, 0.4f, 0.62f, 1.0f, 0.0f);

@@ -2,7 +2,7 @@
 #ifndef VIEWER_ARROWS_H
 #define VIEWER_ARROWS_H
 
-#include "pass.h"
+#include "drawing/pass.h"
 #include "scene.h"
 
 typedef struct arrows {

@@ -12,7 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "failure.h"
+#include "drawing/failure.h"
 
 static const char* const folder_remedy = "check that the folder exists, has room, and that you may write to it";
 

@@ -3,8 +3,8 @@
 
 #include <stdlib.h>
 
-#include "failure.h"
-#include "vectors.h"
+#include "drawing/failure.h"
+#include "drawing/vectors.h"
 
 float ground_height(float relief, float level, float x, float z) {
     const float waves = sinf(0.9f * x + 0.4f * z + 1.0f) + 0.8f * sinf(-0.5f * x + 1.1f * z) +

@@ -3,7 +3,7 @@
 
 #include <stdlib.h>
 
-#include "failure.h"
+#include "drawing/failure.h"
 
 static const double apart = 0.25; /* s */
 static const uint64_t most_bytes = 512ull << 20;

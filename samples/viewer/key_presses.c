@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "failure.h"
+#include "drawing/failure.h"
 
 static const struct {
     const char* name;

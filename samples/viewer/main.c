@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "failure.h"
+#include "drawing/failure.h"
 #include "film.h"
 #include "viewer.h"
 #include "window.h"
@@ -129,7 +129,7 @@ int main(int count, char** arguments) {
     if (v.options.window)
         w = window_open(v.options.width, v.options.height, "Langevin Rigid");
     else
-        window_without_display();
+        context_without_display();
     viewer_create(&v);
     const unsigned pictures = w ? run_window(&v, w) : run_without_display(&v);
     report(&v, pictures);

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "failure.h"
+#include "drawing/failure.h"
 #include "film.h"
 #include "key_presses.h"
 #include "window.h"

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "failure.h"
+#include "drawing/failure.h"
 extern "C" {
 #include "viewer.h"
 }

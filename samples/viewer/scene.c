@@ -6,10 +6,10 @@
 #include <string.h>
 #include <time.h>
 
-#include "failure.h"
+#include "drawing/failure.h"
+#include "drawing/vectors.h"
 #include "ground.h"
 #include "scene_wind.h"
-#include "vectors.h"
 
 const lr_wave pond_waves[pond_wave_count] = {{{1.0f, 0.0f, -0.4f}, 0.9f, 0.012f, 0.0f},
                                              {{0.7f, 0.0f, 0.7f}, 0.55f, 0.006f, 1.3f},
@@ -32,7 +32,7 @@ static void create_world(scene* s, const scene_source* source) {
 static void create_solids(scene* s) {
     ground_create(s->world, s->plan->relief, s->plan->ground_level);
     for (int i = 0; i < scene_solids && s->plan->solids[i].kind; ++i) {
-        const scene_solid* solid = &s->plan->solids[i];
+        const ground_solid* solid = &s->plan->solids[i];
         lr_collider_desc desc;
         check(lr_collider_desc_init(&desc, sizeof desc), "lr_collider_desc_init", NULL);
         desc.kind = solid->kind;

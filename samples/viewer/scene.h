@@ -4,7 +4,7 @@
 
 #include <langevin_rigid.h>
 
-#include "mesh.h"
+#include "drawing/mesh.h"
 #include "scenes.h"
 
 /* Sources of assets. */
@@ -21,7 +21,7 @@ typedef struct scene_batch {
     const scene_kind* kind;
     lr_asset* asset;
     lr_asset_info info;
-    struct mesh mesh;
+    body_mesh mesh;
     lr_batch batch;
     uint32_t capacity, count; /* largest and wanted number of bodies */
 } scene_batch;

@@ -1,8 +1,8 @@
 /* The wind of a scene from its sliders.    SPDX-License-Identifier: MIT */
 #include "scene_wind.h"
 
-#include "failure.h"
-#include "vectors.h"
+#include "drawing/failure.h"
+#include "drawing/vectors.h"
 
 static vec3 blowing(const settings* now) {
     const float turn = now->value[setting_direction] * PI / 180.0f;

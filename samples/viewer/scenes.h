@@ -4,12 +4,9 @@
 
 #include <langevin_rigid.h>
 
-#include "camera.h"
+#include "drawing/camera.h"
+#include "drawing/solids.h"
 #include "settings.h"
-
-/* Colouring of bodies and grounds; the numbers are those of the shaders. */
-enum look { look_leaf, look_petal, look_paper, look_confetti, look_rubber };
-enum ground_look { ground_lawn, ground_paving, ground_boards, ground_sand };
 
 enum { scene_kinds = 4, scene_solids = 6 };
 
@@ -25,18 +22,11 @@ typedef struct scene_kind {
     float burst; /* s between bursts; 0: a steady stream */
 } scene_kind;
 
-/* A solid to land on. */
-typedef struct scene_solid {
-    int32_t kind; /* LR_COLLIDER_BOX or LR_COLLIDER_SPHERE; 0: no more */
-    int wood;
-    float at[3], size[3], turn; /* turn: rad about y */
-} scene_solid;
-
 typedef struct scene_plan {
     const char* name;
     const char* title;
     scene_kind kinds[scene_kinds];
-    scene_solid solids[scene_solids];
+    ground_solid solids[scene_solids];
     enum ground_look ground;
     float relief;       /* m: height of the ground's waves; 0: a plane */
     float ground_level; /* m */

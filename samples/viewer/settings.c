@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "vectors.h"
+#include "drawing/vectors.h"
 
 const setting_kind setting_kinds[setting_number] = {
     {"wind", "m/s", "--wind", 0.0f, 12.0f, 2, 0},        {"direction", "deg", "--direction", 0.0f, 360.0f, 0, 0},

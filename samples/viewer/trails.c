@@ -4,15 +4,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "failure.h"
-#include "shaders.h"
+#include "drawing/failure.h"
+#include "drawing/shaders.h"
 
 static const double interval = 1.0 / 60.0; /* s of the world between samples */
 static const float jump = 0.6f;            /* m: a body that moves farther between samples has respawned */
 
 void trails_create(trails* t) {
     memset(t, 0, sizeof *t);
-    t->program = pass_program("trails", shader_mark_vert, shader_mark_frag);
+    t->program = pass_program(&light_day, "trails", shader_mark_vert, shader_mark_frag);
     glGenVertexArrays(1, &t->array);
     glBindVertexArray(t->array);
     glGenBuffers(1, &t->vertices);
@@ -51,7 +51,7 @@ static float half_width_of(const scene* s, lr_body body, float scale) {
         for (uint32_t i = 0; i < view.count; ++i) {
             if (view.ids[i].id != body.id) continue;
             float most = 0.0f;
-            const mesh* m = &s->batches[k].mesh;
+            const body_mesh* m = &s->batches[k].mesh;
             for (uint32_t v = 0; v < m->vertex_count; ++v) most = fmaxf(most, fabsf(m->vertices[v].position[1]));
             return 0.8f * most * scale;
         }

@@ -2,7 +2,7 @@
 #ifndef VIEWER_TRAILS_H
 #define VIEWER_TRAILS_H
 
-#include "pass.h"
+#include "drawing/pass.h"
 #include "scene.h"
 
 enum { trail_number = 12, trail_points = 300 };

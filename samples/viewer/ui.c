@@ -1,7 +1,7 @@
 /* Keys and mouse.    SPDX-License-Identifier: MIT */
 #include <stdio.h>
 
-#include "failure.h"
+#include "drawing/failure.h"
 #include "viewer.h"
 
 static const float click_reach = 5.0f; /* px: a smaller motion of the mouse is a click */

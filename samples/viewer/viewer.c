@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "viewer.h"
 
-#include "failure.h"
+#include <stdlib.h>
+
+#include "drawing/failure.h"
 #include "film.h"
+#include "ground.h"
 
 void viewer_create(viewer* v) {
     picture_create(&v->picture);
@@ -13,6 +16,24 @@ void viewer_create(viewer* v) {
     v->show_arrows = v->options.arrows, v->show_trails = v->options.trails, v->show_overlay = v->options.overlay;
     v->dragged_button = -1;
     viewer_show_plan(v, v->options.plan, &v->options.settings, &v->options.camera);
+}
+
+static const drawn_batch* drawn(const scene* s) {
+    static drawn_batch batches[scene_kinds];
+    for (int k = 0; k < s->batch_count; ++k)
+        batches[k] = (drawn_batch){s->batches[k].batch, &s->batches[k].mesh, s->batches[k].kind->look};
+    return batches;
+}
+
+static void create_landscape(landscape* l, const scene_plan* plan) {
+    float* heights = allocate(ground_side * ground_side, sizeof(float));
+    ground_heights(plan->relief, plan->ground_level, heights);
+    const ground_shape shape = {ground_side, GROUND_CELL, plan->ground_level, heights};
+    landscape_create(l, &light_day, &shape);
+    free(heights);
+    int count = 0;
+    while (count < scene_solids && plan->solids[count].kind) ++count;
+    landscape_place(l, plan->solids, count);
 }
 
 static void free_scene(viewer* v) {
@@ -40,8 +61,8 @@ void viewer_show_plan(viewer* v, const scene_plan* plan, const settings* initial
     v->wanted = begin;
     v->camera = *place;
     v->followed = (lr_body){0};
-    bodies_create(&v->bodies, v->scene);
-    landscape_create(&v->landscape, v->scene);
+    bodies_create(&v->bodies, &light_day, drawn(v->scene), v->scene->batch_count);
+    create_landscape(&v->landscape, plan);
     trails_clear(&v->trails);
 }
 
@@ -106,16 +127,17 @@ void viewer_record(viewer* v, int on) {
 
 void viewer_draw(viewer* v, int width, int height) {
     picture_resize(&v->picture, width, height);
-    pass p = {.view = camera_look(&v->camera, (float)width / (float)height)};
-    bodies_update(&v->bodies, v->scene);
+    const scene* s = v->scene;
+    pass p = {.light = &light_day, .haze = 90.0f, .view = camera_look(&v->camera, (float)width / (float)height)};
+    bodies_update(&v->bodies, s->world, drawn(s));
     shadow_begin(&v->shadow, &v->camera, &p);
     landscape_draw_shadow(&v->landscape, &p);
-    bodies_draw_shadow(&v->bodies, v->scene, &p);
+    bodies_draw_shadow(&v->bodies, s->world, drawn(s), &p);
     picture_begin(&v->picture);
-    bodies_draw(&v->bodies, v->scene, &p, height);
-    landscape_draw(&v->landscape, v->scene, &p);
+    bodies_draw(&v->bodies, s->world, drawn(s), &p, height);
+    landscape_draw(&v->landscape, s->plan->ground, &p);
     if (v->show_arrows) arrows_draw(&v->arrows, v->scene, &p, &v->camera);
-    landscape_draw_water(&v->landscape, v->scene, &p, scene_look(v->scene, 0).time);
+    if (s->plan->water) landscape_draw_water(&v->landscape, pond_waves, &p, scene_look(s, 0).time);
     if (v->show_trails || v->followed.id) trails_draw(&v->trails, &p, v->show_trails);
     picture_resolve(&v->picture);
     if (v->show_overlay) panel_draw(v);

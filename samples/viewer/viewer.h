@@ -5,13 +5,13 @@
 #include <stdio.h>
 
 #include "arrows.h"
-#include "bodies.h"
+#include "drawing/bodies.h"
+#include "drawing/landscape.h"
+#include "drawing/picture.h"
+#include "drawing/shadow.h"
 #include "history.h"
-#include "landscape.h"
 #include "options.h"
 #include "panel.h"
-#include "picture.h"
-#include "shadow.h"
 #include "trails.h"
 
 typedef struct viewer {

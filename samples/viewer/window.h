@@ -2,11 +2,8 @@
 #ifndef VIEWER_WINDOW_H
 #define VIEWER_WINDOW_H
 
+#include "drawing/gl.h"
 #include "event.h"
-#include "gl.h"
-
-/* Creates an OpenGL 3.3 core context without window or display, current until the program ends. Fails with a message. */
-void window_without_display(void);
 
 /* Whether this program was built with GLFW. */
 int window_possible(void);

@@ -6,7 +6,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include "failure.h"
+#include "drawing/failure.h"
 
 enum { queue_room = 256 };
 

@@ -1,7 +1,7 @@
 /* Replaces window_glfw.c if GLFW is missing.    SPDX-License-Identifier: MIT */
 #include <time.h>
 
-#include "failure.h"
+#include "drawing/failure.h"
 #include "window.h"
 
 int window_possible(void) {

@@ -1,16 +1,17 @@
 #!/usr/bin/env python3
-"""Runs the programs of samples/small, checks that they print what nature would, and that docs/guide/recipes.md quotes them.
-usage: check_small.py BUILD_DIR ROOT        BUILD_DIR: of the samples; ROOT: of the project
+"""Runs the programs of samples/small, checks that they print what nature would, and the programs of docs/guide/tutorial.md: the same, and one in C.
+usage: check_small.py BUILD_DIR ROOT PREFIX        BUILD_DIR: of the samples; ROOT: of the project; PREFIX: the installed package
 SPDX-License-Identifier: MIT"""
 import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 
 
-def numbers(name, *arguments):
+def numbers(name, *arguments, **options):
     """The numbers of each line that the program prints."""
-    done = subprocess.run([BUILD / name, *arguments], capture_output=True, text=True, timeout=120)
+    done = subprocess.run([BUILD / name, *arguments], capture_output=True, text=True, timeout=120, **options)
     assert done.returncode == 0, f"{name}: exit code {done.returncode}\n{done.stdout}{done.stderr}"
     print(f"{name}:", *done.stdout.splitlines(), sep="\n    ")
     return [[float(n) for n in re.findall(r"-?\d+\.?\d*", line)] for line in done.stdout.splitlines()]
@@ -65,16 +66,30 @@ def texts():
     for name, text in sources.items():
         lines = text.splitlines()
         assert len(lines) <= 20 and max(map(len, lines)) <= 120, f"{name} is too large"
-    recipes = (ROOT / "docs/guide/recipes.md").read_text(encoding="utf-8")
-    quotes = re.findall(r"^```cpp\n(.*?)^```$", recipes, re.M | re.S)
-    for name, text in sources.items():
-        assert any(quote in text for quote in quotes), f"recipes.md does not quote {name}"
-    for quote in quotes:
+    tutorial = (ROOT / "docs/guide/tutorial.md").read_text(encoding="utf-8")
+    whole = re.findall(r"^```cpp\n(.*?)^```$", tutorial, re.M | re.S)
+    assert whole == [sources[f"{name}.cpp"] for name in ("leaves", "dart", "confetti", "coin")], "the tutorial quotes other programs"
+    for quote in re.findall(r"^```cpp\n(.*?)^```$", (ROOT / "docs/guide/recipes.md").read_text(encoding="utf-8"), re.M | re.S):
         assert any(quote in text for text in sources.values()), f"recipes.md quotes what is in no program:\n{quote}"
+    return "".join(re.findall(r"^```c\n(.*?)^```$", tutorial, re.M | re.S))
 
 
-BUILD, ROOT = map(pathlib.Path, sys.argv[1:])
-texts()
+def park(text):
+    """The tutorial's program in C, compiled by the page's line and run."""
+    with tempfile.TemporaryDirectory() as folder:
+        work = pathlib.Path(folder)
+        (work / "park.c").write_text(text, encoding="utf-8")
+        (work / "assets").symlink_to(BUILD.resolve() / "viewer_assets")
+        subprocess.run(["cc", "-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "park.c", f"-I{PREFIX}/include", f"-L{PREFIX}/lib",
+                        "-llangevin_rigid", f"-Wl,-rpath,{PREFIX}/lib", "-o", "park"], cwd=work, check=True)
+        seconds, count, awake, landed = zip(*numbers(work / "park", cwd=work))
+    assert seconds == (5, 10, 15, 20, 25, 25.5, 30) and count[:3] == (500, 1000, 1500)
+    assert awake[4] < 75 and landed[4] > 1400, "nearly all lie, asleep"
+    assert awake[5] > 400, "the gale wakes them"
+
+
+BUILD, ROOT, PREFIX = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
+park(texts())
 leaves()
 dart()
 confetti()

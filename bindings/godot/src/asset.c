@@ -270,7 +270,7 @@ const gd_class asset_loader_class = {.name = "LangevinAssetLoader",
 static gd_var loader;
 
 void asset_loader_start(void) {
-    loader = gd_object(gd.classdb_construct_object2(GD_NAME(LangevinAssetLoader)));
+    loader = gd_object(gd_construct(&asset_loader_class));
     gd_call(gd_singleton("ResourceLoader"), GD_N_add_resource_format_loader, NULL, 1, gd_copy(&loader));
 }
 

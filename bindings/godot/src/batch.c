@@ -56,13 +56,13 @@ static world_node* world_above(batch_node* self) {
 
 static void notification(void* instance, int32_t what) {
     batch_node* self = instance;
-    if (gd.in_editor) return;
     world_node* world;
     switch (what) {
     case ENTER_TREE:
         world = world_above(self);
         if (!world) {
-            gd_warning("a LangevinBatch is not below a LangevinWorld: its bodies will not move");
+            if (!gd.in_editor) /* which shows it on the node */
+                gd_warning("a LangevinBatch is not below a LangevinWorld: its bodies will not move");
             break;
         }
         world_add_batch(world, self);
@@ -84,6 +84,7 @@ static void notification(void* instance, int32_t what) {
         break;
     case TRANSFORM_CHANGED:
         self->moved = 1;
+        node_redraw(&self->base); /* its bounds stay where they are */
         break;
     default:
         break;
@@ -101,6 +102,7 @@ static void rebuild(void* instance) {
 
 static void retune(void* instance) {
     ((batch_node*)instance)->retune = 1;
+    node_redraw(instance);
 }
 
 static void mesh_changed(void* instance) {

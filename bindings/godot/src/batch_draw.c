@@ -145,6 +145,12 @@ static void set_aabb(batch_node* self, const lr_batch_view* view) {
     gd_call(gd.rendering_server, GD_N_multimesh_set_custom_aabb, NULL, 2, gd_rid(self->multimesh), gd_aabb(box));
 }
 
+/* Its bodies are gone: the instances must go with them. */
+void batch_draw_nothing(batch_node* self) {
+    if (self->multimesh)
+        gd_call(gd.rendering_server, GD_N_multimesh_set_visible_instances, NULL, 2, gd_rid(self->multimesh), gd_int(0));
+}
+
 void batch_draw(batch_node* self) {
     if (!self->multimesh || !self->visible) return;
     lr_batch_view view;

@@ -117,6 +117,7 @@ void batch_leave(batch_node* self) {
     if (self->batch.id && self->world && self->world->world) lr_batch_destroy(self->world->world, self->batch);
     self->batch = (lr_batch){0};
     self->rebuild = 1;
+    batch_draw_nothing(self);
     self->drawn = self->moving = 0;
     self->revision = 0;
 }

@@ -6,7 +6,6 @@
 #include "help.h"
 #include "nodes.h"
 
-#include <stdio.h>
 #include <string.h>
 
 #if defined(_WIN32)
@@ -16,35 +15,39 @@
 #endif
 
 static const gd_class* const classes[] = {&asset_class, &asset_loader_class, &world_class, &batch_class};
-#define CLASSES (sizeof classes / sizeof *classes)
+static const gd_class* const editor_classes[] = {&gizmo_class, &plugin_class};
+#define COUNT(array) (sizeof array / sizeof *array)
 
+/* The editor may load an extension long after its start, when it finds a new one: then it runs through all levels at once. */
 static void initialize(void* userdata, gdx_level level) {
     (void)userdata;
-    if (level == GDX_LEVEL_EDITOR) load_help();
-    if (level != GDX_LEVEL_SCENE) return;
-    gd_load_names();
-    for (size_t i = 0; i < CLASSES; ++i) gd_register(classes[i]);
-    asset_loader_start();
+    if (level == GDX_LEVEL_SCENE) {
+        gd_load_names();
+        for (size_t i = 0; i < COUNT(classes); ++i) gd_register(classes[i]);
+        asset_loader_start();
+    } else if (level == GDX_LEVEL_EDITOR) {
+        load_help();
+        for (size_t i = 0; i < COUNT(editor_classes); ++i) gd_register(editor_classes[i]);
+        gd.editor_add_plugin(GD_NAME(LangevinEditorPlugin));
+    }
 }
 
+/* A class that stays registered would crash the editor at its end, when it writes down the help of all classes. */
 static void deinitialize(void* userdata, gdx_level level) {
     (void)userdata;
+    if (level == GDX_LEVEL_EDITOR) {
+        gd.editor_remove_plugin(GD_NAME(LangevinEditorPlugin));
+        for (size_t i = COUNT(editor_classes); i > 0; --i) gd_unregister(editor_classes[i - 1]);
+    }
     if (level != GDX_LEVEL_SCENE) return;
     asset_loader_stop();
-    for (size_t i = CLASSES; i > 0; --i) gd_unregister(classes[i - 1]);
+    for (size_t i = COUNT(classes); i > 0; --i) gd_unregister(classes[i - 1]);
     for (int i = 0; i < GD_NAME_COUNT; ++i) gd.destroy[GDX_STRING_NAME](&gd.names[i]);
 }
 
 EXPORT uint8_t langevin_rigid_init(gdx_get_proc_address get, gdx_library library, gdx_initialization* out);
 
 EXPORT uint8_t langevin_rigid_init(gdx_get_proc_address get, gdx_library library, gdx_initialization* out) {
-    const uint32_t version = lr_version();
-    if (version >> 22 != LR_VERSION_MAJOR || (LR_VERSION_MAJOR == 0 && (version >> 12 & 1023u) != LR_VERSION_MINOR)) {
-        fprintf(stderr, "langevin_rigid: the library beside the extension is %u.%u, but the extension needs %u.%u\n",
-                (unsigned)(version >> 22), (unsigned)(version >> 12 & 1023u), (unsigned)LR_VERSION_MAJOR,
-                (unsigned)LR_VERSION_MINOR);
-        return 0;
-    }
     if (!gd_load(get, library)) return 0;
     memset(out, 0, sizeof *out);
     out->minimum_level = GDX_LEVEL_SCENE;

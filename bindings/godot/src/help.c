@@ -46,6 +46,8 @@ static const gd_help world_help[] = {
     {"sync_colliders", "Whether bodies land on the scene's physics bodies."},
     {"collision_mask", "The physics layers on which bodies land."},
     {"events", "The events for which batches emit signals."},
+    {"preview",
+     "In the editor, the bodies fall while this node or one of its batches is selected. Nothing of it is saved."},
     {"event_capacity", "The most events of a step; later ones are lost."},
     {"step", "Steps by so many seconds, with process_callback Manual."},
     {"reset", "Starts anew: all bodies end, and seed and workers take effect."},

@@ -16,6 +16,7 @@
 #include "gd/gd_class.h"
 
 extern const gd_class asset_class, asset_loader_class, world_class, batch_class;
+extern const gd_class gizmo_class, plugin_class; /* of the editor */
 
 typedef struct asset_node {
     gd_instance base;
@@ -76,9 +77,10 @@ typedef struct world_node {
     double gust_speed, gust_period, turbulence_speed, turbulence_size;
     int64_t seed, substeps, workers, simd, process_callback;
     int64_t wind_from_areas, sync_colliders, collision_mask;
-    int64_t events, event_capacity;
+    int64_t events, event_capacity, preview;
     /* State */
-    lr_world* world; /* exists while the node is in the tree; null in the editor */
+    int selected;    /* in the editor: the node or a batch of it */
+    lr_world* world; /* exists while the node is in the tree; in the editor only while it previews */
     struct batch_node** batches;
     uint32_t batch_count, batch_capacity;
     lr_wind_source gusts, turbulence;
@@ -107,6 +109,7 @@ int world_start_recording(world_node* world, const gd_var* file); /* FileAccess;
 int world_stop_recording(world_node* world);
 void world_add_batch(world_node* world, struct batch_node* batch);
 void world_remove_batch(world_node* world, struct batch_node* batch);
+void world_select(world_node* world, int selected); /* the editor's selection: begins and ends the preview */
 
 typedef struct batch_node {
     gd_instance base;
@@ -143,10 +146,12 @@ typedef struct batch_node {
 void batch_ensure(batch_node* batch); /* creates the library's batch if possible */
 void batch_leave(batch_node* batch);  /* destroys it */
 void batch_draw(batch_node* batch);
+void batch_draw_nothing(batch_node* batch);
 void batch_draw_begin(batch_node* batch); /* the node has entered a 3D world */
 void batch_draw_end(batch_node* batch);
 void batch_draw_changed(void* batch); /* mesh, material, shadows, layers */
 asset_node* batch_asset(const batch_node* batch);
+void node_redraw(const gd_instance* node); /* its gizmo, in the editor */
 extern const gd_method batch_methods[];
 
 /* The loader of .lrb files, while the extension is loaded. */

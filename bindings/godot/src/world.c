@@ -20,23 +20,23 @@ static void on_log(void* user, int32_t level, const char* message) {
     if (level == LR_LOG_WARNING) gd_warning("%s", message);
 }
 
+/* In the editor in idle frames: no physics runs there. */
 static void set_processing(world_node* self) {
     const int runs = self->world != NULL;
-    gd_call(self->base.object, GD_N_set_physics_process_internal, NULL, 1,
-            gd_bool(runs && self->process_callback == PROCESS_PHYSICS));
-    gd_call(self->base.object, GD_N_set_process_internal, NULL, 1,
-            gd_bool(runs && self->process_callback == PROCESS_IDLE));
+    const int64_t when = gd.in_editor ? PROCESS_IDLE : self->process_callback;
+    gd_call(self->base.object, GD_N_set_physics_process_internal, NULL, 1, gd_bool(runs && when == PROCESS_PHYSICS));
+    gd_call(self->base.object, GD_N_set_process_internal, NULL, 1, gd_bool(runs && when == PROCESS_IDLE));
 }
 
 static void apply_events(world_node* self) {
-    if (!self->world) return;
+    if (!self->world || gd.in_editor) return; /* no script of the game hears them there */
     const uint32_t capacity = self->events ? (uint32_t)self->event_capacity : 0u;
     const lr_status status = lr_world_set_events(self->world, capacity, (uint32_t)self->events);
     if (status != LR_OK) gd_error("events: %s", lr_status_string(status));
 }
 
 static void start(world_node* self) {
-    if (self->world || gd.in_editor) return;
+    if (self->world || (gd.in_editor && !(self->preview && self->selected))) return;
     lr_world_desc desc;
     lr_world_desc_init(&desc, sizeof desc);
     desc.seed = (uint64_t)self->seed;
@@ -93,6 +93,30 @@ static void watch_tree(world_node* self, int on) {
     if (!on) self->tree = 0;
 }
 
+/* In the editor begins only what is selected. */
+static void begin(world_node* self) {
+    start(self);
+    if (self->world) watch_tree(self, 1);
+    set_processing(self);
+}
+
+static void end(world_node* self) {
+    if (self->world) watch_tree(self, 0);
+    stop(self);
+}
+
+static void preview_changed(void* instance) {
+    world_node* self = instance;
+    if (!gd.in_editor) return;
+    if (!(self->selected && self->preview)) end(self);
+    begin(self);
+}
+
+void world_select(world_node* self, int selected) {
+    self->selected = selected;
+    preview_changed(self);
+}
+
 /* ------------------------------------------------------------------------------------------------------------------ */
 /* Step                                                                                                               */
 
@@ -118,7 +142,7 @@ void world_step(world_node* self, double dt) {
     self->last_status = status;
     for (uint32_t i = 0; i < self->batch_count; ++i) batch_draw(self->batches[i]);
     /* Last, because a handler can free nodes, this one too. */
-    if (self->events) world_emit_events(self);
+    if (self->events && !gd.in_editor) world_emit_events(self);
 }
 
 void world_add_batch(world_node* self, batch_node* batch) {
@@ -159,6 +183,7 @@ static void construct(void* instance) {
     self->sync_colliders = 1;
     self->collision_mask = 1;
     self->event_capacity = 4096;
+    self->preview = 1;
 }
 
 static void destruct(void* instance) {
@@ -174,13 +199,11 @@ static void notification(void* instance, int32_t what) {
     world_node* self = instance;
     switch (what) {
     case ENTER_TREE:
-        start(self);
-        if (self->world) watch_tree(self, 1);
-        set_processing(self);
+        begin(self);
         break;
     case EXIT_TREE:
-        if (self->world) watch_tree(self, 0);
-        stop(self);
+        end(self);
+        self->selected = 0;
         break;
     case INTERNAL_PHYSICS_PROCESS:
         world_step(self, gd_call_float(self->base.object, GD_N_get_physics_process_delta_time));
@@ -200,6 +223,7 @@ static void gravity_changed(void* instance) {
 
 static void wind_changed(void* instance) {
     ((world_node*)instance)->wind_changed = 1;
+    node_redraw(instance);
 }
 
 static void simd_changed(void* instance) {
@@ -374,6 +398,7 @@ static const gd_property properties[] = {
      .minimum = 0,
      .maximum = 2,
      .changed = process_changed},
+    {.name = "preview", .type = GDX_BOOL, .offset = F(preview), .changed = preview_changed},
     {.name = "Wind", .type = GDX_NIL},
     {.name = "wind",
      .type = GDX_VECTOR3,

@@ -21,12 +21,15 @@ namespace UnityEngine
     public class Material : Object
     {
         public Material(Shader shader) { this.shader = shader; name = "material"; }
+        public Material(Material source) : this(source.shader) { }
         public Shader shader { get; set; }
         public bool enableInstancing { get; set; }
         public Color color { get; set; }
         public bool HasProperty(string name) { return true; }
         public void SetFloat(string name, float value) { }
     }
+
+    public class MeshRenderer : Component { public Material sharedMaterial { get; set; } }
 
     public class Mesh : Object
     {
@@ -139,6 +142,11 @@ namespace UnityEngine
 
 namespace UnityEngine.Rendering
 {
+    public class RenderPipelineAsset : ScriptableObject { public Material defaultMaterial { get; set; } }
+
+    // Its setter is the shim's.
+    public sealed class GraphicsSettings { public static RenderPipelineAsset currentRenderPipeline { get; set; } }
+
     public enum ShadowCastingMode { Off, On, TwoSided, ShadowsOnly }
     public enum LightProbeUsage { Off = 0, BlendProbes = 1, UseProxyVolume = 2, CustomProvided = 4 }
     public enum BatchBufferTarget { UnsupportedByUnderlyingGraphicsApi = -1, Unknown = 0, RawBuffer = 1, ConstantBuffer = 2 }

@@ -74,6 +74,7 @@ namespace UnityEngine
         public Transform() { hasChanged = true; }
         public bool hasChanged { get; set; }
         public Transform parent { get; private set; }
+        internal readonly List<Transform> Children = new List<Transform>();
         public Vector3 position { get { return at; } set { at = value; hasChanged = true; } }
         public Quaternion rotation { get { return turn; } set { turn = value; hasChanged = true; } }
         public Vector3 localScale { get { return scale; } set { scale = value; hasChanged = true; } }
@@ -81,7 +82,7 @@ namespace UnityEngine
         public Vector3 lossyScale { get { return scale; } }
         public Vector3 forward { get { return turn * Vector3.forward; } }
         public void SetParent(Transform to) { SetParent(to, true); }
-        public void SetParent(Transform to, bool worldPositionStays) { parent = to; }
+        public void SetParent(Transform to, bool worldPositionStays) { parent = to; if (to != null) to.Children.Add(this); }
         public void SetPositionAndRotation(Vector3 p, Quaternion q) { position = p; rotation = q; }
     }
 
@@ -112,7 +113,10 @@ namespace UnityEngine
             return made;
         }
         public T GetComponent<T>() { return components.OfType<T>().FirstOrDefault(); }
-        public T[] GetComponentsInChildren<T>() { return components.OfType<T>().ToArray(); }
+        public T[] GetComponentsInChildren<T>()
+        {
+            return components.OfType<T>().Concat(transform.Children.Where(c => !c.Dead).SelectMany(c => c.gameObject.GetComponentsInChildren<T>())).ToArray();
+        }
         public void SetActive(bool value)
         {
             active = value;

@@ -8,6 +8,7 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 import package  # noqa: E402
+import scene  # noqa: E402
 
 
 def replace(path, old, new):
@@ -22,6 +23,7 @@ def copy_guid(root):
     replace(root / "CHANGELOG.md.meta", mine, other)
 
 
+SAMPLE = pathlib.Path("Samples~/LeafStorm")
 CASES = [
     ("no .meta", lambda r: (r / "Editor/LrbImporter.cs.meta").unlink()),
     ("no .meta", lambda r: (r / "Runtime.meta").unlink()),
@@ -35,6 +37,12 @@ CASES = [
     ("named Other", lambda r: replace(r / "Runtime/LangevinRigid.Unity.asmdef", '"name": "LangevinRigid.Unity"', '"name": "Other"')),
     ("another assembly has its name", lambda r: replace(r / "Runtime/Bindings/LangevinRigid.asmdef", '"name": "LangevinRigid"', '"name": "LangevinRigid.Unity"')),
     ("no folder", lambda r: shutil.rmtree(r / "Samples~/LeafStorm")),
+    ("has no object 770", lambda r: replace(r / SAMPLE / "LeafStorm.unity", "m_SourcePrefab: {fileID: 100100000", "m_SourcePrefab: {fileID: 770")),
+    ("no object 99", lambda r: replace(r / SAMPLE / "LeafStorm.unity", "  ball: {fileID: ", "  ball: {fileID: 99")),
+    ("not a component of", lambda r: replace(r / SAMPLE / "Leaves.prefab", "  - component: {fileID: 3}\n", "")),
+    ("no file has the GUID", lambda r: (r / SAMPLE / "Leaf.mat.meta").unlink()),
+    ("no class of its name", lambda r: replace(r / SAMPLE / "LeafStorm.cs", "class LeafStorm", "class Storm")),
+    ("leaf.obj has no object", lambda r: replace(r / SAMPLE / "Leaves.prefab", "mesh: {fileID: -", "mesh: {fileID: ")),
     ("no native library", lambda r: shutil.rmtree(r / "Runtime/Plugins")),
     ("cannot be loaded", lambda r: (r / "Runtime/Plugins/Linux/x86_64/libhwy.so").resolve(strict=True).write_bytes(b"")),
 ]
@@ -69,7 +77,7 @@ def platforms(scratch):
         if (None if refused(scratch) else package.library_of(scratch)[0]) != wanted:
             bad.append(f"an archive of {content[-4:]}")
     shutil.rmtree(scratch / "lib")
-    enabled = {"Linux/x86_64": {"Editor", "Linux64"}, "Linux/arm64": {"EmbeddedLinux"}, "Windows/x86_64": {"Editor", "Win64"}, "WebGL": {"WebGL"}}
+    enabled = {"Linux/x86_64": {"Editor", "Linux64"}, "Linux/arm64": {"EmbeddedLinux"}, "Windows/x86_64": {"Editor", "Win64"}, "macOS": {"Editor", "OSXUniversal"}, "WebGL": {"WebGL"}}
     for folder, wanted in enabled.items():
         blocks = metas.plugin(f"Runtime/Plugins/{folder}/liblangevin_rigid.so").split("  - first:\n")[1:]
         on = {block.split("\n")[0].split(": ")[1] for block in blocks if "enabled: 1" in block}
@@ -81,6 +89,12 @@ def platforms(scratch):
 def main():
     good, prefix, scratch = (pathlib.Path(a) for a in sys.argv[1:4])
     bad = 0
+    # What Unity itself gave objects of this type and name: roots of models, shader graphs, input actions.
+    for kind, name, wanted in [("Transform", "//RootNode/root/Transform", -8679921383154817045), ("Shader", "MainAsset", -6465566751694194690),
+                               ("MonoBehaviour", "<root>", -944628639613478452)]:
+        if scene.imported_id(kind, name) != wanted:
+            bad += 1
+            print(f"the fileID of {kind} {name}")
     faults = package.check(good)
     if faults:
         bad += 1
@@ -111,7 +125,7 @@ def main():
     if not refused(scratch):
         bad += 1
         print("a 32-bit library was taken")
-    print(f"{len(CASES) + 11} cases, {bad} missed")
+    print(f"{len(CASES) + 14} cases, {bad} missed")
     sys.exit(1 if bad else 0)
 
 

@@ -75,6 +75,8 @@ public:
     const TCHAR* operator*() const { return Data.c_str(); }
     bool IsEmpty() const { return Data.empty(); }
     int32 Len() const { return static_cast<int32>(Data.size()); }
+    FString& operator+=(const FString& Other) { return Data += Other.Data, *this; }
+    friend FString operator+(const FString& A, const TCHAR* B) { return FString(A.Data + B); }
     bool Equals(const FString& Other, ESearchCase::Type Case = ESearchCase::CaseSensitive) const;
     bool operator==(const FString& Other) const { return Data == Other.Data; }
 
@@ -141,6 +143,8 @@ private:
 };
 #define LOCTEXT(Key, Text) FText(FString(TEXT(Text)))
 
+enum class EAllowShrinking : uint8 { No, Yes };
+
 template <typename T> class TArray {
     // std::vector<bool> has no references to its elements.
     using TStored = std::conditional_t<std::is_same_v<T, bool>, uint8, T>;
@@ -167,7 +171,11 @@ public:
     void Reserve(int32 Count) { Items.reserve(static_cast<std::size_t>(Count)); }
     void Reset() { Items.clear(); }
     void Empty() { Items = {}; }
-    void SetNumUninitialized(int32 Count) { Items.resize(static_cast<std::size_t>(Count)); }
+    T& Last() { return Items.back(); }
+    void SetNum(int32 Count) { Items.resize(static_cast<std::size_t>(Count)); }
+    void SetNumUninitialized(int32 Count, EAllowShrinking = EAllowShrinking::Yes) {
+        Items.resize(static_cast<std::size_t>(Count));
+    }
     void SetNumZeroed(int32 Count) { Items.resize(static_cast<std::size_t>(Count)); }
     int32 Remove(const T& Item) {
         const std::size_t Before = Items.size();
@@ -336,6 +344,9 @@ public:
 private:
     uint64 Last = 0;
     std::vector<std::pair<uint64, std::function<void(A...)>>> Targets;
+};
+struct FSimpleMulticastDelegate {
+    using FDelegate = TDelegate<void()>;
 };
 
 template <typename... A> class TShimDynamicDelegate {

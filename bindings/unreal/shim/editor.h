@@ -78,3 +78,62 @@ public:
 class UAssetDefinitionDefault : public UAssetDefinition {
     SHIM_OBJECT(UAssetDefinitionDefault, UAssetDefinition)
 };
+
+class IAssetTools {
+public:
+    static IAssetTools& Get();
+    UObject* CreateAsset(const FString& AssetName, const FString& PackagePath, UClass* AssetClass, UFactory* Factory,
+                         FName CallingContext = NAME_None);
+};
+
+class FSlateIcon {};
+struct FToolMenuContext {
+    TArray<UObject*> ShimSelected;
+};
+using FToolMenuExecuteAction = TDelegate<void(const FToolMenuContext&)>;
+struct FToolUIAction {
+    FToolMenuExecuteAction ExecuteAction;
+};
+struct FToolMenuSection {
+    void AddMenuEntry(FName Name, const FText& Label, const FText&, const FSlateIcon&, const FToolUIAction& Action) {
+        ShimName = Name, ShimLabel = Label, ShimAction = Action;
+    }
+    FName ShimName;
+    FText ShimLabel;
+    FToolUIAction ShimAction;
+};
+class UToolMenu {
+public:
+    FToolMenuSection& FindOrAddSection(FName) { return ShimSection; }
+    FToolMenuSection ShimSection;
+};
+class UToolMenus {
+public:
+    static void RegisterStartupCallback(const TDelegate<void()>& Callback) { Callback.Execute(); }
+    static void UnregisterOwner(FName) {}
+};
+struct FToolMenuOwnerScoped {
+    explicit FToolMenuOwnerScoped(FName) {}
+    ~FToolMenuOwnerScoped() {}
+};
+namespace UE::ContentBrowser {
+UToolMenu* ExtendToolMenu_AssetContextMenu(UClass* Class);
+}
+class UContentBrowserAssetContextMenuContext {
+public:
+    static const UContentBrowserAssetContextMenuContext* FindContextWithAssets(const FToolMenuContext& Menu) {
+        static UContentBrowserAssetContextMenuContext Context;
+        Context.Selected = Menu.ShimSelected;
+        return Context.Selected.Num() > 0 ? &Context : nullptr;
+    }
+    template <class T> TArray<T*> LoadSelectedObjects() const {
+        TArray<T*> Found;
+        for (UObject* Object : Selected) {
+            if (T* One = Cast<T>(Object)) Found.Add(One);
+        }
+        return Found;
+    }
+
+private:
+    TArray<UObject*> Selected;
+};

@@ -193,9 +193,17 @@ public:
                                                 bool bWorldSpace = false, bool bMarkRenderStateDirty = false,
                                                 bool bTeleport = false);
     virtual bool BatchUpdateInstancesTransforms(int32 StartInstanceIndex,
-                                                TArrayView<const FTransform> NewInstancesTransforms,
+                                                const TArray<FTransform>& NewInstancesTransforms,
+                                                const TArray<FTransform>& NewInstancesPrevTransforms,
                                                 bool bWorldSpace = false, bool bMarkRenderStateDirty = false,
                                                 bool bTeleport = false);
+    void SetHasPerInstancePrevTransforms(bool bInHasPreviousTransforms) {
+        if (bInHasPreviousTransforms && !bHasPrevious) PrevInstances = Instances;
+        if (!bInHasPreviousTransforms) PrevInstances.Empty();
+        bHasPrevious = bInHasPreviousTransforms;
+    }
+    bool GetInstancePrevTransform(int32 InstanceIndex, FTransform& OutInstanceTransform,
+                                  bool bWorldSpace = false) const;
     virtual FBoxSphereBounds CalcBounds(const FTransform& BoundTransform) const override;
 
     int32 ShimUpdates = 0;         // number of calls of BatchUpdateInstancesTransforms
@@ -204,6 +212,8 @@ public:
 
 private:
     TArray<FTransform> Instances; // relative to the component, as in the engine
+    TArray<FTransform> PrevInstances;
+    bool bHasPrevious = false;
 };
 
 class UWindDirectionalSourceComponent : public USceneComponent {
@@ -371,4 +381,8 @@ public:
 
 private:
     FString Filename;
+};
+
+class UBlueprintFunctionLibrary : public UObject {
+    SHIM_OBJECT(UBlueprintFunctionLibrary, UObject)
 };

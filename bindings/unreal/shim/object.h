@@ -50,6 +50,8 @@ public:
     virtual void BeginDestroy() {}
     virtual UWorld* GetWorld() const { return ShimOuter != nullptr ? ShimOuter->GetWorld() : nullptr; }
     UObject* GetOuter() const { return ShimOuter; }
+    FString GetName() const;
+    class UPackage* GetOutermost() const;
     FString GetPathName() const { return ShimName.ToString(); }
     bool HasAnyFlags(EObjectFlags Any) const { return (ShimFlags & Any) != 0; }
     void MarkAsGarbage() { bGarbage = true; }
@@ -208,6 +210,10 @@ struct FPlatformProcess {
     static void FreeDllHandle(void* DllHandle);
     static void PushDllDirectory(const TCHAR* Directory);
     static void PopDllDirectory(const TCHAR* Directory);
+    static const TCHAR* GetBinariesSubdirectory() { return TEXT("Linux"); }
+    static bool ExecProcess(const TCHAR* URL, const TCHAR* Params, int32* OutReturnCode, FString* OutStdOut,
+                            FString* OutStdErr, const TCHAR* OptionalWorkingDirectory = nullptr,
+                            bool bShouldEndWithParentProcess = false);
 };
 
 struct FPaths {
@@ -223,6 +229,10 @@ struct FPaths {
     static FString GetPath(const FString& Path);
     static FString GetExtension(const FString& Path);
     static bool FileExists(const FString& Path);
+    static FString ProjectIntermediateDir();
+    static FString ConvertRelativePathToFull(const FString& Path) { return Path; }
+    static FString CreateTempFilename(const TCHAR* Path, const TCHAR* Prefix = TEXT(""),
+                                      const TCHAR* Extension = TEXT(".tmp"));
 };
 
 class IPlugin {
@@ -282,6 +292,9 @@ public:
 
 struct FFileHelper {
     static bool LoadFileToArray(TArray<uint8>& Result, const TCHAR* Filename, uint32 Flags = 0);
+    enum class EEncodingOptions { AutoDetect, ForceUTF8WithoutBOM };
+    static bool SaveStringToFile(const FString& String, const TCHAR* Filename,
+                                 EEncodingOptions Options = EEncodingOptions::AutoDetect);
 };
 
 class FArchive {
@@ -300,4 +313,23 @@ class IFileManager {
 public:
     static IFileManager& Get();
     FArchive* CreateFileWriter(const TCHAR* Filename, uint32 WriteFlags = 0);
+    bool Delete(const TCHAR* Filename, bool RequireExists = false, bool EvenReadOnly = false, bool Quiet = false);
 };
+
+class UPackage : public UObject {
+    SHIM_OBJECT(UPackage, UObject)
+};
+struct FPackageName {
+    static FString GetLongPackagePath(const FString& InLongPackageName) { return FPaths::GetPath(InLongPackageName); }
+};
+inline bool UObjectInitialized() {
+    return true;
+}
+enum ELoadFlags : uint32 { LOAD_None = 0, LOAD_NoWarn = 2, LOAD_Quiet = 0x2000 };
+UObject* ShimFind(const TCHAR* Name, const UClass* Class);
+template <class T>
+T* LoadObject(UObject*, const TCHAR* Name, const TCHAR* Filename = nullptr, uint32 LoadFlags = LOAD_None) {
+    static_cast<void>(Filename);
+    static_cast<void>(LoadFlags);
+    return static_cast<T*>(ShimFind(Name, T::StaticClass()));
+}

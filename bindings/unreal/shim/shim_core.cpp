@@ -9,6 +9,7 @@
 #include <fstream>
 #include <map>
 #include <mutex>
+#include <sys/wait.h>
 #include <thread>
 
 std::u16string ShimWiden(const std::string& Text) {
@@ -161,6 +162,43 @@ FString FPaths::GetExtension(const FString& Path) {
 
 bool FPaths::FileExists(const FString& Path) {
     return std::ifstream(ShimNarrow(*Path)).good();
+}
+
+FString FPaths::ProjectIntermediateDir() {
+    const char* const Folder = std::getenv("LANGEVIN_TEST_RECORDINGS");
+    return FString(ShimWiden(Folder != nullptr ? Folder : "/tmp"));
+}
+
+FString FPaths::CreateTempFilename(const TCHAR* Path, const TCHAR* Prefix, const TCHAR* Extension) {
+    static int Count = 0;
+    return Combine(Path, FString::Printf(TEXT("%s%d%s"), Prefix, ++Count, Extension));
+}
+
+bool FFileHelper::SaveStringToFile(const FString& String, const TCHAR* Filename, EEncodingOptions) {
+    std::ofstream File(ShimNarrow(Filename), std::ios::binary);
+    File << ShimNarrow(*String);
+    return File.good();
+}
+
+bool IFileManager::Delete(const TCHAR* Filename, bool, bool, bool) {
+    return std::remove(ShimNarrow(Filename).c_str()) == 0;
+}
+
+bool FPlatformProcess::ExecProcess(const TCHAR* URL, const TCHAR* Params, int32* OutReturnCode, FString* OutStdOut,
+                                   FString* OutStdErr, const TCHAR*, bool) {
+    const std::string Errors =
+        ShimNarrow(*FPaths::CreateTempFilename(*FPaths::ProjectIntermediateDir(), TEXT("stderr")));
+    FILE* const Pipe = popen(("'" + ShimNarrow(URL) + "' " + ShimNarrow(Params) + " 2>'" + Errors + "'").c_str(), "r");
+    if (Pipe == nullptr) return false;
+    std::string Text;
+    for (int C; (C = std::fgetc(Pipe)) != EOF;) Text += static_cast<char>(C);
+    const int Status = pclose(Pipe);
+    *OutReturnCode = WIFEXITED(Status) ? WEXITSTATUS(Status) : -1;
+    *OutStdOut = FString(ShimWiden(Text));
+    std::ifstream File(Errors);
+    *OutStdErr = FString(ShimWiden(std::string{std::istreambuf_iterator<char>(File), {}}));
+    std::remove(Errors.c_str());
+    return true;
 }
 
 bool FFileHelper::LoadFileToArray(TArray<uint8>& Result, const TCHAR* Filename, uint32) {

@@ -166,13 +166,6 @@ bool UInstancedStaticMeshComponent::GetInstanceTransform(int32 InstanceIndex, FT
 }
 
 bool UInstancedStaticMeshComponent::BatchUpdateInstancesTransforms(int32 Start, const TArray<FTransform>& New,
-                                                                   bool bWorldSpace, bool bMarkRenderStateDirty,
-                                                                   bool bTeleport) {
-    return BatchUpdateInstancesTransforms(Start, TArrayView<const FTransform>(New.GetData(), New.Num()), bWorldSpace,
-                                          bMarkRenderStateDirty, bTeleport);
-}
-
-bool UInstancedStaticMeshComponent::BatchUpdateInstancesTransforms(int32 Start, TArrayView<const FTransform> New,
                                                                    bool bWorldSpace, bool bMarkRenderStateDirty, bool) {
     if (Start < 0 || Start + New.Num() > Instances.Num()) return false;
     ++ShimUpdates;
@@ -181,6 +174,25 @@ bool UInstancedStaticMeshComponent::BatchUpdateInstancesTransforms(int32 Start, 
     for (int32 Index = 0; Index < New.Num(); ++Index) {
         Instances[Start + Index] = bWorldSpace ? New[Index].GetRelativeTransform(GetComponentTransform()) : New[Index];
     }
+    return true;
+}
+
+bool UInstancedStaticMeshComponent::BatchUpdateInstancesTransforms(int32 Start, const TArray<FTransform>& New,
+                                                                   const TArray<FTransform>& Prev, bool bWorldSpace,
+                                                                   bool bMarkRenderStateDirty, bool bTeleport) {
+    if (Prev.Num() != New.Num() || !bHasPrevious) return false;
+    if (!BatchUpdateInstancesTransforms(Start, New, bWorldSpace, bMarkRenderStateDirty, bTeleport)) return false;
+    PrevInstances.SetNum(Instances.Num());
+    for (int32 Index = 0; Index < Prev.Num(); ++Index) {
+        PrevInstances[Start + Index] =
+            bWorldSpace ? Prev[Index].GetRelativeTransform(GetComponentTransform()) : Prev[Index];
+    }
+    return true;
+}
+
+bool UInstancedStaticMeshComponent::GetInstancePrevTransform(int32 Index, FTransform& Out, bool bWorldSpace) const {
+    if (Index < 0 || Index >= PrevInstances.Num() || PrevInstances.Num() != Instances.Num()) return false;
+    Out = bWorldSpace ? PrevInstances[Index] * GetComponentTransform() : PrevInstances[Index];
     return true;
 }
 
@@ -292,3 +304,45 @@ SHIM_NIAGARA_TYPE(GetFloatDef, 1)
 SHIM_NIAGARA_TYPE(GetVec3Def, 3)
 SHIM_NIAGARA_TYPE(GetQuatDef, 4)
 SHIM_NIAGARA_TYPE(GetPositionDef, 3)
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Packages and the editor's tools
+
+FString UObject::GetName() const {
+    if (dynamic_cast<const UPackage*>(this) != nullptr) return ShimName.ToString();
+    const std::u16string Text = *ShimName.ToString();
+    return FString(Text.substr(Text.rfind(u'/') + 1));
+}
+
+// One package for each object, of its name: an object's name is its path here.
+UPackage* UObject::GetOutermost() const {
+    auto* Package = new UPackage;
+    Package->ShimName = ShimName;
+    return Package;
+}
+
+UObject* ShimFind(const TCHAR* Name, const UClass* Class) {
+    const std::u16string Text(Name);
+    for (UObject* Object : ShimObjects()) {
+        if (!Object->bGarbage && Object->GetClass()->IsChildOf(Class) &&
+            Object->ShimName == FName(Text.substr(0, Text.rfind(u'.')).c_str()))
+            return Object;
+    }
+    return nullptr;
+}
+
+IAssetTools& IAssetTools::Get() {
+    static IAssetTools Tools;
+    return Tools;
+}
+
+UObject* IAssetTools::CreateAsset(const FString& AssetName, const FString& PackagePath, UClass* AssetClass, UFactory*,
+                                  FName) {
+    return ShimNewObject(nullptr, AssetClass, FName(*FString::Printf(TEXT("%s/%s"), *PackagePath, *AssetName)),
+                         RF_Public);
+}
+
+UToolMenu* UE::ContentBrowser::ExtendToolMenu_AssetContextMenu(UClass*) {
+    static UToolMenu Menu;
+    return &Menu;
+}

@@ -298,6 +298,47 @@ TEST_CASE("frames that are too long are cut, and steps that are lost are told of
     CHECK(game.langevin->GetSimulatedTime() == doctest::Approx(8.0 / 60.0));
 }
 
+TEST_CASE("instances know where they were in the frame before: motion vectors") {
+    for (const ELangevinStepping stepping : {ELangevinStepping::Frame, ELangevinStepping::Fixed}) {
+        Game game;
+        Game::settings().Stepping = stepping;
+        game.create();
+        game.world->ShimBeginPlay();
+        REQUIRE(game.langevin->AddPlane(FVector(0, 0, 0), FVector(0, 0, 1)));
+        ULangevinBatchComponent* batch = game.add_batch(100, 100, FTransform(FVector(0, 0, 300)));
+        game.run(30);
+        TArray<FTransform> before;
+        FTransform at, previous;
+        for (int32 index = 0; index < 100; ++index) {
+            REQUIRE(batch->GetInstanceTransform(index, at, true));
+            before.Add(at);
+        }
+        const float dt = 1.0f / 72.0f; // fixed steps of 1/60 s: one in most frames
+        game.run(1, dt);
+        double moved = 0.0;
+        for (int32 index = 0; index < 100; ++index) {
+            REQUIRE(batch->GetInstancePrevTransform(index, previous, true));
+            REQUIRE(batch->GetInstanceTransform(index, at, true));
+            moved += (at.GetLocation() - previous.GetLocation()).Size();
+            CHECK((previous.GetLocation() - before[index].GetLocation()).Size() < 1.0); // cm; of some 2
+            CHECK(previous.GetScale3D().Equals(at.GetScale3D(), 0.0));
+        }
+        CHECK(moved > 100 * 0.5);
+        game.langevin->SetPaused(true); // what is drawn again and again stands still
+        for (int32 index = 0; index < 100; ++index) {
+            REQUIRE(batch->GetInstancePrevTransform(index, previous, true));
+            REQUIRE(batch->GetInstanceTransform(index, at, true));
+            CHECK(previous.Equals(at, 0.0));
+        }
+        game.langevin->SetPaused(false);
+        game.run(60 * 12);
+        REQUIRE(batch->GetAwakeCount() < 50);
+        REQUIRE(batch->GetInstancePrevTransform(99, previous, true));
+        REQUIRE(batch->GetInstanceTransform(99, at, true));
+        CHECK(previous.Equals(at, 0.0)); // sleeps
+    }
+}
+
 TEST_CASE("bodies at rest are not written again, and stay when the component moves") {
     Game game;
     game.create();

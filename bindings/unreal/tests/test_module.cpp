@@ -1,6 +1,8 @@
 // The module, its version check, assets, import. SPDX-License-Identifier: MIT
 #include "AssetDefinition_LangevinAsset.h"
 #include "LangevinAssetFactory.h"
+#include "LangevinBake.h"
+#include "ToolMenus.h"
 #include "fixture.h"
 
 #define DOCTEST_CONFIG_IMPLEMENT
@@ -106,6 +108,74 @@ TEST_CASE("a loaded asset is ready, as after a cooked package") {
     loaded->SetBytes(saved->GetBytes(), faults);
     loaded->PostLoad();
     CHECK(loaded->Mass == saved->Mass);
+}
+
+// A plate of 8 x 4 x 0.2 cm whose faces do not share vertices, as in the engine; wound by the engine's left hand.
+UStaticMesh* make_plate(bool flipped) {
+    auto* mesh = NewObject<UStaticMesh>(nullptr, FName(TEXT("/Game/Leaves/Plate")));
+    for (int axis = 0; axis < 3; ++axis) {
+        for (int side = -1; side <= 1; side += 2) {
+            const int32 first = mesh->ShimTriangles.Vertices.Num();
+            for (int corner = 0; corner < 4; ++corner) {
+                float at[3];
+                at[axis] = static_cast<float>(side);
+                at[(axis + 1) % 3] = corner & 1 ? 1.0f : -1.0f;
+                at[(axis + 2) % 3] = corner & 2 ? 1.0f : -1.0f;
+                mesh->ShimTriangles.Vertices.Add(FVector3f(4.0f * at[0], 2.0f * at[1], 0.1f * at[2]));
+            }
+            const bool turn = (side > 0) == flipped;
+            mesh->ShimTriangles.Indices.Add({first, first + (turn ? 1 : 2), first + (turn ? 2 : 1)});
+            mesh->ShimTriangles.Indices.Add({first + 3, first + (turn ? 2 : 1), first + (turn ? 1 : 2)});
+        }
+    }
+    return mesh;
+}
+
+TEST_CASE("a mesh is baked in the editor") {
+    const Editor editor;
+    for (const bool flipped : {false, true}) {
+        UStaticMesh* plate = make_plate(flipped);
+        ULangevinAsset* asset = ULangevinBake::BakeStaticMesh(plate, 500.0f, 0.0f);
+        REQUIRE(asset != nullptr);
+        CHECK(asset->GetPathName() == FString(TEXT("/Game/Leaves/Plate_Langevin")));
+        CHECK(asset->Mass == doctest::Approx(8 * 4 * 0.2 * 0.5).epsilon(1e-4)); // g
+        CHECK(asset->Length == doctest::Approx(8.0).epsilon(1e-4));
+        CHECK(asset->DirtyCount > 0);
+        CHECK(ULangevinBake::BakeStaticMesh(plate, 1000.0f, 0.0f) == asset); // in place
+        CHECK(asset->Mass == doctest::Approx(8 * 4 * 0.2).epsilon(1e-4));
+        plate->MarkAsGarbage();
+    }
+    // A sheet, through the menu.
+    auto* sheet = NewObject<UStaticMesh>(nullptr, FName(TEXT("/Game/Leaves/Sheet")));
+    for (const FVector3f& at : {FVector3f(-4, -2, 0), FVector3f(4, -2, 0), FVector3f(4, 2, 0), FVector3f(-4, 2, 0)})
+        sheet->ShimTriangles.Vertices.Add(at);
+    sheet->ShimTriangles.Indices.Add({0, 1, 2});
+    sheet->ShimTriangles.Indices.Add({0, 2, 3});
+    auto& settings = *GetMutableDefault<ULangevinSettings>();
+    settings.BakeDensity = 800.0f;
+    settings.BakeSheetThickness = 0.01f;
+    const FToolMenuSection& section = UE::ContentBrowser::ExtendToolMenu_AssetContextMenu(nullptr)->ShimSection;
+    CHECK(section.ShimLabel.ToString() == FString(TEXT("Bake for Langevin Rigid")));
+    FToolMenuContext menu;
+    menu.ShimSelected.Add(sheet);
+    section.ShimAction.ExecuteAction.Execute(menu);
+    auto* baked = LoadObject<ULangevinAsset>(nullptr, TEXT("/Game/Leaves/Sheet_Langevin.Sheet_Langevin"));
+    REQUIRE(baked != nullptr);
+    CHECK(baked->Mass == doctest::Approx(8 * 4 * 0.01 * 0.8).epsilon(1e-3));
+    settings = ULangevinSettings();
+
+    ShimTakeLog();
+    CHECK(ULangevinBake::BakeStaticMesh(nullptr) == nullptr);
+    CHECK(logged(ShimTakeLog(), "there is no mesh"));
+    CHECK(ULangevinBake::BakeStaticMesh(NewObject<UStaticMesh>(nullptr)) == nullptr);
+    CHECK(logged(ShimTakeLog(), "no triangles"));
+    CHECK(ULangevinBake::BakeStaticMesh(sheet, -1.0f) == nullptr); // the baker's own words
+    CHECK(logged(ShimTakeLog(), "was not baked: "));
+    const FString plugin = IPluginManager::Get().ShimBaseDir;
+    IPluginManager::Get().ShimBaseDir = FString(TEXT("/nowhere"));
+    CHECK(ULangevinBake::BakeStaticMesh(sheet) == nullptr);
+    CHECK(logged(ShimTakeLog(), "lr_bake is missing: package the plugin"));
+    IPluginManager::Get().ShimBaseDir = plugin;
 }
 
 TEST_CASE("the factory imports, refuses, and reimports") {

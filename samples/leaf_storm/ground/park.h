@@ -9,28 +9,23 @@
 #include "langevin_rigid.h"
 #include "options.h"
 
+extern "C" {
+#include "drawing/solids.h"
+}
+
 class Park {
 public:
-    enum class Surface { soil, stone, wood, cloth }; // of the renderer's shader
-
     // Adds its colliders and wind to the world.
     Park(const Options& options, lr_world* world);
 
     // Before each step: `to` is the time at its end, s.
     void move(double to);
 
-    struct Piece {
-        Mesh mesh; // about `position`
-        Surface surface;
-        bool round;
-        float position[3];
-        float orientation[4];
-    };
     const Terrain& terrain() const { return terrain_; }
-    const std::vector<Piece>& pieces() const { return pieces_; } // boxes, stones, and last the walker
+    const std::vector<ground_solid>& solids() const { return solids_; } // boxes, stones, and last the walker
 
     // The walker's position; null before and after the walk.
-    const float* walker() const { return walks_ ? pieces_.back().position : nullptr; }
+    const float* walker() const { return walks_ ? solids_.back().at : nullptr; }
     static constexpr float walker_radius = 0.24f, walker_half_length = 0.62f; // m
 
     // Position of the heap of --heap, m: on the walker's way.
@@ -46,7 +41,7 @@ private:
     struct Footprint {
         double x, z, radius;
     };
-    void add(const lr_collider_desc& desc, Mesh mesh, Surface surface, double radius);
+    void add(ground_solid object, solid_look look, double radius);
     void add_ground();
     void add_furniture();
     void add_boundary_layer();
@@ -55,7 +50,8 @@ private:
     const Options& options_;
     lr_world* world_;
     Terrain terrain_;
-    std::vector<Piece> pieces_;
+    std::vector<ground_solid> solids_;
+    std::vector<std::vector<float>> stones_; // their points
     std::vector<Footprint> footprints_;
     lr_collider last_{};
     bool walks_ = false;

@@ -56,30 +56,3 @@ Terrain::Place Terrain::at(double x, double z) const {
     const double size = static_cast<double>(cell);
     return {corner + p * rise_x + q * rise_z, unit({-rise_x / size, 1.0, -rise_z / size})};
 }
-
-Mesh Terrain::mesh() const {
-    Mesh mesh;
-    for (std::uint32_t k = 0; k < side; ++k) {
-        for (std::uint32_t i = 0; i < side; ++i) {
-            const auto height = [&](std::uint32_t a, std::uint32_t b) {
-                return heights_[std::min(a, side - 1) + std::size_t{side} * std::min(b, side - 1)];
-            };
-            const auto slope = [](float before, float after) {
-                return static_cast<double>(after - before) / (2.0 * cell);
-            };
-            const Vector normal = unit({-slope(height(i > 0 ? i - 1 : 0, k), height(i + 1, k)), 1.0,
-                                        -slope(height(i, k > 0 ? k - 1 : 0), height(i, k + 1))});
-            Vertex vertex{};
-            vertex.position[0] = cell * static_cast<float>(i) - half_width;
-            vertex.position[1] = height(i, k);
-            vertex.position[2] = cell * static_cast<float>(k) - half_width;
-            for (std::size_t axis = 0; axis < 3; ++axis) vertex.normal[axis] = static_cast<float>(normal[axis]);
-            mesh.vertices.push_back(vertex);
-            if (i + 1 == side || k + 1 == side) continue;
-            const std::uint32_t here = i + side * k;
-            mesh.indices.insert(mesh.indices.end(),
-                                {here, here + side + 1, here + 1, here, here + side, here + side + 1});
-        }
-    }
-    return mesh;
-}

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "mesh.h"
 #include "vectors.h"
 
 class Terrain {
@@ -26,7 +25,6 @@ public:
     };
     // Height and normal of the collider's triangle at a point; outside, of the nearest one.
     Place at(double x, double z) const;
-    Mesh mesh() const;
 
 private:
     std::vector<float> heights_;

@@ -59,10 +59,10 @@ void Picture::blend(int x, int y, Colour colour, float alpha) {
     p = mixed(p, colour, std::clamp(alpha, 0.0f, 1.0f));
 }
 
-void Picture::paste_srgba(const std::vector<std::uint8_t>& pixels, int width, int height, int left, int top) {
+void Picture::paste_srgb(const std::vector<std::uint8_t>& pixels, int width, int height, int left, int top) {
     for (int y = std::max(0, -top); y < std::min(height, height_ - top); ++y) {
         for (int x = std::max(0, -left); x < std::min(width, width_ - left); ++x) {
-            const std::uint8_t* p = &pixels[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+            const std::uint8_t* p = &pixels[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                                                  static_cast<std::size_t>(x))];
             blend(left + x, top + y, from_srgb(p[0], p[1], p[2]), 1.0f);
         }

@@ -25,8 +25,8 @@ public:
     int height() const { return height_; }
     std::vector<std::uint8_t> srgb() const; // 3 bytes per pixel, rows from the top
 
-    void paste_srgba(const std::vector<std::uint8_t>& pixels, int width, int height, int left,
-                     int top); // 4 bytes per pixel
+    void paste_srgb(const std::vector<std::uint8_t>& pixels, int width, int height, int left,
+                    int top); // 3 bytes per pixel
     void fill(int left, int top, int width, int height, Colour colour, float alpha);
     void line(Point a, Point b, double thickness, Colour colour, float alpha = 1.0f);
     // direction: of the long half axis (its length counts); minor: ratio of the short half axis to the long one.

@@ -27,6 +27,7 @@ enum {
     GDX_AABB = 16,
     GDX_BASIS = 17,
     GDX_TRANSFORM3D = 18,
+    GDX_COLOR = 20,
     GDX_STRING_NAME = 21,
     GDX_NODE_PATH = 22,
     GDX_RID = 23,
@@ -196,6 +197,9 @@ typedef void (*gdx_destructor)(void* value);
     X(object_get_instance_from_id, ObjectGetInstanceFromId, gdx_object, (uint64_t id))                                 \
     X(object_get_instance_id, ObjectGetInstanceId, uint64_t, (const void* object))                                     \
     X(ref_set_object, RefSetObject, void, (void* ref, void* object))                                                   \
+    X(ref_get_object, RefGetObject, gdx_object, (const void* ref))                                                     \
+    X(editor_add_plugin, EditorAddPlugin, void, (const void* class_name))                                              \
+    X(editor_remove_plugin, EditorRemovePlugin, void, (const void* class_name))                                        \
     X(classdb_construct_object2, ClassdbConstructObject2, gdx_object, (const void* class_name))                        \
     X(classdb_get_method_bind, ClassdbGetMethodBind, const void*,                                                      \
       (const void* class_name, const void* method, int64_t hash))                                                      \

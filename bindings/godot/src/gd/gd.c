@@ -32,6 +32,7 @@ int gd_load(gdx_get_proc_address get, gdx_library library) {
                                     GDX_PLANE,
                                     GDX_AABB,
                                     GDX_TRANSFORM3D,
+                                    GDX_COLOR,
                                     GDX_STRING_NAME,
                                     GDX_NODE_PATH,
                                     GDX_RID,
@@ -128,6 +129,10 @@ gd_var gd_vector3(const float* xyz) {
 
 gd_var gd_aabb(const float* position_size) {
     return from(GDX_AABB, position_size);
+}
+
+gd_var gd_color(const float* rgba) {
+    return from(GDX_COLOR, rgba);
 }
 
 gd_var gd_transform(const float* rows_origin) {

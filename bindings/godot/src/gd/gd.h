@@ -55,6 +55,7 @@ gd_var gd_string_name(const char* latin1);
 gd_var gd_name_var(int id);
 gd_var gd_vector3(const float* xyz);
 gd_var gd_aabb(const float* position_size);
+gd_var gd_color(const float* rgba);
 gd_var gd_transform(const float* rows_origin); /* the engine's layout: three rows of the basis, then the origin */
 gd_var gd_rid(uint64_t rid);
 gd_var gd_object(gdx_object object); /* adds a reference to a counted object; nil for null */

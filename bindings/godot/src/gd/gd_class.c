@@ -398,6 +398,10 @@ void gd_register(const gd_class* type) {
     free_name(&parent);
 }
 
+gdx_object gd_construct(const gd_class* type) {
+    return create((void*)type, 1);
+}
+
 void gd_unregister(const gd_class* type) {
     uint64_t name;
     name_of(&name, type->name);

@@ -89,6 +89,9 @@ typedef struct gd_class {
 void gd_register(const gd_class* type);
 void gd_unregister(const gd_class* type);
 
+/* A new object, as by ClassDB, which makes no internal classes in some versions. */
+gdx_object gd_construct(const gd_class* type);
+
 /* The instance of an engine's object; null if the object is of another class. */
 void* gd_instance_of(gdx_object object, const gd_class* type);
 

@@ -88,7 +88,21 @@
     X(_handles_type)                                                                                                   \
     X(_load)                                                                                                           \
     X(LangevinAsset)                                                                                                   \
-    X(LangevinAssetLoader)
+    X(add_collision_segments)                                                                                          \
+    X(add_lines)                                                                                                       \
+    X(add_node_3d_gizmo_plugin)                                                                                        \
+    X(clear)                                                                                                           \
+    X(create_material)                                                                                                 \
+    X(get_material)                                                                                                    \
+    X(get_node_3d)                                                                                                     \
+    X(remove_node_3d_gizmo_plugin)                                                                                     \
+    X(update_gizmos)                                                                                                   \
+    X(_edit)                                                                                                           \
+    X(_get_gizmo_name)                                                                                                 \
+    X(_handles)                                                                                                        \
+    X(_has_gizmo)                                                                                                      \
+    X(_redraw)                                                                                                         \
+    X(LangevinEditorPlugin)
 
 #define GD_NAME_ID(name) GD_N_##name,
 enum { GD_NAMES(GD_NAME_ID) GD_NAME_COUNT };

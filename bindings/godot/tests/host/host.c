@@ -51,7 +51,7 @@ void host_free(host_object* o) {
 host_object* host_construct(const char* class_name) {
     host_class* c = host_find_class(class_name);
     if (c) return c->info.create(c->info.userdata, 1);
-    return host_new(class_name, strstr(class_name, "Resource") != NULL);
+    return host_new(class_name, strstr(class_name, "Resource") || !strcmp(class_name, "EditorNode3DGizmoPlugin"));
 }
 
 gdx_object host_classdb_construct_object2(const void* name) {
@@ -233,6 +233,19 @@ void host_virtual(host_object* object, const char* method, const void* const* ar
 
 gdx_object host_global_get_singleton(const void* name) {
     return scene_singleton((*(host_name* const*)name)->text);
+}
+
+gdx_object host_ref_get_object(const void* ref) {
+    return *(host_object* const*)ref;
+}
+void host_editor_add_plugin(const void* name) {
+    const host_class* c = host_find_class((*(host_name* const*)name)->text);
+    assert(c && !strcmp(c->parent, "EditorPlugin") && !host.plugin);
+    host.plugin = host_name_new(c->name);
+}
+void host_editor_remove_plugin(const void* name) {
+    assert(host.plugin == *(host_name* const*)name);
+    host_name_free(&host.plugin);
 }
 
 /* The only two method binds in use. */

@@ -82,8 +82,13 @@ typedef struct host_object {
 typedef struct host_counts {
     int objects, names, rids, multimeshes, buffers, visible, connections, postinitialize;
     int errors, warnings;
-    int signals_touched, signals_landed, bodies_landed;
-    int flushes, help;
+    int signals_touched, signals_landed, landed_before, bodies_landed;
+    int64_t shown;                                                       /* instances of the last multimesh */
+    int flushes, help, redraws, lines, clicks, gizmo_plugins, materials; /* redraws: asked for */
+    int editor;                                                          /* Engine.is_editor_hint() */
+    int internal_process;
+    float reach;          /* the largest coordinate of a line */
+    host_name* plugin;    /* the editor plugin's class */
     int64_t stored, room; /* bytes in the files, and their remaining room */
     char last_error[512];
 } host_counts;

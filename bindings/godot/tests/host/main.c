@@ -34,7 +34,7 @@ static void set(host_object* o, const char* setter, host_variant value) {
     host_variant_destroy(&ret);
 }
 
-enum { ENTER_TREE = 10, EXIT_TREE = 11, PHYSICS = 26, ENTER_WORLD = 41, EXIT_WORLD = 42, MOVED = 2000 };
+enum { ENTER_TREE = 10, EXIT_TREE = 11, PROCESS = 25, PHYSICS = 26, ENTER_WORLD = 41, EXIT_WORLD = 42, MOVED = 2000 };
 
 static host_object* load(const char* path) {
     host_object* loader = host_construct("LangevinAssetLoader");
@@ -220,6 +220,92 @@ static uint64_t run(host_object* asset, host_object* mesh, int frames) {
     return hash;
 }
 
+static int is(host_object* plugin, const char* method, host_object* node) {
+    uint8_t yes = 2;
+    const void* args[1] = {&node};
+    host_virtual(plugin, method, args, &yes);
+    return yes;
+}
+
+static void edit(host_object* plugin, host_object* node) {
+    const void* args[1] = {&node};
+    host_virtual(plugin, "_edit", args, NULL);
+}
+
+static void redraw(host_object* gizmos, host_object* gizmo, host_object* node) {
+    const void* args[1] = {&gizmo}; /* a Ref has one pointer */
+    gizmo->parent = node;
+    host.reach = 0.0f;
+    host_virtual(gizmos, "_redraw", args, NULL);
+}
+
+/* In the editor nodes are drawn by lines; bodies fall while their node is selected. */
+static void test_editor(host_object* asset, host_object* mesh) {
+    host_object* plugin = host_construct(host.plugin ? host.plugin->text : "");
+    host_notify(plugin, ENTER_TREE);
+    CHECK(host.gizmo_plugins == 1 && host.materials == 3);
+    host_object* gizmos = host_construct("LangevinGizmoPlugin");
+    host_object* gizmo = host_new("EditorNode3DGizmo", 0); /* held by the caller */
+    host_variant hold = host_obj(gizmos);
+    host_string* name = NULL;
+    host_virtual(gizmos, "_get_gizmo_name", NULL, &name);
+    CHECK(name && !strcmp(name->text, "Langevin Rigid"));
+    host_string_free(&name);
+
+    host_object* world = host_construct("LangevinWorld");
+    world->parent = host_root;
+    host_notify(world, ENTER_TREE);
+    host_object* batch = new_batch(world, asset, mesh, 50);
+    CHECK(is(plugin, "_handles", world) && is(plugin, "_handles", batch) && !is(plugin, "_handles", host_body));
+    CHECK(is(gizmos, "_has_gizmo", batch) && !is(gizmos, "_has_gizmo", host_body) && !is(plugin, "_handles", NULL));
+    redraw(gizmos, gizmo, world);
+    CHECK(host.lines == 0); /* no wind */
+    const int asked = host.redraws;
+    set(world, "set_wind", host_vector(7, 0, 0));
+    set(batch, "set_initial_velocity", host_vector(0, -3, 0));
+    set(batch, "set_spread", host_float(20));
+    CHECK(host.redraws == asked + 3);
+    redraw(gizmos, gizmo, world);
+    CHECK(host.lines == 5 && host.clicks == 5 && host.reach == 7.0f);
+    redraw(gizmos, gizmo, batch);
+    CHECK(host.lines == 12 + 5 + 8 && host.clicks == 12 && host.reach < 3.0f);
+
+    host_notify(world, PROCESS);
+    CHECK(call_int(world, "get_body_count") == 0 && !host.internal_process); /* nothing is selected */
+    edit(plugin, batch);
+    CHECK(host.internal_process == 1);
+    const int drawn = host.visible;
+    for (int frame = 0; frame < 30; ++frame) host_notify(world, PROCESS);
+    CHECK(call_int(world, "get_body_count") >= 95 && host.visible > drawn && host.signals_landed == host.landed_before);
+    edit(plugin, world); /* the same world: it goes on */
+    CHECK(call_int(world, "get_body_count") >= 95);
+    set(world, "set_preview", host_bool(0));
+    CHECK(call_int(world, "get_body_count") == 0 && host.shown == 0 && !host.internal_process && host.connections == 0);
+    set(world, "set_preview", host_bool(1));
+    host_notify(world, PROCESS);
+    CHECK(call_int(world, "get_body_count") >= 50 && host.shown >= 50);
+    edit(plugin, NULL);
+    CHECK(call_int(world, "get_body_count") == 0 && host.shown == 0 && host.connections == 0);
+    edit(plugin, world);
+    leave(batch); /* the scene is closed, and opened again */
+    host_notify(world, EXIT_TREE);
+    host_notify(world, ENTER_TREE);
+    host_notify(batch, ENTER_TREE);
+    CHECK(call_int(world, "get_body_count") == 0 && !host.internal_process);
+    edit(plugin, world);
+    CHECK(host.internal_process == 1);
+    host_notify(batch, EXIT_TREE);
+    host_notify(world, EXIT_TREE);
+    host_free(batch);
+    host_free(world); /* deleted while selected */
+    edit(plugin, NULL);
+    host_notify(plugin, EXIT_TREE);
+    CHECK(host.gizmo_plugins == 0);
+    host_free(plugin);
+    host_free(gizmo);
+    host_variant_destroy(&hold);
+}
+
 int main(int argc, char** argv) {
     if (argc != 3) return 2;
     host_start();
@@ -256,11 +342,29 @@ int main(int argc, char** argv) {
         release(asset);
     }
     host_variant_destroy(&hold);
-    CHECK(host.rids == 0 && host.multimeshes == 4);
+    CHECK(host.rids == 0 && host.multimeshes == 4 && host.redraws == 0);
     CHECK(host.postinitialize > 8);
 
     for (int level = GDX_LEVEL_EDITOR; level >= 0; --level) levels.deinitialize(levels.userdata, (gdx_level)level);
-    CHECK(host.objects == objects && host.names == 0);
+    CHECK(host.objects == objects && host.names == 0 && !host.plugin && !host_find_class("LangevinWorld"));
+
+    /* An editor that finds the extension while it runs. */
+    host.editor = 1;
+    host.landed_before = host.signals_landed;
+    for (gdx_level level = 0; level <= GDX_LEVEL_EDITOR; ++level) levels.initialize(levels.userdata, level);
+    CHECK(host.plugin && host.help == 6);
+    asset = load(argv[2]);
+    mesh = host_new("MeshResource", 1);
+    hold = host_obj(mesh);
+    test_editor(asset, mesh);
+    release(asset);
+    host_variant_destroy(&hold);
+    for (int level = GDX_LEVEL_EDITOR; level >= 0; --level) levels.deinitialize(levels.userdata, (gdx_level)level);
+    CHECK(host.objects == objects && host.names == 0 && host.rids == 0 && !host.plugin);
+    /* A class that stays crashes the editor at its end. */
+    static const char* const names[] = {"LangevinAsset", "LangevinAssetLoader", "LangevinWorld",
+                                        "LangevinBatch", "LangevinGizmoPlugin", "LangevinEditorPlugin"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; ++i) CHECK(!host_find_class(names[i]));
     host_stop();
     CHECK(host.objects == 0);
     printf("host: %d passed, %d failed\n", passed, failed);

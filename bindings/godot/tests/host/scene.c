@@ -97,6 +97,7 @@ static int render(const char* method, const host_variant* const* args, int64_t c
     } else if (!strcmp(method, "multimesh_set_visible_instances")) {
         assert(args[1]->u.integer <= *size);
         host.visible += args[1]->u.integer > 0;
+        host.shown = args[1]->u.integer;
     } else if (!strcmp(method, "multimesh_set_custom_aabb")) {
         for (int i = 3; i < 6; ++i) assert(args[1]->u.many[i] >= 0.0f && args[1]->u.many[i] < 1e4f);
     } else {
@@ -139,6 +140,38 @@ static int physics(const char* method, host_variant* ret) {
     return 1;
 }
 
+/* The editor's plugins, and a gizmo, whose `parent` is its node. */
+static int editor(host_object* o, const char* method, const host_variant* const* args, int64_t count,
+                  host_variant* ret) {
+    if (!strcmp(method, "add_node_3d_gizmo_plugin") || !strcmp(method, "remove_node_3d_gizmo_plugin")) {
+        assert(!strcmp(args[0]->u.object->class_name, "EditorNode3DGizmoPlugin"));
+        host.gizmo_plugins += *method == 'a' ? 1 : -1;
+    } else if (!strcmp(method, "create_material")) {
+        assert(count == 2 && args[0]->type == GDX_STRING && args[1]->type == GDX_COLOR);
+        ++host.materials;
+    } else if (!strcmp(method, "get_material")) {
+        static const char* const names[] = {"emitter", "bounds", "wind"};
+        int known = 0;
+        for (int i = 0; i < 3; ++i) known += !strcmp(names[i], text_of(args[0]));
+        assert(known && count == 2 && !strcmp(args[1]->u.object->class_name, "EditorNode3DGizmo"));
+    } else if (!strcmp(method, "get_node_3d")) {
+        *ret = host_obj(o->parent);
+    } else if (!strcmp(method, "clear")) {
+        host.lines = host.clicks = 0;
+    } else if (!strcmp(method, "add_lines") || !strcmp(method, "add_collision_segments")) {
+        assert(args[0]->type == GDX_PACKED_VECTOR3_ARRAY && args[0]->u.array->count % 2 == 0);
+        const float* at = (const float*)(void*)args[0]->u.array->data;
+        for (int64_t i = 0; i < 3 * args[0]->u.array->count; ++i) {
+            assert(at[i] > -1e3f && at[i] < 1e3f);
+            host.reach = at[i] > host.reach ? at[i] : host.reach;
+        }
+        *(!strcmp(method, "add_lines") ? &host.lines : &host.clicks) += (int)args[0]->u.array->count / 2;
+    } else {
+        return 0;
+    }
+    return 1;
+}
+
 static int node(host_object* o, const char* method, const host_variant* const* args, int64_t count, host_variant* ret) {
     if (!strcmp(method, "get_parent"))
         *ret = host_obj(o->parent);
@@ -175,8 +208,12 @@ static int node(host_object* o, const char* method, const host_variant* const* a
         host.signals_touched += !strcmp(name, "touched") && count == 4;
         host.signals_landed += !strcmp(name, "landed") && count == 3;
         if (!strcmp(name, "landed")) host.bodies_landed += (int)args[1]->u.array->count;
+    } else if (!strcmp(method, "set_process_internal")) {
+        host.internal_process = args[0]->u.flag;
+    } else if (!strcmp(method, "update_gizmos")) {
+        ++host.redraws;
     } else if (strcmp(method, "set_notify_transform") != 0 && strcmp(method, "set_physics_process_internal") != 0 &&
-               strcmp(method, "set_process_internal") != 0) {
+               strcmp(method, "update_configuration_warnings") != 0) {
         return 0;
     }
     return 1;
@@ -190,7 +227,7 @@ void scene_call(host_variant* self, const char* method, const void* const* args,
     if (!strcmp(method, "is_class")) {
         *ret = host_bool(is_class(o, text_of(values[0])));
     } else if (o == engine && !strcmp(method, "is_editor_hint")) {
-        *ret = host_bool(0);
+        *ret = host_bool(host.editor);
     } else if (o == loaders && !strcmp(method, "add_resource_format_loader")) {
         loader = values[0]->u.object;
     } else if (o == loaders && !strcmp(method, "remove_resource_format_loader")) {
@@ -204,7 +241,8 @@ void scene_call(host_variant* self, const char* method, const void* const* args,
     } else if (!strcmp(o->class_name, "FileAccess") && !strcmp(method, "flush")) {
         ++host.flushes;
     } else if (!(o == rendering ? render(method, values, count, ret)
-                                : physics(method, ret) || node(o, method, values, count, ret))) {
+                                : physics(method, ret) || node(o, method, values, count, ret) ||
+                                      editor(o, method, values, count, ret))) {
         fprintf(stderr, "the host has no %s\n", method);
         error->error = GDX_CALL_INVALID_METHOD;
     }

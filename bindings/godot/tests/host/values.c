@@ -203,6 +203,11 @@ static void from_vector(void* variant, void* value) {
     const float* f = value;
     *(host_variant*)variant = host_vector(f[0], f[1], f[2]);
 }
+static void from_color(void* variant, void* value) {
+    host_variant v = host_value_of(GDX_COLOR);
+    memcpy(v.u.floats, value, 16);
+    *(host_variant*)variant = v;
+}
 static void from_many(void* variant, void* value, uint32_t type) {
     host_variant v = host_value_of(type);
     v.u.many = value;
@@ -274,6 +279,8 @@ gdx_from_type host_get_variant_from_type_constructor(gdx_type type) {
         return from_object;
     case GDX_VECTOR3:
         return from_vector;
+    case GDX_COLOR:
+        return from_color;
     case GDX_AABB:
         return from_aabb;
     case GDX_TRANSFORM3D:

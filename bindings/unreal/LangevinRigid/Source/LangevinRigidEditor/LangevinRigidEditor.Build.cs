@@ -9,7 +9,8 @@ public class LangevinRigidEditor : ModuleRules
 
 		PrivateDependencyModuleNames.AddRange(new string[]
 		{
-			"Core", "CoreUObject", "Engine", "UnrealEd", "AssetDefinition", "LangevinRigid"
+			"Core", "CoreUObject", "Engine", "UnrealEd", "AssetDefinition", "AssetTools", "ContentBrowser", "Projects", "Slate", "SlateCore",
+			"ToolMenus", "LangevinRigid"
 		});
 	}
 }

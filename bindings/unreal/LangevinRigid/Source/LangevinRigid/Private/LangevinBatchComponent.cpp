@@ -68,6 +68,7 @@ bool ULangevinBatchComponent::BeginBatch() {
     Desc.variation = FMath::Clamp(Variation, 0.0f, 0.5f);
     if (!Check(lr_batch_create(World, &Desc, &Batch), *GetPathName())) return false;
     MeshOrigin = -Asset->GetCenterOfMass();
+    SetHasPerInstancePrevTransforms(true); // for motion vectors: temporal anti-aliasing, motion blur
 
     lr_load_gains Gains;
     lr_load_gains_init(&Gains, sizeof(Gains));

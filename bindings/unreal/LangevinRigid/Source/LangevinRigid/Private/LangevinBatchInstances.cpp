@@ -28,10 +28,10 @@ void InChunks(int32 Count, TFunctionRef<void(int32 Begin, int32 End)> Body) {
 void ULangevinBatchComponent::WriteAllInstances() {
     bWriteAll = true;
     Snapshot.Reset();
-    WriteInstances(0.0);
+    WriteInstances(0.0, 0.0);
 }
 
-void ULangevinBatchComponent::WriteInstances(double AheadSeconds) {
+void ULangevinBatchComponent::WriteInstances(double AheadSeconds, double FrameSeconds) {
     lr_world* World = LibraryWorld();
     lr_batch_view View = {};
     View.struct_size = sizeof(View);
@@ -53,31 +53,39 @@ void ULangevinBatchComponent::WriteInstances(double AheadSeconds) {
     if (Written == 0) return;
 
     Records.SetNumUninitialized(Written * RecordFloats);
-    Transforms.SetNumUninitialized(FMath::Max(Transforms.Num(), Count));
+    Transforms.SetNumUninitialized(Written, EAllowShrinking::No);
+    Previous.SetNumUninitialized(Written, EAllowShrinking::No);
     if (!LangevinHost::Check(lr_batch_write_transforms(World, Batch, LR_TRANSFORM_POSITION_QUATERNION_SCALE,
                                                        Records.GetData(), 0, static_cast<uint32>(Written), nullptr),
                              TEXT("Transforms"))) {
         return;
     }
-    const int32 Ahead = AheadSeconds > 0.0 ? Awake : 0; // bodies [0, Ahead) are advanced
-    Moving.SetNumUninitialized(Ahead * 6);
+    // By velocities, as a body has no fixed place in the array, and may have jumped to the emitter.
+    const bool bMoving = AheadSeconds > 0.0 || FrameSeconds > 0.0;
+    const int32 Movers = bMoving ? Awake : 0; // bodies [0, Movers)
+    Moving.SetNumUninitialized(Movers * 6, EAllowShrinking::No);
     if (!LangevinHost::Check(
-            lr_batch_write_velocities(World, Batch, Moving.GetData(), 0, static_cast<uint32>(Ahead), nullptr),
+            lr_batch_write_velocities(World, Batch, Moving.GetData(), 0, static_cast<uint32>(Movers), nullptr),
             TEXT("Velocities"))) {
         return;
     }
     const LangevinConversion::FVec Offset = From(MeshOrigin);
     const LangevinConversion::FVec Origin = From(Subsystem->GetOrigin());
-    InChunks(Written, [this, &Offset, &Origin, Ahead, AheadSeconds](int32 Begin, int32 End) {
+    const auto Place = [&Offset, &Origin](const float* Record) {
+        const LangevinConversion::FPose Pose = LangevinConversion::InstancePose(Record, Offset, Origin);
+        return FTransform(To(Pose.Rotation), To(Pose.Location), FVector(Pose.Scale));
+    };
+    InChunks(Written, [this, &Place, Movers, AheadSeconds, FrameSeconds](int32 Begin, int32 End) {
         for (int32 Index = Begin; Index < End; ++Index) {
             float* Record = &Records[Index * RecordFloats];
-            if (Index < Ahead) LangevinConversion::AdvanceRecord(Record, &Moving[Index * 6], AheadSeconds);
-            const LangevinConversion::FPose Pose = LangevinConversion::InstancePose(Record, Offset, Origin);
-            Transforms[Index] = FTransform(To(Pose.Rotation), To(Pose.Location), FVector(Pose.Scale));
+            if (Index < Movers) LangevinConversion::AdvanceRecord(Record, &Moving[Index * 6], AheadSeconds);
+            Transforms[Index] = Place(Record);
+            if (Index < Movers) LangevinConversion::AdvanceRecord(Record, &Moving[Index * 6], -FrameSeconds);
+            Previous[Index] = Index < Movers ? Place(Record) : Transforms[Index];
         }
     });
     GrowBounds(0, Written, bAll);
-    BatchUpdateInstancesTransforms(0, TArrayView<const FTransform>(Transforms.GetData(), Written), true, true, true);
+    BatchUpdateInstancesTransforms(0, Transforms, Previous, true, true, true);
     UpdateBounds();
 }
 
@@ -89,7 +97,12 @@ void ULangevinBatchComponent::SetInstanceCount(int32 Count) {
         Added.Init(FTransform::Identity, Count - Have);
         AddInstances(Added, false, true, false);
     } else if (Count == 0) {
-        if (Have > 0) ClearInstances();
+        if (Have > 0) {
+            ClearInstances();
+            // Some versions of the engine keep previous transforms of the cleared instances, and then use none any more.
+            SetHasPerInstancePrevTransforms(false);
+            SetHasPerInstancePrevTransforms(true);
+        }
     } else if (Have > Count) {
         TArray<int32> Removed;
         Removed.Reserve(Have - Count);

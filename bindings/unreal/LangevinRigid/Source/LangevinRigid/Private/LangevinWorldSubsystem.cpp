@@ -114,10 +114,11 @@ void ULangevinWorldSubsystem::Tick(float DeltaTime) {
     if (World == nullptr || bPaused || DeltaTime <= 0.0f) return;
     const ULangevinSettings& Settings = *GetDefault<ULangevinSettings>();
     const float Frame = FMath::Min(DeltaTime, Settings.LongestFrame);
-    double Ahead = 0.0;
+    double Ahead = 0.0, Moved = Frame;
     if (Settings.Stepping == ELangevinStepping::Frame) {
         Step(Frame);
     } else {
+        const double Before = Settings.bSmoothFixedSteps ? Due : 0.0;
         Due += Frame;
         // The tolerance keeps a frame of exactly one step from waiting for the next frame because of rounding.
         const int32 Whole = FMath::FloorToInt32(Due / Settings.FixedStep + 1e-4);
@@ -133,9 +134,10 @@ void ULangevinWorldSubsystem::Tick(float DeltaTime) {
                    Whole, Steps);
         }
         if (Settings.bSmoothFixedSteps) Ahead = Due;
+        Moved = Steps * static_cast<double>(Settings.FixedStep) + Ahead - Before;
     }
     SCOPE_CYCLE_COUNTER(STAT_LangevinWrite);
-    for (FLangevinBatchCalls* Batch : Batches) Batch->WriteInstances(Ahead);
+    for (FLangevinBatchCalls* Batch : Batches) Batch->WriteInstances(Ahead, Moved);
 }
 
 void ULangevinWorldSubsystem::Step(float Seconds) {
@@ -177,6 +179,11 @@ void ULangevinWorldSubsystem::TellEvents() {
 
 void ULangevinWorldSubsystem::SetPaused(bool bInPaused) {
     bPaused = bInPaused;
+    if (!bPaused) return;
+    // As they are now, but still: the instances keep the movement of their last update.
+    const ULangevinSettings& Settings = *GetDefault<ULangevinSettings>();
+    const bool bAhead = Settings.Stepping == ELangevinStepping::Fixed && Settings.bSmoothFixedSteps;
+    for (FLangevinBatchCalls* Batch : Batches) Batch->WriteInstances(bAhead ? Due : 0.0, 0.0);
 }
 
 void ULangevinWorldSubsystem::SetWind(FVector Velocity) {

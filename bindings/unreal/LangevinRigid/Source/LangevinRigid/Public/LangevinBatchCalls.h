@@ -15,7 +15,8 @@ public:
 
     /** Called before and after a step. */
     virtual void PrepareStep() = 0;
-    virtual void WriteInstances(double AheadSeconds) = 0;
+    /** Ahead: of the last step. Frame: since the instances were last drawn, for the bodies' places in the frame before; 0: they jump. */
+    virtual void WriteInstances(double AheadSeconds, double FrameSeconds) = 0;
     virtual void WriteAllInstances() = 0;
 
     /** Sets the batch in an event of one of its bodies. */

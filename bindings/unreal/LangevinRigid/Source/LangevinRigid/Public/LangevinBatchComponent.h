@@ -200,7 +200,7 @@ public:
 
     /** Called by the subsystem before and after a step. */
     virtual void PrepareStep() override;
-    virtual void WriteInstances(double AheadSeconds) override;
+    virtual void WriteInstances(double AheadSeconds, double FrameSeconds) override;
     virtual void WriteAllInstances() override;
     virtual void NameBatch(const lr_event& From, FLangevinEvent& Event) override;
 
@@ -219,7 +219,7 @@ private:
     FTransform EmitterPlace;
     FVector MeshOrigin = FVector::ZeroVector;
     TArray<float> Records, Moving; // Moving: of lr_batch_write_velocities
-    TArray<FTransform> Transforms;
+    TArray<FTransform> Transforms, Previous;
     FTransform WrittenFrame;
     uint64 WrittenRevision = 0;
     int32 WrittenAwake = 0;

@@ -130,7 +130,7 @@ inline void AdvanceRecord(float* Record, const float* Velocities, double Seconds
     for (int Axis = 0; Axis < 3; ++Axis) Record[Axis] += static_cast<float>(Velocities[Axis] * Seconds);
     const FVec Spin{Velocities[3], Velocities[4], Velocities[5]};
     const double Speed = std::sqrt(Spin.X * Spin.X + Spin.Y * Spin.Y + Spin.Z * Spin.Z);
-    if (Speed * Seconds < 1e-9) return;
+    if (Speed * std::fabs(Seconds) < 1e-9) return;
     const double Angle = 0.5 * Speed * Seconds;
     const double S = std::sin(Angle) / Speed;
     const FRotation Turned =

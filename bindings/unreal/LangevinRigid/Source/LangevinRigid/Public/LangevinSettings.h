@@ -96,4 +96,12 @@ public:
     /** Size of its largest eddies, cm. */
     UPROPERTY(Config, EditAnywhere, Category = "Wind", meta = (ClampMin = "1.0"))
     float TurbulenceSize = 200.0f;
+
+    /** Density of meshes that the content browser's menu bakes, kg/m^3: dry leaves 350, paper and petals 800. */
+    UPROPERTY(Config, EditAnywhere, Category = "Bake", meta = (ClampMin = "0.001"))
+    float BakeDensity = 350.0f;
+
+    /** Thickness of meshes that are the middle surface of a sheet, cm. 0: meshes are the surfaces of bodies. */
+    UPROPERTY(Config, EditAnywhere, Category = "Bake", meta = (ClampMin = "0.0"))
+    float BakeSheetThickness = 0.0f;
 };
