@@ -282,9 +282,10 @@ double distance_to_axis(const lr_batch_view& v, uint32_t i, const Vec& half, Vec
 
 } // namespace
 
-// A person of 1.8 m, with feet as wide as the body.
-TEST_CASE(
-    "a capsule that walks through bodies at rest wakes what it meets, moves it aside, and leaves the others alone") {
+// A person of 1.8 m, with feet as wide as the body, walks through bodies that are turned by `turn` rad from one to the next. Returns the deepest
+// overlap that lasted two steps, in reaches of the body.
+static double overlap_of_a_walk(double turn) {
+    CAPTURE(turn);
     constexpr double radius = 0.25, axis = 0.65, walk = 1.4, x = 0.06, y = 0.03, z = 0.04;
     const Vec half{0.5 * x, 0.5 * y, 0.5 * z};
     const double reach = length(half);
@@ -302,7 +303,7 @@ TEST_CASE(
         const uint32_t column = i % along, row = i / along;
         const Vec at{0.1 * column - 2.0, half[1], 0.1 * row - 1.0};
         put(d.position, at);
-        put(d.orientation, about({0, 1, 0}, 0.37 * i));
+        put(d.orientation, about({0, 1, 0}, turn * i));
         d.noise_seed = i;
         laid.push_back(at);
         add_body(world, batch, d);
@@ -335,7 +336,7 @@ TEST_CASE(
     }
     // Bodies pushed by it rotate: part of the substep's motion is left for the next substep.
     CHECK(deepest > -0.5 * walk * dt / 2.0);
-    CHECK(lasting > -5e-3 * reach);
+    CHECK(lasting > -1.2e-2 * reach);
     CHECK(lasting < 2e-3 * reach);
     uint32_t met = 0, far = 0;
     for (size_t i = 0; i < laid.size(); ++i) {
@@ -359,4 +360,14 @@ TEST_CASE(
     double lowest = 1.0;
     for (uint32_t i = 0; i < v.count; ++i) lowest = std::min(lowest, wide(v.position[1][i]) - 0.5 * y);
     CHECK(lowest > -2e-3 * reach);
+    return -lasting / reach;
+}
+
+// One body of 840, wedged below the rounded end, decides about each overlap: it takes several walks to know how deep they are.
+TEST_CASE(
+    "a capsule that walks through bodies at rest wakes what it meets, moves it aside, and leaves the others alone") {
+    double sum = 0.0;
+    const std::array turns{0.37, 0.41, 0.43, 0.47, 0.53, 0.59, 0.61, 0.67};
+    for (const double turn : turns) sum += overlap_of_a_walk(turn);
+    CHECK(sum < 5e-3 * turns.size());
 }

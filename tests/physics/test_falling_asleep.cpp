@@ -1,7 +1,11 @@
 // Falling asleep by lack of progress: a trembling body sleeps, a creeping, rolling or rotating one does not.
+#include "asset/asset_file.h"
+#include "base/convex_hull.h"
+#include "support/asset_bytes.h"
 #include "support/contact.h"
 
 #include <cmath>
+#include <numbers>
 
 using namespace test;
 
@@ -33,7 +37,56 @@ lr_body_desc turned_anyhow(Random& random, float x, float y, float z) {
     return d;
 }
 
+// A petal: a thin bowl 12 mm x 11 mm x 1.2 mm, whose hull has a curved side.
+Asset petal() {
+    lr::shape::EllipsoidSpec spec;
+    spec.semi_axes = {0.006, 0.0055, 0.0006};
+    spec.density = 350.0;
+    lr::AssetData data;
+    lr::Faults faults;
+    REQUIRE(lr::shape::ellipsoid_body(spec, data, faults));
+    data.turbulence = lr::shape::decay_table(data, 1.0);
+    std::vector<lr::shape::HullPoint> points{{0.0, 0.0, -0.0006}};
+    for (int ring = 1; ring <= 6; ++ring)
+        for (int k = 0; k < 24; ++k) {
+            const double r = ring / 6.0, turn = std::numbers::pi * (k + 0.5 * (ring % 2)) / 12.0;
+            points.push_back({0.006 * r * std::cos(turn), 0.0055 * r * std::sin(turn), 0.0012 * r * r - 0.0006});
+        }
+    lr::shape::ConvexHull hull;
+    REQUIRE(lr::shape::convex_hull(points, hull) == lr::shape::HullOutcome::done);
+    data.hull = {};
+    for (const uint32_t corner : hull.points)
+        for (const double x : points[corner]) data.hull.vertices.push_back(narrow(x));
+    for (const auto& triangle : hull.triangles)
+        data.hull.triangles.insert(data.hull.triangles.end(), triangle.begin(), triangle.end());
+    const std::vector<uint8_t> bytes = lr::write_asset(data);
+    lr_asset* asset = nullptr;
+    const lr_status status = lr_asset_load_memory(bytes.data(), bytes.size(), &asset);
+    INFO(std::string(lr_last_error()));
+    REQUIRE(status == LR_OK);
+    return Asset(asset);
+}
+
 } // namespace
+
+// In a fall of a substep all of a shallow bowl can reach the ground: its contacts must be those below its middle, not those at its rim.
+TEST_CASE("petals lie still on their curved sides, however coarse the steps") {
+    const Asset asset = petal();
+    for (const auto& [rate, substeps] : {std::pair{30, 1}, {60, 1}, {60, 2}, {60, 4}}) {
+        CAPTURE(rate);
+        CAPTURE(substeps);
+        const World world = make(world_desc());
+        add_collider(world, collider_desc(LR_COLLIDER_PLANE));
+        const lr_batch batch = add_batch(world, asset, 100);
+        Random random(8);
+        for (uint32_t i = 0; i < 100; ++i)
+            add_body(
+                world, batch,
+                turned_anyhow(random, 0.05f * static_cast<float>(i % 10), 0.2f, 0.05f * static_cast<float>(i / 10)));
+        steps(world, 8 * rate, 1.0f / static_cast<float>(rate), static_cast<uint32_t>(substeps));
+        CHECK(view_of(world, batch).awake_count <= 5);
+    }
+}
 
 TEST_CASE("coins, rods and bricks come to rest on uneven ground") {
     const std::array<std::array<double, 3>, 3> sizes{{{0.02, 0.002, 0.018}, {0.2, 0.002, 0.002}, {0.04, 0.03, 0.05}}};

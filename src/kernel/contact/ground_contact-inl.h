@@ -321,21 +321,23 @@ bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::
         const Vec3 normal = put(0, deepest, touching);
         if (count < 2) continue;
 
-        // Touching points hold the body. More points count if pushing the deepest one out can press them in. Points nearer to each other than `apart`
-        // hold no better than one.
+        // The points that touch once the deepest one is pushed out hold the body: of a curved body those beside it, which within a fall in a substep
+        // are no lower than the rim. Others count if pushing the deepest one out can press them in. Points nearer to each other than `apart` hold no
+        // better than one.
         const VF deep = hn::Max(-least, zero);
         const VF wide_margin = constant(0.1f) * reach + margin + (deep + deep);
-        const VF per_margin = one / margin, per_wide = constant(0.05f) / wide_margin;
+        const VF lowest = hn::Min(least, zero), per_margin = one / hn::Min(margin, constant(0.05f) * reach);
+        const VF per_wide = constant(0.05f) / wide_margin;
         const VF apart = constant(0.02f) * reach;
         Vec3 second = deepest;
         VF farthest = apart * apart;
         auto found = one < zero;
         for (uint32_t k = 0; k < count; ++k) {
             const VF gap = points[k].gap;
-            const VF part = one - gap * per_margin;
+            const VF part = one - (gap - lowest) * per_margin;
             const VF some = hn::Max(constant(0.05f) - gap * per_wide, zero);
             const auto near = hn::And(touching, gap < wide_margin);
-            const VF weight = hn::IfThenElseZero(near, hn::Min(hn::Max(part, some), constant(2.0f)));
+            const VF weight = hn::IfThenElseZero(near, hn::Max(part, some));
             points[k].gap = weight; // from here on
             const Vec3 r = points[k].at - deepest;
             const VF value = weight * dot(r, r);
