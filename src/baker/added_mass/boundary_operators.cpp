@@ -251,7 +251,7 @@ private:
         for (uint32_t i = 0; i < work.batch.size(); ++i) give(t, 0, i, out_.panels[work.batch[i]->panel], work);
     }
     void give(std::size_t t, std::size_t at, uint32_t index, const Panel& panel, NearWork& work) const {
-        constexpr double apart = 2.0; // distance from the centre of a part, over its radius
+        constexpr double apart = 3.0; // distance from the centre of a part, over its radius
         const Panel& outer = out_.panels[t];
         const TrianglePart& part = parts_[at];
         const Eigen::Vector3d &c = part.centre,
