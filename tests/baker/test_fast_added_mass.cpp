@@ -94,7 +94,7 @@ TEST_CASE("fast added mass is that of the dense matrix" * doctest::test_suite("l
         CHECK(fast.iterations < 40);
         CHECK(fast.residual < 1e-5);
         CHECK(fast.condition_estimate >= 1.0);
-        CHECK(fast.asymmetry < 1e-4);
+        CHECK(fast.asymmetry < dense.asymmetry + 1e-5);
         CHECK(relative(fast.value - dense.value, dense.value).cwiseAbs().maxCoeff() < 1e-5);
         // and the estimate, except for the expansions' effect on the check of the right side
         CHECK(relative(fast.error - dense.error, dense.value).cwiseAbs().maxCoeff() < 1e-4);

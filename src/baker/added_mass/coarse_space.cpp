@@ -9,7 +9,7 @@
 namespace lr::baker {
 namespace {
 
-constexpr std::size_t cells = 256;
+constexpr std::size_t cells = 128;
 // Overlap of a function beyond its cell, in diagonals of the cell. Both sides of a thin solid share functions: potentials common
 // to both sides have so little energy that patches alone would need hundreds of iterations.
 constexpr double reach = 0.4;

@@ -172,10 +172,9 @@ bool compute_mixed_added_mass(const BodyParts& parts, const Eigen::Vector3d& cen
         Refinement refinement;
         refinement.creases = true;
         bool fits = false;
-        while (!(fits = refine_sheet(shell.skin, refinement).faces.size() <= most_panels) && refinement.strips > 2)
-            --refinement.strips;
+        while (!(fits = refine_sheet(shell.skin, refinement).faces.size() <= most_panels) && refinement.strips > 1)
+            refinement.creases = --refinement.strips > 1;
         if (!fits && round + 1 < std::size(most_faces)) continue; // the way without a dense matrix takes a minute here
-        if (!fits) refinement.strips = 1;
         found.clear();
         if (!compute_sheet_added_mass(shell.skin, centre, refinement, out, found, progress, options)) continue;
         Matrix6 error;

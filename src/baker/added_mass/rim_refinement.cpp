@@ -19,8 +19,8 @@ namespace {
 constexpr double narrow = 0.25;
 // Longest edge over that of a square as large as the mean panel. A fan of thousands of needles has enough panels, but is too coarse along them.
 constexpr double most_long = 8.0;
-// Halving long edges stops at this many panels, or at this many for each face: then the caller needs a coarser surface.
-constexpr std::size_t most_halved = 10000, most_parts = 4;
+// Halving long edges stops at this many panels: then the caller needs a coarser surface.
+constexpr std::size_t most_halved = 10000;
 
 class Refiner {
 public:
@@ -45,12 +45,11 @@ public:
             queue.push({static_cast<float>((mesh_.vertices[e[0]] - mesh_.vertices[e[1]]).squaredNorm()), e});
         };
         for (const auto& [edge, faces] : faces_of_) push(edge);
-        const std::size_t most = std::max(most_halved, most_parts * mesh_.faces.size());
         const double long_square =
             most_long * most_long * area() / static_cast<double>(std::max<std::size_t>(1, panels));
         while (!queue.empty()) {
             const bool is_long = static_cast<double>(queue.top().square) > long_square;
-            if (mesh_.faces.size() >= (is_long ? most : panels)) break;
+            if (mesh_.faces.size() >= (is_long ? std::max(most_halved, panels) : panels)) break;
             const Edge edge = queue.top().edge;
             queue.pop();
             if (!faces_of_.contains(edge)) continue;
