@@ -129,6 +129,48 @@ def soup(mesh):
         mesh.add([tuple(random.gauss(c, size) for c in centre) for _ in range(3)], [(0, 1, 2)])
 
 
+def bundle(mesh):
+    """Closed needles side by side, a hundredth of their width apart."""
+    for i in range(50):
+        for j in range(50):
+            x, y, w = 0.01 * i, 0.01 * j, 0.0099
+            mesh.add([(x + w * (k & 1), y + w * (k >> 1 & 1), k >> 2) for k in range(8)],
+                     [(0, 2, 3), (0, 3, 1), (4, 5, 7), (4, 7, 6), (0, 1, 5), (0, 5, 4), (2, 6, 7), (2, 7, 3), (0, 4, 6), (0, 6, 2),
+                      (1, 3, 7), (1, 7, 5)])
+
+
+def burr(mesh):
+    """A closed ball of spikes."""
+    def place(u, v):
+        i, j = round(220 * u), round(68 * v)
+        r = 1 if i % 2 and j % 2 else 0.2
+        polar = math.pi * (0.02 + 0.96 * v)
+        x, y, _ = circle(i % 220, 220)
+        return r * math.sin(polar) * x, r * math.sin(polar) * y, r * math.cos(polar)
+    mesh.grid(220, 68, place)
+
+
+def crumpled(mesh):
+    """A sheet crumpled into a ball."""
+    waves = [([random.gauss(0, 4) for _ in range(2)], random.uniform(0, 6), [random.gauss(0, 0.15) for _ in range(3)]) for _ in range(40)]
+    mesh.grid(122, 122, lambda u, v: tuple(sum(d[k] * math.sin(f[0] * u + f[1] * v + phase) for f, phase, d in waves) for k in range(3)))
+
+
+def pleats(mesh):
+    """A thin solid of pleats, as high as the solid, that fills the dense matrix."""
+    n = 990
+    ring = [(i / n, 0.05 * (i % 20 if i % 40 < 20 else 20 - i % 20) / 20) for i in range(n + 1)]
+    outline = ring + [(x, y + 0.0005) for x, y in reversed(ring)]
+    m = len(outline)
+    mesh.add([(x, y, z) for x, y in outline for z in (0, 1)], [])
+    for i in range(m):
+        a, b = 2 * i, 2 * ((i + 1) % m)
+        mesh.faces += [(a, b, b + 1), (a, b + 1, a + 1)]
+    for i in range(n):
+        a, b, c, d = i, i + 1, m - 2 - i, m - 1 - i
+        mesh.faces += [(2 * a, 2 * c, 2 * b), (2 * a, 2 * d, 2 * c), (2 * a + 1, 2 * b + 1, 2 * c + 1), (2 * a + 1, 2 * c + 1, 2 * d + 1)]
+
+
 def bake(lr_bake, path):
     command = [lr_bake, "mesh", str(path), "-o", str(path.with_suffix(".lrb")), "--size", "50cm"]
     run = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
@@ -148,7 +190,7 @@ def main():
     args.folder.mkdir(parents=True, exist_ok=True)
     good = True
     print("| mesh | triangles | s | MB | solved |\n|---|---|---|---|---|")
-    for make in (wavy, fan, can, hair, layers, onion, grass, furniture, spring, soup):
+    for make in (wavy, fan, can, hair, layers, onion, grass, furniture, spring, soup, bundle, burr, crumpled, pleats):
         random.seed(1)
         mesh = Mesh()
         make(mesh)

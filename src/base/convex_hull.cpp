@@ -94,11 +94,12 @@ public:
     }
 
     const Point& plane_normal() const { return plane_normal_; }
+    std::size_t made() const { return made_; }
 
-    bool run() {
+    bool run(std::size_t most_faces = SIZE_MAX) {
         for (uint32_t f = 0; f < faces_.size(); ++f) {
             while (faces_[f].alive && !faces_[f].outside.empty())
-                if (!insert_furthest(f)) return false;
+                if (made_ > most_faces || !insert_furthest(f)) return false;
             if (dead_ > 1000 + faces_.size() / 2) f = drop_dead(f + 1) - 1;
         }
         return true;
@@ -148,6 +149,7 @@ private:
         face.normal = cross(subtract(points_[b], points_[a]), subtract(points_[c], points_[a]));
         face.normal_length = norm(face.normal);
         faces_.push_back(std::move(face));
+        ++made_;
         return static_cast<uint32_t>(faces_.size() - 1);
     }
 
@@ -239,6 +241,7 @@ private:
     std::vector<uint32_t> starts_; // new face whose horizon edge starts at a vertex
     std::vector<HullFace> faces_;
     std::size_t dead_ = 0; // of these
+    std::size_t made_ = 0;
     Point plane_origin_{}, plane_normal_{};
 };
 
@@ -325,7 +328,7 @@ void number_corners(std::size_t count, ConvexHull& out) {
 }
 } // namespace
 
-HullOutcome convex_hull(const std::vector<HullPoint>& points, ConvexHull& out) {
+HullOutcome convex_hull(const std::vector<HullPoint>& points, ConvexHull& out, std::size_t most_faces) {
     out = {};
     constexpr double infinity = std::numeric_limits<double>::infinity();
     HullPoint low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
@@ -351,7 +354,8 @@ HullOutcome convex_hull(const std::vector<HullPoint>& points, ConvexHull& out) {
         Quickhull hull(grid);
         const int dimension = hull.find_simplex();
         if (dimension < 2) return HullOutcome::one_line;
-        if (dimension == 3 && !hull.run()) return HullOutcome::not_closed;
+        if (dimension == 3 && !hull.run(most_faces))
+            return hull.made() > most_faces ? HullOutcome::too_dear : HullOutcome::not_closed;
         out.triangles = dimension == 3 ? hull.result() : flat_hull(grid, hull.plane_normal());
         if (out.triangles.empty()) return HullOutcome::one_line;
         out.flat = dimension == 2;

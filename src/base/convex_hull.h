@@ -16,9 +16,10 @@ struct ConvexHull {
     bool flat = false;                   // a polygon with two sides
     double slack = 0.0;                  // no input point is farther outside, m
 };
-enum class HullOutcome { done, not_finite, too_few, one_point, one_line, not_closed };
+enum class HullOutcome { done, not_finite, too_few, one_point, one_line, not_closed, too_dear };
 
-HullOutcome convex_hull(const std::vector<HullPoint>& points, ConvexHull& out);
+// Around a flat round side the time grows as the square of its corners: `too_dear` after `most_faces` faces were made.
+HullOutcome convex_hull(const std::vector<HullPoint>& points, ConvexHull& out, std::size_t most_faces = SIZE_MAX);
 
 // Rounds the points to floats of one spacing, a half unit in the last place of the largest coordinate at most, and takes the hull of the rounded
 // points, convex without a tolerance: the rounding of stored corners tilts slivers, which can make them concave. Rounding also turns flat faces

@@ -251,7 +251,7 @@ TEST_CASE("bake: a cavity displaces fluid and holds no mass, a solid in a solid 
     CHECK_FALSE(baked(hollow, asset, true));
     REQUIRE(baked(hollow, asset, false, &faults));
     CHECK(std::any_of(faults.begin(), faults.end(),
-                      [](const Fault& f) { return f.what == "1 enclosed cavities displace fluid and hold no mass."; }));
+                      [](const Fault& f) { return f.what == "1 enclosed cavity displaces fluid and holds no mass."; }));
     CHECK(asset.volume == doctest::Approx(outer).epsilon(1e-9));
     CHECK(asset.mass == doctest::Approx(800.0 * (outer - inner)).epsilon(1e-9));
     const double centre = (outer * 0.1 - inner * 0.07) / (outer - inner);

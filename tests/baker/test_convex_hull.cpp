@@ -2,6 +2,7 @@
 #include "baker/mesh/convex_hull.h"
 #include "baker/mesh/mass_properties.h"
 #include "baker/mesh/mesh_check.h"
+#include "base/convex_hull.h"
 #include "mesh_shapes.h"
 
 #include <doctest/doctest.h>
@@ -201,4 +202,27 @@ TEST_CASE("stored hulls are convex by the asset's rules: slivers, thin sheets, c
     }
     MESSAGE(rounded, " of 300 hulls need the exact one");
     CHECK(rounded > 0);
+}
+
+TEST_CASE("hull of a can with thousands of sides: in time, of fewer corners, with the slack told") {
+    constexpr int sides = 6000;
+    std::vector<Eigen::Vector3d> points;
+    std::vector<shape::HullPoint> same;
+    for (int i = 0; i < 2 * sides; ++i) {
+        const double angle = 2.0 * 3.14159265358979 * i / sides;
+        points.emplace_back(std::cos(angle), std::sin(angle), i < sides ? -1.0 : 1.0);
+        same.push_back({points.back()[0], points.back()[1], points.back()[2]});
+    }
+    shape::ConvexHull whole;
+    CHECK(shape::convex_hull(same, whole, 10000) == shape::HullOutcome::too_dear);
+    ConvexHull hull;
+    Faults faults;
+    REQUIRE(compute_convex_hull(points, hull, faults));
+    CHECK(hull.vertices.size() <= 4000);
+    CHECK(hull.slack < 1e-5);
+    for (const Face& f : hull.faces) {
+        const Eigen::Vector3d& a = hull.vertices[f[0]];
+        const Eigen::Vector3d n = (hull.vertices[f[1]] - a).cross(hull.vertices[f[2]] - a).normalized();
+        for (int i = 0; i < 2 * sides; i += 97) CHECK(n.dot(points[static_cast<std::size_t>(i)] - a) <= hull.slack);
+    }
 }

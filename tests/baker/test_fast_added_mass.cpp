@@ -94,7 +94,7 @@ TEST_CASE("fast added mass is that of the dense matrix" * doctest::test_suite("l
         CHECK(fast.iterations < 40);
         CHECK(fast.residual < 1e-5);
         CHECK(fast.condition_estimate >= 1.0);
-        CHECK(fast.asymmetry < 1e-4);
+        CHECK(fast.asymmetry < dense.asymmetry + 1e-5);
         CHECK(relative(fast.value - dense.value, dense.value).cwiseAbs().maxCoeff() < 1e-5);
         // and the estimate, except for the expansions' effect on the check of the right side
         CHECK(relative(fast.error - dense.error, dense.value).cwiseAbs().maxCoeff() < 1e-4);
@@ -201,6 +201,16 @@ TEST_CASE("fast added mass: progress runs from start to one, what cannot be solv
     CHECK(faults.back().id == FaultId::mesh_ill_conditioned);
 }
 
+TEST_CASE("near integrals: their points are bounded before any is computed") {
+    const Mesh mesh = test::icosphere(3);
+    NearLimits few;
+    few.points = 1000.0;
+    const auto none = [](double) {};
+    CHECK(assemble_boundary_operators(mesh, closed_basis(mesh), none, few).hypersingular.size() == 0);
+    few.points = 1e7;
+    CHECK(assemble_boundary_operators(mesh, closed_basis(mesh), none, few).hypersingular.size() > 0);
+}
+
 TEST_CASE("a fan of needles: without patience it is refused, and its coarser surface has few faces") {
     constexpr uint32_t sides = 9000;
     BodyParts parts;
@@ -229,7 +239,8 @@ TEST_CASE("a fan of needles: without patience it is refused, and its coarser sur
     faces = std::stoul(faults[0].what.substr(at + before.size()));
     CHECK(faces > 100);
     CHECK(faces <= 5000);
-    CHECK(std::abs(m.value(2, 2) - 8.0 / 3.0) < 1.5 * m.error(2, 2));
+    CHECK(std::abs(m.value(2, 2) - 8.0 / 3.0) < m.error(2, 2));
+    CHECK(std::abs(m.value(3, 3) - 16.0 / 45.0) < m.error(3, 3));
     CHECK(m.error(2, 2) < 0.15 * m.value(2, 2));
 }
 

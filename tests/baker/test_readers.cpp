@@ -180,6 +180,15 @@ TEST_CASE("readers: a scene opens no file outside its folder") {
     REQUIRE(faults.size() == 1);
     CHECK(contains(faults[0].what, "belongs to it is missing"));
     CHECK(contains(faults[0].what, "gone.bin"));
+    // The same from within the folder, by a path without one.
+    const fs::path before = fs::current_path();
+    fs::current_path(scratch.path("model"));
+    Mesh mesh;
+    faults.clear();
+    CHECK_FALSE(read_mesh("scene.gltf", MeshReadOptions{}, mesh, faults));
+    fs::current_path(before);
+    REQUIRE(faults.size() == 1);
+    CHECK(contains(faults[0].what, "belongs to it is missing"));
 }
 
 TEST_CASE("readers: what a file is, and the way out, in a modeller's words") {
@@ -257,7 +266,7 @@ TEST_CASE("readers: vertices without a position are left out where meshes are re
     CHECK(mesh.vertices.size() == 4);
     CHECK(mesh.faces.size() == 2);
     REQUIRE(faults.size() == 1);
-    CHECK(contains(faults[0].what, "1 faces at them"));
+    CHECK(contains(faults[0].what, "1 face there was left out"));
 }
 
 TEST_CASE("polygons of thousands of corners keep their area") {

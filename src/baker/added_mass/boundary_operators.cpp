@@ -36,16 +36,15 @@ public:
               BoundaryOperators& out)
         : mesh_(mesh), basis_(basis), progress_(progress), out_(out), near_(mesh.faces.size()) {}
 
-    void run() {
-        assemble_right_side(sum_all_doublets, 1, most_near_pairs);
-        assemble_hypersingular();
+    void run(const NearLimits& limits) {
+        if (assemble_right_side(sum_all_doublets, 1, limits)) assemble_hypersingular();
     }
 
-    bool run_fast(unsigned threads, std::size_t most_pairs, NearSingleLayer& near) {
+    bool run_fast(unsigned threads, const NearLimits& limits, NearSingleLayer& near) {
         const auto sum_fast = [&](DoubletArrays& arrays, std::size_t count, const auto& progress) {
             sum_doublets_fast(arrays, count, threads, progress);
         };
-        if (!assemble_right_side(sum_fast, threads, most_pairs)) return false;
+        if (!assemble_right_side(sum_fast, threads, limits)) return false;
         near.start.assign(1, 0);
         for (std::size_t t = 0; t < near_.size(); ++t) {
             for (const NearPair& pair : near_[t]) {
@@ -72,19 +71,19 @@ private:
         }
     }
 
-    bool assemble_right_side(const SumDoublets& sum_doublets, unsigned threads, std::size_t most_pairs) {
+    bool assemble_right_side(const SumDoublets& sum_doublets, unsigned threads, const NearLimits& limits) {
         const auto unknowns = static_cast<Eigen::Index>(basis_.unknowns);
         for (const Face& f : mesh_.faces)
             out_.panels.push_back(make_panel(mesh_.vertices[f[0]], mesh_.vertices[f[1]], mesh_.vertices[f[2]]));
         for (const Panel& panel : out_.panels) out_.self.push_back(self_interaction(panel) / four_pi);
         out_.moments = RigidModes::Zero(unknowns, 6);
         out_.right_side = RigidModes::Zero(unknowns, 6);
-        if (!find_near_panels(out_.panels, most_pairs, near_, level_)) return false;
+        if (!find_near_panels(out_.panels, limits.pairs, near_, level_)) return false;
         // The single layer is integrated over the smaller of two panels; the double layer, for all neighbours at once.
         if (basis_.sheet) level_.assign(level_.size(), 0);
+        if (near_points() > limits.points) return false;
         find_edges();
         if (!basis_.sheet) add_far_double_layer(sum_doublets);
-        for (int levels = 0; levels < 3; ++levels) rules_.push_back(dunavant_rule(levels));
         for (const Panel& panel : out_.panels) fields_.push_back(near_fields(panel));
         integrate_all_near(threads);
         if (basis_.sheet)
@@ -149,7 +148,10 @@ private:
     // Work arrays for one outer panel.
     struct NearWork {
         std::vector<NearPair*> batch, apart;
-        std::vector<double> points, weights; // of the outer rule
+        std::vector<std::vector<uint32_t>> sources; // of each part of the panel, as indices into `batch`
+        std::vector<double> points, weights;        // of the outer rule
+        std::array<double, 9> middles{};            // of the outer edges
+        std::vector<double> sums;                   // of each pair of `batch`
         std::vector<NearLayer> layers;
     };
 
@@ -173,13 +175,23 @@ private:
         }
     }
 
-    // Outer quadrature on panel t, closed forms on the panels around it. All touching panels use one set of outer points: on a thin
-    // body the double layer of a single panel is nearly a step, only the sum over neighbours is smooth. q is linear on a panel, so
-    // all modes follow from integrals with the barycentric coordinates of t.
+    // Outer quadrature on panel t, closed forms on the panels around it. All panels close to a part of t use one set of outer points
+    // there: on a thin body the double layer of a single panel is nearly a step, only the sum over neighbours is smooth. q is linear
+    // on a panel, so all modes follow from integrals with the barycentric coordinates of t.
     void integrate_near(std::size_t t, NearWork& work) {
+        work.layers.clear();
+        sort_near(t, work);
+        const std::array<Mode, 3> velocity = corner_velocities(out_.panels[t]);
+        if (level_[t] == 0)
+            integrate_pairs(t, touching_rule_, work.batch, velocity, work);
+        else
+            integrate_by_parts(t, velocity, work);
+        integrate_pairs(t, apart_rule_, work.apart, velocity, work);
+    }
+
+    void sort_near(std::size_t t, NearWork& work) {
         work.batch.clear();
         work.apart.clear();
-        work.layers.clear();
         for (NearPair& pair : near_[t]) {
             if (basis_.sheet && size_ratio(t, pair) > most_unlike) continue;
             (pair.touching || level_[t] > 0 ? work.batch : work.apart).push_back(&pair);
@@ -189,9 +201,72 @@ private:
             std::min((near_batch - work.batch.size() % near_batch) % near_batch, work.apart.size());
         work.batch.insert(work.batch.end(), work.apart.end() - static_cast<std::ptrdiff_t>(spare), work.apart.end());
         work.apart.resize(work.apart.size() - spare);
-        const std::array<Mode, 3> velocity = corner_velocities(out_.panels[t]);
-        integrate_pairs(t, rules_[level_[t]], work.batch, velocity, work);
-        integrate_pairs(t, apart_rule_, work.apart, velocity, work);
+        if (level_[t] > 0) share_out(t, work);
+    }
+
+    // Points of all near integrals, by those of every n-th panel.
+    double near_points() {
+        constexpr std::size_t stride = 16;
+        NearWork work;
+        std::size_t points = 0;
+        for (std::size_t t = 0; t < near_.size(); t += stride) {
+            sort_near(t, work);
+            points += apart_rule_.weights.size() * work.apart.size();
+            if (level_[t] == 0) points += touching_rule_.weights.size() * work.batch.size();
+            if (level_[t] > 0)
+                for (std::size_t part = 0; part < parts_.size(); ++part)
+                    points += parts_[part].rule.weights.size() * work.sources[part].size();
+        }
+        return static_cast<double>(stride * points);
+    }
+
+    // Cuts t into quarters, level_[t] times, for the panels that are close to them.
+    void integrate_by_parts(std::size_t t, const std::array<Mode, 3>& velocity, NearWork& work) {
+        constexpr std::size_t fields = NearResult::count;
+        work.sums.assign(fields * work.batch.size(), 0.0);
+        BatchResults results;
+        for (std::size_t part = 0; part < parts_.size(); ++part) {
+            const std::vector<uint32_t>& sources = work.sources[part];
+            if (sources.empty()) continue;
+            const OuterRule rule = outer_rule(t, parts_[part].rule, work);
+            for (std::size_t first = 0; first < sources.size(); first += near_batch) {
+                const std::size_t lanes = std::min(near_batch, sources.size() - first);
+                integrate_batch(
+                    rule, lanes, [&](std::size_t lane) { return work.batch[sources[first + lane]]->panel; }, results);
+                for (std::size_t lane = 0; lane < lanes; ++lane) {
+                    double* const sum = &work.sums[fields * sources[first + lane]];
+                    for (std::size_t f = 0; f < NearResult::middles; ++f) sum[f] += results[f * near_batch + lane];
+                    for (std::size_t f = NearResult::middles; f < fields; ++f) sum[f] = results[f * near_batch + lane];
+                }
+            }
+        }
+        for (std::size_t i = 0; i < work.batch.size(); ++i)
+            add_pair(t, *work.batch[i], velocity, &work.sums[fields * i], 1, work);
+    }
+
+    // Gives each panel of the batch to the largest parts of t that are apart from it, or to the smallest parts.
+    void share_out(std::size_t t, NearWork& work) const {
+        work.sources.resize(parts_.size());
+        for (std::vector<uint32_t>& sources : work.sources) sources.clear();
+        for (uint32_t i = 0; i < work.batch.size(); ++i) give(t, 0, i, out_.panels[work.batch[i]->panel], work);
+    }
+    void give(std::size_t t, std::size_t at, uint32_t index, const Panel& panel, NearWork& work) const {
+        constexpr double apart = 3.0; // distance from the centre of a part, over its radius
+        const Panel& outer = out_.panels[t];
+        const TrianglePart& part = parts_[at];
+        const Eigen::Vector3d &c = part.centre,
+                              centre = c[0] * outer.corner[0] + c[1] * outer.corner[1] + c[2] * outer.corner[2];
+        const bool smallest = part.size < (level_[t] == 1 ? 0.75 : 0.375);
+        if (smallest || is_beyond(panel, centre, apart * part.size * outer.radius))
+            work.sources[at].push_back(index);
+        else
+            for (std::size_t k = 1; k <= 4; ++k) give(t, 4 * at + k, index, panel, work);
+    }
+    static bool is_beyond(const Panel& panel, const Eigen::Vector3d& point, double distance) {
+        const double square = (panel.centroid - point).squaredNorm();
+        if (square <= distance * distance) return false;
+        const double reach = distance + panel.radius;
+        return square > reach * reach || square_distance(panel, point) > distance * distance;
     }
 
     static std::array<Mode, 3> corner_velocities(const Panel& panel) {
@@ -212,9 +287,7 @@ private:
                     outer.area / four_pi * layer.double_layer[k].transpose();
     }
 
-    void integrate_pairs(std::size_t t, const TriangleRule& rule, const std::vector<NearPair*>& pairs,
-                         const std::array<Mode, 3>& velocity, NearWork& work) {
-        if (pairs.empty()) return;
+    OuterRule outer_rule(std::size_t t, const TriangleRule& rule, NearWork& work) const {
         const Panel& outer = out_.panels[t];
         work.points.clear();
         work.weights.clear();
@@ -226,31 +299,48 @@ private:
                 work.weights.push_back(rule.weights[g] * node[k]);
             }
         }
-        std::array<double, 9> middles{};
         for (std::size_t k = 0; k < 3; ++k)
             for (std::size_t c = 0; c < 3; ++c)
-                middles[3 * k + c] = middle_[panel_edges_[t][k]][static_cast<Eigen::Index>(c)];
-        const OuterRule outer_rule{work.points.data(), work.weights.data(), rule.weights.size(), middles.data()};
+                work.middles[3 * k + c] = middle_[panel_edges_[t][k]][static_cast<Eigen::Index>(c)];
+        return {work.points.data(), work.weights.data(), rule.weights.size(), work.middles.data()};
+    }
+
+    using BatchResults = std::array<double, NearResult::count * near_batch>;
+
+    template <class PanelOf>
+    void integrate_batch(const OuterRule& rule, std::size_t lanes, const PanelOf& panel_of,
+                         BatchResults& results) const {
         std::array<double, NearFields::count * near_batch> sources;
-        std::array<double, NearResult::count * near_batch> results;
+        for (std::size_t lane = 0; lane < near_batch; ++lane) {
+            const auto& fields = fields_[panel_of(std::min(lane, lanes - 1))];
+            for (std::size_t f = 0; f < NearFields::count; ++f) sources[f * near_batch + lane] = fields[f];
+        }
+        integrate_near_panels(rule, sources.data(), results.data());
+    }
+
+    void integrate_pairs(std::size_t t, const TriangleRule& rule, const std::vector<NearPair*>& pairs,
+                         const std::array<Mode, 3>& velocity, NearWork& work) {
+        if (pairs.empty()) return;
+        const OuterRule outer = outer_rule(t, rule, work);
+        BatchResults results;
         for (std::size_t first = 0; first < pairs.size(); first += near_batch) {
             const std::size_t lanes = std::min(near_batch, pairs.size() - first);
-            for (std::size_t lane = 0; lane < near_batch; ++lane) {
-                const auto& fields = fields_[pairs[first + std::min(lane, lanes - 1)]->panel];
-                for (std::size_t f = 0; f < NearFields::count; ++f) sources[f * near_batch + lane] = fields[f];
-            }
-            integrate_near_panels(outer_rule, sources.data(), results.data());
-            for (std::size_t lane = 0; lane < lanes; ++lane) {
-                NearPair& pair = *pairs[first + lane];
-                pair.single_layer = outer.area * results[NearResult::single_layer * near_batch + lane];
-                if (!basis_.sheet)
-                    work.layers.push_back({pair.panel, near_double_layer(velocity, pair.panel, &results[lane])});
-            }
+            integrate_batch(
+                outer, lanes, [&](std::size_t lane) { return pairs[first + lane]->panel; }, results);
+            for (std::size_t lane = 0; lane < lanes; ++lane)
+                add_pair(t, *pairs[first + lane], velocity, &results[lane], near_batch, work);
         }
     }
 
-    std::array<Mode, 3> near_double_layer(const std::array<Mode, 3>& velocity, uint32_t s,
-                                          const double* results) const {
+    void add_pair(std::size_t t, NearPair& pair, const std::array<Mode, 3>& velocity, const double* results,
+                  std::size_t stride, NearWork& work) const {
+        pair.single_layer = out_.panels[t].area * results[NearResult::single_layer * stride];
+        if (!basis_.sheet)
+            work.layers.push_back({pair.panel, near_double_layer(velocity, pair.panel, results, stride)});
+    }
+
+    std::array<Mode, 3> near_double_layer(const std::array<Mode, 3>& velocity, uint32_t s, const double* results,
+                                          std::size_t stride) const {
         std::array<Mode, 3> layer;
         const Panel& inner = out_.panels[s];
         const double share = 0.5 * inner.area / 9.0;
@@ -260,7 +350,7 @@ private:
             Mode sum = Mode::Zero();
             for (std::size_t a = 0; a < 3; ++a) {
                 const auto at = [&](std::size_t field, std::size_t row) {
-                    return results[(field + 3 * row + a) * near_batch];
+                    return results[(field + 3 * row + a) * stride];
                 };
                 sum += (slope * at(NearResult::double_layer, edge) -
                         share * (at(NearResult::middles, k) + at(NearResult::middles, (k + 2) % 3))) *
@@ -378,24 +468,24 @@ private:
     std::vector<Eigen::Vector3d> middle_;
     std::vector<std::vector<NearPair>> near_;
     std::vector<std::size_t> level_;
-    std::vector<TriangleRule> rules_; // for touching panels, by level
-    TriangleRule apart_rule_ = six_point_rule();
+    TriangleRule touching_rule_ = dunavant_rule(0), apart_rule_ = six_point_rule();
+    std::vector<TrianglePart> parts_ = triangle_parts(2);
     std::vector<std::array<double, NearFields::count>> fields_; // of each panel
     std::vector<double> unused_;                                // column for corners without an unknown
 };
 } // namespace
 
 BoundaryOperators assemble_boundary_operators(const Mesh& mesh, const SurfaceBasis& basis,
-                                              const std::function<void(double)>& progress) {
+                                              const std::function<void(double)>& progress, const NearLimits& limits) {
     BoundaryOperators out;
-    Assembler(mesh, basis, progress, out).run();
+    Assembler(mesh, basis, progress, out).run(limits);
     return out;
 }
 
 bool assemble_without_matrix(const Mesh& mesh, const SurfaceBasis& basis, unsigned threads,
                              const std::function<void(double)>& progress, BoundaryOperators& out, NearSingleLayer& near,
-                             std::size_t most_pairs) {
+                             const NearLimits& limits) {
     out = {};
-    return Assembler(mesh, basis, progress, out).run_fast(thread_count(threads), most_pairs, near);
+    return Assembler(mesh, basis, progress, out).run_fast(thread_count(threads), limits, near);
 }
 } // namespace lr::baker

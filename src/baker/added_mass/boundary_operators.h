@@ -5,11 +5,9 @@
 #include "baker/added_mass/surface_basis.h"
 
 #include <functional>
+#include <limits>
 
 namespace lr::baker {
-
-// 2.5 GB; a sphere of a million panels needs a quarter of it.
-constexpr std::size_t most_near_pairs = 40000000;
 
 // One column for each of vx vy vz wx wy wz.
 using RigidModes = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
@@ -25,8 +23,16 @@ struct BoundaryOperators {
     std::vector<double> self; // double integral of G over each panel
 };
 
+// What the integrals over near panels may cost: needles and near-coincident layers have all panels near each other.
+struct NearLimits {
+    std::size_t pairs = 40000000; // 2.5 GB; a sphere of a million panels needs a quarter of it
+    double points = std::numeric_limits<double>::infinity(); // of the closed forms, about 10 ns each
+};
+
+// The matrix is empty if the integrals over near panels would need more than the limits.
 BoundaryOperators assemble_boundary_operators(const Mesh& mesh, const SurfaceBasis& basis,
-                                              const std::function<void(double)>& progress);
+                                              const std::function<void(double)>& progress,
+                                              const NearLimits& limits = {});
 
 // The single layer of near panels: double integral of G for each pair, in both orders.
 struct NearSingleLayer {
@@ -36,11 +42,11 @@ struct NearSingleLayer {
 };
 
 // Assembles everything except the matrix, in linear time and memory: `near` receives the matrix's integrals of near panels;
-// far parts of the right side use expansions (fast_double_layer.h). False if there are more than `most_pairs` pairs of near
-// panels. threads 0: one per processor.
+// far parts of the right side use expansions (fast_double_layer.h). False if the near panels are beyond the limits. threads 0:
+// one per processor.
 bool assemble_without_matrix(const Mesh& mesh, const SurfaceBasis& basis, unsigned threads,
                              const std::function<void(double)>& progress, BoundaryOperators& out, NearSingleLayer& near,
-                             std::size_t most_pairs = most_near_pairs);
+                             const NearLimits& limits = {});
 
 // Surface curl grad psi x n of the hat functions at the corners of a panel.
 inline Eigen::Vector3d hat_curl(const Panel& panel, std::size_t corner) {

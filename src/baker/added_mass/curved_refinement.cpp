@@ -67,7 +67,7 @@ private:
     std::map<Edge, Eigen::Vector3d> points_;
 };
 
-Mesh split(const Mesh& mesh, const Middles& middles) {
+Mesh split(const Mesh& mesh, const Middles& middles, std::vector<uint32_t>* origin) {
     Mesh out;
     out.name = mesh.name;
     out.vertices = mesh.vertices;
@@ -76,7 +76,9 @@ Mesh split(const Mesh& mesh, const Middles& middles) {
         number[edge] = static_cast<uint32_t>(out.vertices.size());
         out.vertices.push_back(point);
     }
-    for (const Face& f : mesh.faces) {
+    std::vector<uint32_t> origins;
+    for (std::size_t t = 0; t < mesh.faces.size(); ++t) {
+        const Face& f = mesh.faces[t];
         std::array<uint32_t, 3> middle{};
         std::size_t count = 0, last = 0;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -108,18 +110,20 @@ Mesh split(const Mesh& mesh, const Middles& middles) {
             else
                 out.faces.insert(out.faces.end(), {{a, b, q}, {b, p, q}});
         }
+        if (origin) origins.resize(out.faces.size(), (*origin)[t]);
     }
+    if (origin) *origin = std::move(origins);
     return out;
 }
 } // namespace
 
-Mesh refine_curved(const Mesh& mesh, double turn, std::size_t panel_limit) {
+Mesh refine_curved(const Mesh& mesh, double turn, std::size_t panel_limit, std::vector<uint32_t>* origin) {
     constexpr int max_levels = 4;
     Mesh fine = mesh;
     for (int level = 0; level < max_levels; ++level) {
         const Middles middles(fine, turn);
         if (middles.points().empty() || middles.panels_of(fine) > panel_limit) break;
-        fine = split(fine, middles);
+        fine = split(fine, middles, origin);
     }
     return fine;
 }

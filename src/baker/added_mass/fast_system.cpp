@@ -8,8 +8,6 @@
 namespace lr::baker {
 namespace {
 
-// The error of the energy, which gives the added mass, is the square of this.
-constexpr double tolerance = 1e-6;
 // Degree of the expansions for the coarse matrix; higher degrees change the number of iterations by one.
 constexpr std::size_t coarse_order = 3;
 } // namespace
@@ -59,7 +57,7 @@ Eigen::MatrixXd FastSystem::multiply(const Eigen::MatrixXd& x) {
 }
 
 bool FastSystem::solve(const RigidModes& right, const std::function<void(double)>& progress, Result& out,
-                       std::size_t max_iterations) {
+                       std::size_t max_iterations, double tolerance) {
     const std::vector<double>& diagonal = matrix_.diagonal();
     if (!std::all_of(diagonal.begin(), diagonal.end(), [](double d) { return d > 0.0 && std::isfinite(d); }))
         return false;

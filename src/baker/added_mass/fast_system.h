@@ -20,6 +20,8 @@ public:
     // Numbers that the matrix will keep in memory: linear in the number of panels, unless many panels are so long that they are
     // close to much of the surface.
     std::size_t stored_entries() const { return matrix_.stored_entries(); }
+    // Pairs of clusters that interact through expansions in each iteration, 4 microseconds each.
+    std::size_t far_pairs() const { return matrix_.tree().far.size(); }
 
     // Call once, before multiply and solve.
     void assemble(const std::function<void(double)>& progress);
@@ -32,9 +34,10 @@ public:
         std::size_t iterations = 0;
         double residual = 0.0, condition = 0.0; // as in ModeSolution
     };
-    // Solves W x = right with the constants of closed parts fixed. False if the iteration does not converge.
+    // Solves W x = right with the constants of closed parts fixed. False if the iteration does not converge. The error of the energy,
+    // which gives the added mass, is the square of the tolerance.
     bool solve(const RigidModes& right, const std::function<void(double)>& progress, Result& out,
-               std::size_t max_iterations = 500);
+               std::size_t max_iterations = 500, double tolerance = 1e-6);
 
 private:
     ModeVectors to_tree(const Eigen::MatrixXd& x) const;

@@ -170,9 +170,10 @@ bool compute_mixed_added_mass(const BodyParts& parts, const Eigen::Vector3d& cen
         const Shell shell = make_shell(parts, most_faces[round], round > 0);
         if (shell.skin.faces.empty()) break;
         Refinement refinement;
+        refinement.creases = true;
         bool fits = false;
         while (!(fits = refine_sheet(shell.skin, refinement).faces.size() <= most_panels) && refinement.strips > 1)
-            --refinement.strips;
+            refinement.creases = --refinement.strips > 1;
         if (!fits && round + 1 < std::size(most_faces)) continue; // the way without a dense matrix takes a minute here
         found.clear();
         if (!compute_sheet_added_mass(shell.skin, centre, refinement, out, found, progress, options)) continue;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lr::baker {
 
@@ -80,6 +81,19 @@ double self_interaction(const Panel& panel) {
     return -4.0 / 3.0 * panel.area * panel.area * sum;
 }
 
+double square_distance(const Panel& panel, const Eigen::Vector3d& point) {
+    double least = std::numeric_limits<double>::infinity();
+    bool above = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Eigen::Vector3d from = point - panel.corner[k], edge = panel.corner[(k + 1) % 3] - panel.corner[k];
+        above = above && panel.edge_normal[k].dot(from) <= 0.0;
+        const double along = std::clamp(edge.dot(from) / edge.squaredNorm(), 0.0, 1.0);
+        least = std::min(least, (from - along * edge).squaredNorm());
+    }
+    const double height = panel.normal.dot(point - panel.corner[0]);
+    return above ? height * height : least;
+}
+
 namespace {
 
 void add_triple(TriangleRule& rule, double a, double weight) {
@@ -90,22 +104,25 @@ void add_triple(TriangleRule& rule, double a, double weight) {
     }
 }
 
-void add_parts(const TriangleRule& rule, const Eigen::Matrix3d& corners, double share, int levels, TriangleRule& out) {
-    if (levels == 0) {
-        for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
-            out.nodes.emplace_back(corners * rule.nodes[i]);
-            out.weights.push_back(share * rule.weights[i]);
-        }
-        return;
-    }
+std::array<Eigen::Matrix3d, 4> quarters(const Eigen::Matrix3d& corners) {
     const Eigen::Vector3d a = corners.col(0), b = corners.col(1), c = corners.col(2);
     const Eigen::Vector3d ab = 0.5 * (a + b), bc = 0.5 * (b + c), ca = 0.5 * (c + a);
     const std::array<std::array<Eigen::Vector3d, 3>, 4> parts = {{{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {bc, ca, ab}}};
-    for (const auto& part : parts) {
-        Eigen::Matrix3d smaller;
-        smaller << part[0], part[1], part[2];
-        add_parts(rule, smaller, 0.25 * share, levels - 1, out);
+    std::array<Eigen::Matrix3d, 4> out;
+    for (std::size_t i = 0; i < 4; ++i) out[i] << parts[i][0], parts[i][1], parts[i][2];
+    return out;
+}
+
+void add_part(const TriangleRule& rule, const Eigen::Matrix3d& corners, double share, TriangleRule& out) {
+    for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+        out.nodes.emplace_back(corners * rule.nodes[i]);
+        out.weights.push_back(share * rule.weights[i]);
     }
+}
+
+void add_parts(const TriangleRule& rule, const Eigen::Matrix3d& corners, double share, int levels, TriangleRule& out) {
+    if (levels == 0) return add_part(rule, corners, share, out);
+    for (const Eigen::Matrix3d& quarter : quarters(corners)) add_parts(rule, quarter, 0.25 * share, levels - 1, out);
 }
 } // namespace
 
@@ -128,6 +145,23 @@ TriangleRule dunavant_rule(int levels) {
     TriangleRule result;
     add_parts(rule, Eigen::Matrix3d::Identity(), 1.0, levels, result);
     return result;
+}
+
+std::vector<TrianglePart> triangle_parts(int levels) {
+    const TriangleRule rule = dunavant_rule(0);
+    std::vector<TrianglePart> out;
+    std::vector<Eigen::Matrix3d> corners{Eigen::Matrix3d::Identity()};
+    double size = 1.0;
+    for (int level = 0; level <= levels; ++level, size *= 0.5) {
+        std::vector<Eigen::Matrix3d> next;
+        for (const Eigen::Matrix3d& c : corners) {
+            out.push_back({{}, c.rowwise().mean(), size});
+            add_part(rule, c, size * size, out.back().rule);
+            for (const Eigen::Matrix3d& quarter : quarters(c)) next.push_back(quarter);
+        }
+        corners = std::move(next);
+    }
+    return out;
 }
 
 TriangleRule six_point_rule() {

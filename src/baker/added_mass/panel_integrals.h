@@ -26,6 +26,8 @@ struct PanelPotential {
     std::array<double, 3> double_layer; // integral of lambda_k d/dn_y (1/r), lambda_k the barycentric coordinates
 };
 
+double square_distance(const Panel& panel, const Eigen::Vector3d& point);
+
 // Potentials of unit source density and of linear doublet densities at a point. On the panel the double layer is the mean of
 // both sides, zero.
 PanelPotential panel_potential(const Panel& panel, const Eigen::Vector3d& point);
@@ -41,6 +43,15 @@ struct TriangleRule {
 
 // Exact to degree 6 (Dunavant 1985, 12 points), on 4^levels equal parts of the triangle.
 TriangleRule dunavant_rule(int levels);
+
+// A part of a triangle that is halved again and again in all directions. Quarters are at 4 i + 1 to 4 i + 4.
+struct TrianglePart {
+    TriangleRule rule; // dunavant_rule(0) on the part: weights have the sum of its share of the area
+    Eigen::Vector3d centre;
+    double size; // 1: the triangle
+};
+// The triangle, its 4 quarters, their 16, and so on.
+std::vector<TrianglePart> triangle_parts(int levels);
 
 // Exact to degree 4 (Dunavant 1985, 6 points).
 TriangleRule six_point_rule();

@@ -17,15 +17,21 @@ namespace {
 
 // Panels with a smaller height over longest side are not cut.
 constexpr double narrow = 0.25;
+// Longest edge over that of a square as large as the mean panel. A fan of thousands of needles has enough panels, but is too coarse along them.
+constexpr double most_long = 8.0;
+// Halving long edges stops at this many panels: then the caller needs a coarser surface.
+constexpr std::size_t most_halved = 10000;
 
 class Refiner {
 public:
-    Refiner(const Mesh& mesh, bool closed) : mesh_(mesh), closed_(closed) {
+    Refiner(const Mesh& mesh, bool closed, bool creases, std::vector<uint32_t> origin = {})
+        : mesh_(mesh), closed_(closed), creases_(creases), origin_(std::move(origin)) {
+        origin_.resize(mesh_.faces.size(), 0);
         for (uint32_t t = 0; t < mesh_.faces.size(); ++t)
             for (std::size_t k = 0; k < 3; ++k) faces_of_[side(t, k)].push_back(t);
     }
 
-    // Halves the longest edge until there are enough panels.
+    // Halves the longest edge until there are enough panels, and none is much longer than they are wide on average.
     void halve_longest(std::size_t panels) {
         struct Candidate {
             float square; // single precision keeps equal edges equal when the body is turned
@@ -39,7 +45,11 @@ public:
             queue.push({static_cast<float>((mesh_.vertices[e[0]] - mesh_.vertices[e[1]]).squaredNorm()), e});
         };
         for (const auto& [edge, faces] : faces_of_) push(edge);
-        while (mesh_.faces.size() < panels && !queue.empty()) {
+        const double long_square =
+            most_long * most_long * area() / static_cast<double>(std::max<std::size_t>(1, panels));
+        while (!queue.empty()) {
+            const bool is_long = static_cast<double>(queue.top().square) > long_square;
+            if (mesh_.faces.size() >= (is_long ? std::max(most_halved, panels) : panels)) break;
             const Edge edge = queue.top().edge;
             queue.pop();
             if (!faces_of_.contains(edge)) continue;
@@ -67,6 +77,7 @@ public:
             mesh_.faces[t] = {f[0], f[1], middle};
             mesh_.faces.push_back({f[1], f[2], middle});
             mesh_.faces.push_back({f[2], f[0], middle});
+            origin_.insert(origin_.end(), 2, origin_[t]);
         }
     }
 
@@ -91,7 +102,9 @@ public:
             return points;
         };
         std::vector<Face> faces;
-        for (const Face& f : mesh_.faces) {
+        std::vector<uint32_t> origin;
+        for (std::size_t t = 0; t < mesh_.faces.size(); origin.resize(faces.size(), origin_[t]), ++t) {
+            const Face& f = mesh_.faces[t];
             const int on_rim = rim[f[0]] + rim[f[1]] + rim[f[2]];
             if (on_rim == 0 || on_rim == 3) {
                 faces.push_back(f);
@@ -106,9 +119,13 @@ public:
             for (std::size_t n = 0; n < strips; ++n) add_strip(left, right, n, on_rim == 1, faces);
         }
         mesh_.faces = std::move(faces);
+        origin_ = std::move(origin);
     }
 
-    Mesh take() { return std::move(mesh_); }
+    Mesh take(std::vector<uint32_t>* origin) {
+        if (origin) *origin = std::move(origin_);
+        return std::move(mesh_);
+    }
 
 private:
     Edge side(uint32_t t, std::size_t k) const { return make_edge(mesh_.faces[t][k], mesh_.faces[t][(k + 1) % 3]); }
@@ -140,7 +157,7 @@ private:
 
     // A free edge of a sheet, or a convex crease of a solid.
     bool is_sharp(const Edge& edge, const std::vector<uint32_t>& faces) const {
-        if (!closed_) return faces.size() == 1;
+        if (!closed_) return faces.size() == 1 || (creases_ && faces.size() == 2 && is_fold(edge, faces));
         const Eigen::Vector3d n = twice_area(faces[0]), m = twice_area(faces[1]);
         if (n.dot(m) > crease_cosine * n.norm() * m.norm()) return false;
         const Face& f = mesh_.faces[faces[1]];
@@ -148,6 +165,25 @@ private:
                               : f[1] != edge[0] && f[1] != edge[1] ? f[1]
                                                                    : f[2];
         return n.dot(mesh_.vertices[apex] - mesh_.vertices[edge[0]]) < 0.0;
+    }
+
+    // Wound in any way: by the directions of both faces away from the edge.
+    bool is_fold(const Edge& edge, const std::vector<uint32_t>& faces) const {
+        const Eigen::Vector3d along = (mesh_.vertices[edge[1]] - mesh_.vertices[edge[0]]).normalized();
+        std::array<Eigen::Vector3d, 2> away;
+        for (std::size_t i = 0; i < 2; ++i)
+            for (const uint32_t v : mesh_.faces[faces[i]])
+                if (v != edge[0] && v != edge[1]) {
+                    const Eigen::Vector3d to = mesh_.vertices[v] - mesh_.vertices[edge[0]];
+                    away[i] = (to - to.dot(along) * along).normalized();
+                }
+        return away[0].dot(away[1]) > -crease_cosine;
+    }
+
+    double area() const {
+        double sum = 0.0;
+        for (uint32_t t = 0; t < mesh_.faces.size(); ++t) sum += 0.5 * twice_area(t).norm();
+        return sum;
     }
 
     Eigen::Vector3d twice_area(uint32_t t) const {
@@ -178,6 +214,7 @@ private:
             const auto other = static_cast<uint32_t>(mesh_.faces.size());
             mesh_.faces[t] = {a, middle, c};
             mesh_.faces.push_back({middle, b, c});
+            origin_.push_back(origin_[t]);
             std::vector<uint32_t>& moved = faces_of_.at(make_edge(b, c));
             std::replace(moved.begin(), moved.end(), t, other);
             faces_of_[make_edge(a, middle)].push_back(t);
@@ -190,23 +227,24 @@ private:
     }
 
     Mesh mesh_;
-    bool closed_;
+    bool closed_, creases_;
+    std::vector<uint32_t> origin_; // of each face
     std::map<Edge, std::vector<uint32_t>> faces_of_;
 };
 
-Mesh refine(Refiner refiner, const Refinement& how) {
+Mesh refine(Refiner refiner, const Refinement& how, std::vector<uint32_t>* origin) {
     refiner.halve_longest(how.panels);
     refiner.open_corners();
     if (how.strips > 1) refiner.cut_strips(how.strips);
-    return refiner.take();
+    return refiner.take(origin);
 }
 } // namespace
 
 Mesh refine_sheet(const Mesh& mesh, const Refinement& how) {
-    return refine(Refiner(mesh, false), how);
+    return refine(Refiner(mesh, false, how.creases), how, nullptr);
 }
 
-Mesh refine_solid(const Mesh& mesh, const Refinement& how) {
-    return refine(Refiner(mesh, true), how);
+Mesh refine_solid(const Mesh& mesh, const Refinement& how, std::vector<uint32_t>* origin) {
+    return refine(Refiner(mesh, true, true, origin ? *origin : std::vector<uint32_t>()), how, origin);
 }
 } // namespace lr::baker

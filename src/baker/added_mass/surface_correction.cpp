@@ -23,8 +23,8 @@ class Correction {
 public:
     explicit Correction(const Mesh& mesh)
         : mesh_(mesh), area_(mesh.faces.size()), normal_(mesh.faces.size()), corner_normal_(mesh.faces.size()),
-          offset_(mesh.faces.size()), doubt_(mesh.faces.size()), turn_(mesh.faces.size(), 0.0),
-          start_(mesh.vertices.size() + 1, 0), corners_(3 * mesh.faces.size()) {
+          offset_(mesh.faces.size()), doubt_(mesh.faces.size()), tilt_(mesh.faces.size()),
+          turn_(mesh.faces.size(), 0.0), start_(mesh.vertices.size() + 1, 0), corners_(3 * mesh.faces.size()) {
         for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
             const Face& f = mesh.faces[i];
             const Eigen::Vector3d twice = (at(f[1]) - at(f[0])).cross(at(f[2]) - at(f[0]));
@@ -47,7 +47,7 @@ public:
         std::vector<std::vector<std::vector<Corner>>> groups(mesh_.vertices.size());
         for (uint32_t v = 0; v < mesh_.vertices.size(); ++v) groups[v] = smooth_groups(v);
         for (std::size_t i = 0; i < mesh_.faces.size(); ++i) find_gaps(i);
-        CurvedSurface result{mesh_, offset_, doubt_, turn_};
+        CurvedSurface result{mesh_, offset_, doubt_, tilt_, turn_};
         for (uint32_t v = 0; v < mesh_.vertices.size(); ++v) result.mesh.vertices[v] += shift(v, groups[v]);
         return result;
     }
@@ -127,6 +127,27 @@ private:
             doubt_[face] += bends.doubtful[k] / 24.0;
             turn_[face] = std::max(turn_[face], (to.round - from.round).norm());
         }
+        tilt_[face] = mean_square_tilt(face, bends.doubtful);
+    }
+
+    // The second fundamental form II with II(e_k, e_k) = bend[k] along the three edges tilts the surface at x by II(x - centroid), and the
+    // second moment of a triangle is a 36th of the sum of e_k e_k^T.
+    Eigen::Matrix3d mean_square_tilt(std::size_t face, const std::array<double, 3>& bend) const {
+        constexpr double steepest = 1.0;
+        const Face& f = mesh_.faces[face];
+        const Eigen::Vector3d e0 = at(f[1]) - at(f[0]), e1 = at(f[2]) - at(f[1]);
+        const double mixed = 0.5 * (bend[2] - bend[0] - bend[1]); // II(e0, e1)
+        // vectors in the plane with products one and zero with e0 and e1
+        const Eigen::Vector3d across = normal_[face] / (2.0 * area_[face]);
+        const Eigen::Vector3d dual0 = e1.cross(across), dual1 = across.cross(e0);
+        const Eigen::Vector3d along0 = bend[0] * dual0 + mixed * dual1, along1 = mixed * dual0 + bend[1] * dual1;
+        Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+        for (Eigen::Vector3d along : {along0, along1, Eigen::Vector3d(-along0 - along1)}) {
+            if (!along.allFinite()) continue;
+            if (along.norm() > steepest) along *= steepest / along.norm();
+            sum += along * along.transpose() / 36.0;
+        }
+        return sum;
     }
 
     // On a crease each side has its own offset along its own normal: least squares, without motion along the
@@ -157,6 +178,7 @@ private:
     std::vector<Eigen::Vector3d> normal_;
     std::vector<std::array<CornerNormal, 3>> corner_normal_;
     std::vector<double> offset_, doubt_;
+    std::vector<Eigen::Matrix3d> tilt_;
     std::vector<double> turn_;
     std::vector<std::size_t> start_;
     std::vector<Corner> corners_;

@@ -40,6 +40,8 @@ struct CurvedSurface {
     Mesh mesh;
     std::vector<double> gap;   // of each face: mean distance of the curved surface from the triangle, along its normal
     std::vector<double> doubt; // of each face: the same distance by which another reading of the faces may differ
+    // Of each face: the square of the slope by which another reading may differ, mean over the face. In the plane of the face.
+    std::vector<Eigen::Matrix3d> tilt;
     std::vector<double>
         turn; // of each face: largest change of the normal between its corners, in radians for small ones
 };

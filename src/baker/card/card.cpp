@@ -229,24 +229,37 @@ private:
         return kept;
     }
 
-    // The mean over squares of 2 reach + 1 pixels.
+    // The mean over squares of 2 reach + 1 pixels: along each line of the image, then across the lines, one line after the other: strides of a power of two
+    // are slow.
     static void blur(AlphaMask& mask, std::size_t reach) {
-        const auto along = [&](std::size_t count, std::size_t step, std::size_t lines, std::size_t next) {
-            std::vector<uint16_t> before(count);
-            for (std::size_t line = 0; line < lines; ++line) {
-                uint16_t* const first = mask.opacity.data() + line * next;
-                for (std::size_t i = 0; i < count; ++i) before[i] = first[i * step];
-                uint32_t sum = 0;
-                for (std::size_t i = 0; i < std::min(reach, count); ++i) sum += before[i];
-                for (std::size_t i = 0; i < count; ++i) {
-                    if (i + reach < count) sum += before[i + reach];
-                    if (i > reach) sum -= before[i - reach - 1];
-                    first[i * step] = static_cast<uint16_t>(sum / (2 * reach + 1));
-                }
-            }
+        const std::size_t width = mask.width, height = mask.height;
+        const double share = 1.0 / static_cast<double>(2 * reach + 1);
+        const auto mean = [share](uint32_t sum) { // rounded down
+            return static_cast<uint16_t>(static_cast<int32_t>((static_cast<double>(sum) + 0.5) * share));
         };
-        along(mask.width, 1, mask.height, mask.width);
-        along(mask.height, mask.width, mask.width, 1);
+        std::vector<uint16_t> before(mask.opacity.size());
+        for (std::size_t y = 0; y < height; ++y) {
+            const uint16_t* const from = mask.opacity.data() + y * width;
+            uint16_t* const to = before.data() + y * width;
+            uint32_t sum = 0;
+            for (std::size_t i = 0; i < std::min(reach, width); ++i) sum += from[i];
+            for (std::size_t i = 0; i < width; ++i) {
+                if (i + reach < width) sum += from[i + reach];
+                if (i > reach) sum -= from[i - reach - 1];
+                to[i] = mean(sum);
+            }
+        }
+        std::vector<uint32_t> sums(width, 0);
+        const auto add = [&](std::size_t y) {
+            for (std::size_t x = 0; x < width; ++x) sums[x] += before[y * width + x];
+        };
+        for (std::size_t y = 0; y < std::min(reach, height); ++y) add(y);
+        for (std::size_t y = 0; y < height; ++y) {
+            if (y + reach < height) add(y + reach);
+            if (y > reach)
+                for (std::size_t x = 0; x < width; ++x) sums[x] -= before[(y - reach - 1) * width + x];
+            for (std::size_t x = 0; x < width; ++x) mask.opacity[y * width + x] = mean(sums[x]);
+        }
     }
 
     // The opacity that as many pixels reach as the area has.

@@ -203,7 +203,9 @@ private:
 
     bool may_open(const std::string& path) const {
         std::error_code error;
-        const std::filesystem::path target = std::filesystem::weakly_canonical(to_path(path), error);
+        // A relative path to nothing would stay relative, and seem to lie outside.
+        const std::filesystem::path target =
+            std::filesystem::weakly_canonical(std::filesystem::absolute(to_path(path), error), error);
         if (error || folder_.empty()) return false;
         return std::mismatch(folder_.begin(), folder_.end(), target.begin(), target.end()).first == folder_.end();
     }

@@ -1,5 +1,6 @@
 #include "baker/mesh/body_parts.h"
 
+#include "baker/fault_text.h"
 #include "baker/mesh/crack_repair.h"
 #include "baker/mesh/disjoint_sets.h"
 #include "baker/mesh/half_edges.h"
@@ -385,29 +386,34 @@ private:
     }
 
     void report() {
-        const auto warn = [&](FaultId id, const Count& count, const std::string& what, const char* remedy) {
+        const auto warn = [&](FaultId id, const Count& count, const char* one, const std::string& many,
+                              const char* remedy) {
             if (count.number > 0)
                 faults_.push_back(
                     {id, Severity::warning, place_of(mesh_, count.first, "mesh"),
-                     std::to_string(count.number) + what + (count.number > 1 ? "; this is the first." : "."), remedy});
+                     count.number > 1 ? std::to_string(count.number) + many + "; this is the first." : one, remedy});
         };
         const char* none = "None needed; --strict refuses such a mesh.";
-        warn(FaultId::mesh_degenerate_face, without_area_, " faces without area were left out", none);
+        warn(FaultId::mesh_degenerate_face, without_area_, "1 face without area was left out.",
+             " faces without area were left out", none);
         if (joined_ > 0)
             faults_.push_back({FaultId::mesh_merged_vertices, Severity::warning, "mesh",
-                               std::to_string(joined_) +
-                                   " vertices were joined: they are closer than 1e-5 of the size, or lie on an edge.",
+                               counted(joined_, "vertex was joined: it is", "vertices were joined: they are") +
+                                   " closer than 1e-5 of the size to another, or on an edge.",
                                none});
-        warn(FaultId::mesh_duplicate_face, copies_, " faces lie on another face and were left out", none);
-        warn(FaultId::mesh_open_edge, filled_, " small holes were closed", none);
+        warn(FaultId::mesh_duplicate_face, copies_, "1 face lies on another face and was left out.",
+             " faces lie on another face and were left out", none);
+        warn(FaultId::mesh_open_edge, filled_, "1 small hole was closed.", " small holes were closed", none);
         if (turned_ > 0)
             faults_.push_back({FaultId::mesh_inconsistent_winding, Severity::warning, "mesh",
-                               std::to_string(turned_) + " faces were turned so that all look outward.", none});
-        warn(FaultId::mesh_several_components, cavities_, " enclosed cavities displace fluid and hold no mass",
+                               counted(turned_, "face was", "faces were") + " turned so that all look outward.", none});
+        warn(FaultId::mesh_several_components, cavities_, "1 enclosed cavity displaces fluid and holds no mass.",
+             " enclosed cavities displace fluid and hold no mass",
              "None needed. To fill a cavity, delete its faces; --strict refuses it.");
-        warn(FaultId::mesh_open_edge, sheet_parts_,
-             " parts are open and were taken as sheets, and " + std::to_string(solids_.size()) +
-                 " are closed and solid",
+        const std::string solid =
+            solids_.empty() ? "" : ", and " + counted(solids_.size(), "is", "are") + " closed and solid";
+        warn(FaultId::mesh_open_edge, sheet_parts_, ("1 part is open and was taken as a sheet" + solid + ".").c_str(),
+             " parts are open and were taken as sheets" + solid,
              "To make a part solid, close its holes in the modelling program (fill, cap) or give it a thickness "
              "(solidify); --strict refuses open parts.");
     }

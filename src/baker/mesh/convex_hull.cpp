@@ -3,7 +3,61 @@
 #include "asset/asset_file.h"
 #include "base/convex_hull.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace lr::baker {
+namespace {
+
+// About a second. Without a flat round side of thousands of corners there are some ten for each point.
+constexpr std::size_t most_hull_faces = 2000000;
+
+// The points that lie furthest in one of many directions, spread evenly over the sphere (spherical Fibonacci points).
+std::vector<uint32_t> extreme_points(const std::vector<shape::HullPoint>& points) {
+    constexpr std::size_t directions = 4000;
+    std::vector<uint32_t> found;
+    for (std::size_t i = 0; i < directions; ++i) {
+        const double z = 1.0 - (2.0 * static_cast<double>(i) + 1.0) / static_cast<double>(directions);
+        const double turn = 2.399963229728653 * static_cast<double>(i), r = std::sqrt(1.0 - z * z);
+        const double x = r * std::cos(turn), y = r * std::sin(turn);
+        std::size_t best = 0;
+        double furthest = -HUGE_VAL;
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            const double reach = x * points[k][0] + y * points[k][1] + z * points[k][2];
+            if (reach > furthest) furthest = reach, best = k;
+        }
+        found.push_back(static_cast<uint32_t>(best));
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+}
+
+double furthest_outside(const std::vector<shape::HullPoint>& points, const shape::ConvexHull& hull) {
+    const auto at = [&](uint32_t i) { return Eigen::Vector3d(points[i][0], points[i][1], points[i][2]); };
+    double most = 0.0;
+    for (const shape::HullTriangle& f : hull.triangles) {
+        const Eigen::Vector3d a = at(hull.points[f[0]]);
+        const Eigen::Vector3d n = (at(hull.points[f[1]]) - a).cross(at(hull.points[f[2]]) - a).normalized();
+        const double level = n.dot(a);
+        for (const shape::HullPoint& p : points) most = std::max(most, n[0] * p[0] + n[1] * p[1] + n[2] * p[2] - level);
+    }
+    return most;
+}
+
+// The hull of all points, or, where that takes too long, of those that are extreme.
+shape::HullOutcome hull_in_time(const std::vector<shape::HullPoint>& points, shape::ConvexHull& hull) {
+    const shape::HullOutcome outcome = shape::convex_hull(points, hull, most_hull_faces);
+    if (outcome != shape::HullOutcome::too_dear) return outcome;
+    const std::vector<uint32_t> kept = extreme_points(points);
+    std::vector<shape::HullPoint> few;
+    for (const uint32_t i : kept) few.push_back(points[i]);
+    const shape::HullOutcome then = shape::convex_hull(few, hull);
+    for (uint32_t& i : hull.points) i = kept[i];
+    if (then == shape::HullOutcome::done) hull.slack = std::max(hull.slack, furthest_outside(points, hull));
+    return then;
+}
+} // namespace
 
 bool compute_convex_hull(const std::vector<Eigen::Vector3d>& points, ConvexHull& out, Faults& faults) {
     out = {};
@@ -15,7 +69,7 @@ bool compute_convex_hull(const std::vector<Eigen::Vector3d>& points, ConvexHull&
     from.reserve(points.size());
     for (const Eigen::Vector3d& p : points) from.push_back({p.x(), p.y(), p.z()});
     shape::ConvexHull hull;
-    switch (shape::convex_hull(from, hull)) {
+    switch (hull_in_time(from, hull)) {
     case shape::HullOutcome::done:
         break;
     case shape::HullOutcome::not_finite:
@@ -27,6 +81,7 @@ bool compute_convex_hull(const std::vector<Eigen::Vector3d>& points, ConvexHull&
     case shape::HullOutcome::one_line:
         return fail(FaultId::mesh_zero_volume, "All points are on one line.", "Check the unit and the mesh.");
     case shape::HullOutcome::not_closed:
+    case shape::HullOutcome::too_dear:
         return fail(FaultId::mesh_ill_conditioned, "The hull did not close.", "Report this mesh as a bug.");
     }
     for (const uint32_t i : hull.points) out.vertices.push_back(points[i]);

@@ -1,5 +1,6 @@
 #include "baker/mesh/mesh.h"
 
+#include "baker/fault_text.h"
 #include "baker/mesh/assimp_reader.h"
 #include "baker/mesh/collada_check.h"
 #include "baker/mesh/input_files.h"
@@ -181,8 +182,8 @@ void drop_not_finite(PolygonSoup& soup, const std::string& where, Faults& faults
     }
     soup.polygons.resize(kept);
     report(faults, FaultId::mesh_not_finite, Severity::warning, where,
-           std::to_string(vertices) + " vertices have no position (not a number, or infinite); " +
-               std::to_string(before - kept) + " faces at them were left out.",
+           counted(vertices, "vertex has no position", "vertices have no position") + " (not a number, or infinite); " +
+               counted(before - kept, "face there was left out.", "faces there were left out."),
            "Delete these vertices and fill the hole, if it matters.");
 }
 
@@ -247,7 +248,7 @@ bool finish(PolygonSoup& soup, const std::string& extension, const MeshReadOptio
     const std::size_t joined = join_identical_vertices(out);
     if (joined > 0 && !repeats_corners(extension))
         report(faults, FaultId::mesh_merged_vertices, Severity::warning, where,
-               std::to_string(joined) + " vertices with the same position as another vertex were joined with it.",
+               counted(joined, "vertex", "vertices") + " with the same position as another vertex were joined with it.",
                "Merge vertices by distance before export to silence this.");
     const std::size_t near = join_near_vertices(out, join_tolerance);
     if (near > 0)
