@@ -163,3 +163,57 @@ TEST_CASE("nothing falls through uneven ground of triangles" * doctest::test_sui
                                [&](lr_body body) { return state_of(world, body).position[1] < bottom; }));
         }
 }
+
+TEST_CASE("no card goes through a groove that is narrower than itself" * doctest::test_suite("long")) {
+#ifdef LR_TEST_QUICK
+    constexpr uint32_t count = 10;
+#else
+    constexpr uint32_t count = 100;
+#endif
+    for (const Kind& kind : kinds())
+        for (const float width : {0.1f, 0.3f, 0.7f}) // of the reach
+            for (const float depth : {0.35f, 0.7f, 1.5f})
+                for (const float speed : {5.0f, 20.0f}) {
+                    CAPTURE(kind.reach);
+                    CAPTURE(width);
+                    CAPTURE(depth);
+                    CAPTURE(speed);
+                    const float half = 0.5f * width * kind.reach, deep = depth * kind.reach, far = 10.0f;
+                    Triangles ground; // a V along z
+                    const std::array<std::array<float, 2>, 5> profile{
+                        {{-far, 0.0f}, {-half, 0.0f}, {0.0f, -deep}, {half, 0.0f}, {far, 0.0f}}};
+                    constexpr uint32_t pieces = 12;
+                    for (uint32_t k = 0; k <= pieces; ++k)
+                        for (const auto& [x, y] : profile)
+                            ground.vertices.insert(ground.vertices.end(),
+                                                   {x, y, far * (2.0f * static_cast<float>(k) / pieces - 1.0f)});
+                    for (uint32_t k = 0; k < pieces; ++k)
+                        for (uint32_t i = 0; i < 4; ++i) {
+                            const uint32_t a = i + 5 * k, b = a + 5;
+                            ground.indices.insert(ground.indices.end(), {a, b, a + 1, a + 1, b, b + 1});
+                        }
+                    const World world = make(world_desc());
+                    add_collider(world, mesh_collider(ground));
+                    const lr_batch batch = add_batch(world, kind.asset, count);
+                    Random random(6);
+                    std::vector<lr_body> bodies;
+                    for (uint32_t i = 0; i < count; ++i) {
+                        lr_body_desc d = body_desc();
+                        for (float& q : d.orientation) q = random.real(-1, 1);
+                        d.position[0] = 0.5f * kind.reach * random.real(-1, 1);
+                        d.position[1] = kind.reach * random.real(1.2f, 2.2f);
+                        d.position[2] = 5.0f * kind.reach * random.real(-1, 1);
+                        d.linear_velocity[1] = -speed;
+                        for (float& w : d.angular_velocity) w = random.real(-10, 10);
+                        bodies.push_back(add_body(world, batch, d));
+                    }
+                    // Half a second: none has reached the edge, whichever way it was turned.
+                    steps(world, 30, 1.0f / 60.0f, 2);
+                    const auto is_through = [&](lr_body body) {
+                        const lr_body_state s = state_of(world, body);
+                        return s.position[1] < -deep - 1.05f * kind.reach &&
+                               std::max(std::abs(s.position[0]), std::abs(s.position[2])) < 0.9f * far;
+                    };
+                    CHECK(std::count_if(bodies.begin(), bodies.end(), is_through) == 0);
+                }
+}
