@@ -100,7 +100,7 @@ uint32_t find_contacts(const BodyShape& shape, float scale, const Pose& at, cons
         break;
     }
     }
-    return set.keep(out);
+    return set.keep(out, true);
 }
 
 namespace {

@@ -20,7 +20,7 @@ void ContactPoints::add(Vector point, Vector normal, float gap) {
     if (!(dot(normal, normal) > 0.5f) || !(std::abs(gap) < std::numeric_limits<float>::max())) return;
     if (count_ == most_found) {
         Contact kept[most_contacts];
-        count_ = choose(kept);
+        count_ = choose(kept, false);
         std::copy_n(kept, count_, found_);
     }
     found_[count_++] = {point, normal, gap};
@@ -32,11 +32,11 @@ float ContactPoints::least_gap(uint32_t from) const {
     return least;
 }
 
-uint32_t ContactPoints::choose(Contact* out) const {
+uint32_t ContactPoints::choose(Contact* out, bool touching_first) const {
     if (count_ == 0) return 0;
     const float reach = body.reach + body.radius, square = reach * reach;
     // Place and direction of each as one point in six dimensions, directions times the reach; in columns, so that compilers vectorise.
-    float columns[6][most_found], apart[most_found];
+    float columns[6][most_found], apart[most_found], weight[most_found];
     uint32_t next = 0;
     for (uint32_t i = 0; i < count_; ++i) {
         const Contact& c = found_[i];
@@ -45,9 +45,12 @@ uint32_t ContactPoints::choose(Contact* out) const {
         apart[i] = std::numeric_limits<float>::infinity();
         if (c.gap < found_[next].gap) next = i;
     }
+    // Points that touch once the deepest one is pushed out hold the body, as over ground (touch_ground).
+    const float touching = std::min(found_[next].gap, 0.0f) + std::min(margin, 0.03f * reach);
+    for (uint32_t i = 0; i < count_; ++i) weight[i] = !touching_first || found_[i].gap < touching ? 1.0f : 0.05f;
     const uint32_t padded = (count_ + lanes - 1) / lanes * lanes;
     for (uint32_t i = count_; i < padded; ++i) {
-        apart[i] = 0.0f;
+        apart[i] = weight[i] = 0.0f;
         for (auto& column : columns) column[i] = 0.0f;
     }
     uint32_t kept = 0;
@@ -67,19 +70,19 @@ uint32_t ContactPoints::choose(Contact* out) const {
         float most[lanes] = {};
         for (uint32_t i = 0; i < padded; i += lanes)
             for (uint32_t lane = 0; lane < lanes; ++lane)
-                most[lane] = most[lane] < apart[i + lane] ? apart[i + lane] : most[lane];
+                most[lane] = std::max(most[lane], weight[i + lane] * apart[i + lane]);
         const float far = std::max({most[0], most[1], most[2], most[3]});
         if (!(far > same * same * square)) break;
         uint32_t farthest = 0;
-        while (farthest < count_ && apart[farthest] != far) ++farthest;
+        while (farthest < count_ && weight[farthest] * apart[farthest] != far) ++farthest;
         if (farthest == count_) break;
         next = farthest;
     }
     return kept;
 }
 
-uint32_t ContactPoints::keep(Contact* out) {
-    const uint32_t kept = choose(out);
+uint32_t ContactPoints::keep(Contact* out, bool touching_first) {
+    const uint32_t kept = choose(out, touching_first);
     for (uint32_t i = 0; i < kept; ++i) out[i].arm = rotate(inverse(body.at.rotation), out[i].arm);
     return kept;
 }
