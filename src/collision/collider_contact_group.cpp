@@ -199,9 +199,8 @@ void ContactGroup::touch_others(uint32_t i, const ContactSubstep& substep) {
     };
     // Contacts of all parts of a mesh together, reduced to the best: hundreds of parts can be under a body.
     std::optional<ContactPoints> mesh;
-    std::optional<PlacedBody> began;
     uint32_t mesh_slot = 0;
-    Pose mesh_pose{};
+    Pose mesh_pose{}, began{};
     const auto finish_mesh = [&] {
         if (mesh) add_all(mesh_slot, mesh_pose, mesh->keep(contacts));
         mesh.reset();
@@ -220,8 +219,8 @@ void ContactGroup::touch_others(uint32_t i, const ContactSubstep& substep) {
         if (!mesh) {
             mesh_slot = candidate.slot;
             mesh_pose = pose_at(c, substep.end);
-            began.emplace(*step_->shape, scale, relative(pose_at(c, substep.begin), pose_in(substep.before, i)));
-            mesh.emplace(*step_->shape, scale, relative(mesh_pose, at), margin, &*began);
+            began = relative(pose_at(c, substep.begin), pose_in(substep.before, i));
+            mesh.emplace(*step_->shape, scale, relative(mesh_pose, at), margin, &began);
         }
         add_mesh(*mesh, *c.geometry.mesh, candidate.part);
     });

@@ -12,14 +12,14 @@ class ContactPoints {
 public:
     // at: in the collider's frame. Contacts closer than `near` (m) count. began: where the body was as the substep began, which tells from
     // which side it met a triangle; null: unknown.
-    ContactPoints(const BodyShape& shape, float scale, const Pose& at, float near, const PlacedBody* began = nullptr)
+    ContactPoints(const BodyShape& shape, float scale, const Pose& at, float near, const Pose* began = nullptr)
         : body(shape, scale, at), margin(near), before(began) {}
     ContactPoints(const ContactPoints&) = delete;
     ContactPoints& operator=(const ContactPoints&) = delete;
 
     const PlacedBody body;
     const float margin;
-    const PlacedBody* const before;
+    const Pose* const before;
 
     // point: m, of the body's surface, from its centre of mass along the collider's axes.
     void add(Vector point, Vector normal, float gap);

@@ -80,8 +80,8 @@ bool find_side(const BodyShape& s, float scale, const Pose& met, const Geometry&
     return true;
 }
 
-// Moves a body to its side of all planes; false if they leave no room.
-bool keep_sides(const BodyShape& s, float scale, const Side* sides, uint32_t count, Pose& pose) {
+// Moves a body to its side of all planes; false if they leave no room, up to `little` (m).
+bool keep_sides(const BodyShape& s, float scale, const Side* sides, uint32_t count, float little, Pose& pose) {
     float room[most_stops];
     for (uint32_t k = 0; k < count; ++k)
         room[k] = sides[k].offset - lowest(s, scale, {{0.0f, 0.0f, 0.0f}, pose.rotation}, sides[k].normal);
@@ -90,7 +90,6 @@ bool keep_sides(const BodyShape& s, float scale, const Side* sides, uint32_t cou
             const float below = room[k] - dot(sides[k].normal, pose.position);
             if (below > 0.0f) pose.position = pose.position + below * sides[k].normal;
         }
-    const float little = 1e-3f * scale * s.reach;
     for (uint32_t k = 0; k < count; ++k)
         if (room[k] - dot(sides[k].normal, pose.position) > little) return false;
     return true;
@@ -165,8 +164,8 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
                     like->offset = std::max(like->offset, side.offset);
                 else
                     ++count;
-                slides =
-                    count < most_stops && met_count < most_met && keep_sides(*step_->shape, scale, sides, count, aside);
+                slides = count < most_stops && met_count < most_met &&
+                         keep_sides(*step_->shape, scale, sides, count, little, aside);
             } else {
                 ++count;
             }

@@ -54,8 +54,9 @@ bool is_over(const Triangle& t, Vector point) {
 // else be pushed out on the other side.
 Double3 side_before(const ContactPoints& set, const Triangle& t) {
     if (!set.before) return {};
-    const PlacedCollider collider(t.corners, set.before->at.position);
-    return separate(*set.before, collider, std::numeric_limits<double>::infinity()).normal;
+    const PlacedBody body(*set.body.shape, set.body.scale, *set.before);
+    const PlacedCollider collider(t.corners, set.before->position);
+    return separate(body, collider, std::numeric_limits<double>::infinity()).normal;
 }
 
 // Along the triangle's normal, on the given side; on that of less overlap if it is 0.

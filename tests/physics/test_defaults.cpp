@@ -1,4 +1,4 @@
-// What a world shows that nobody has tuned: bodies without a pose are not in step with each other, and confetti turns as finer steps say.
+// The defaults of a world that nobody has tuned: bodies without a pose are not in step with each other, and confetti turns as finer steps say.
 #include "support/scene.h"
 #include "support/vector.h"
 

@@ -23,7 +23,7 @@ struct BoundaryOperators {
     std::vector<double> self; // double integral of G over each panel
 };
 
-// What the integrals over near panels may cost: needles and near-coincident layers have all panels near each other.
+// Bounds of the work of integrals over near panels: needles and near-coincident layers have all panels near each other.
 struct NearLimits {
     std::size_t pairs = 40000000; // 2.5 GB; a sphere of a million panels needs a quarter of it
     double points = std::numeric_limits<double>::infinity(); // of the closed forms, about 10 ns each
