@@ -12,16 +12,7 @@ packages=$(realpath "${1:?which folder}")
 work=$(mktemp -d "${TMPDIR:-/tmp}/engines.XXXXXX")
 trap 'rm -rf "$work"' EXIT
 unset LD_LIBRARY_PATH
-passed=0 failed=0
-check() { # name, command
-    if "${@:2}" >"$work/check.log" 2>&1; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED: $1"
-        head -n 20 "$work/check.log" | sed 's/^/    /'
-    fi
-}
+source packaging/checks.sh
 package() { echo "$packages"/langevin_rigid-*-"$1"; }
 no_paths() { ! grep -rlaF -e "$root" -e build/packag "$1"; }
 summed() { (cd "$1" && sha256sum --quiet --strict -c SHA256SUMS); }

@@ -20,16 +20,7 @@ cd "$work"
 export WINEDEBUG=${WINEDEBUG:--all}
 unset LD_LIBRARY_PATH PKG_CONFIG_PATH CMAKE_PREFIX_PATH
 
-passed=0 failed=0
-check() { # name, command
-    if "${@:2}" >"$work/check.log" 2>&1; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED: $1"
-        head -n 20 "$work/check.log" | sed 's/^/    /'
-    fi
-}
+source "$root/packaging/checks.sh"
 finish() {
     echo "package $name: $passed passed, $failed failed"
     [ "$failed" -eq 0 ]
