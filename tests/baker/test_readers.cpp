@@ -67,7 +67,7 @@ std::string triangle_bytes() {
 
 // An archive of one file that is not packed.
 std::string zip_of(const std::string& name, const std::string& text) {
-    const auto number = [](uint32_t value, int bytes) {
+    const auto number = [](uint64_t value, int bytes) {
         std::string out;
         for (int i = 0; i < bytes; ++i) out += static_cast<char>(value >> 8 * i & 255U);
         return out;
