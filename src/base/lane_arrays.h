@@ -55,6 +55,7 @@ struct WindAlong;
 struct BatchArrays {
     float* field[field_count];
     uint32_t* noise_seed;
+    uint32_t* floor;       // MeshFloor::up of each body, packed; null: not recorded
     const WindAlong* wind; // null: the uniform wind of the step
 };
 } // namespace lr

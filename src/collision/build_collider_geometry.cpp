@@ -40,6 +40,41 @@ std::vector<uint32_t> welded(const float* vertices, uint32_t count) {
 struct Edge {
     uint32_t low, high; // welded vertices
     uint32_t triangle, number;
+    bool downwards; // from high to low
+};
+
+// Triangles joined by edges, with the winding of each against the first of its surface.
+class Surfaces {
+public:
+    explicit Surfaces(uint32_t triangles) : above_(triangles), turned_(triangles, 0) {
+        std::iota(above_.begin(), above_.end(), 0u);
+    }
+    bool turned(uint32_t t) {
+        char way = 0;
+        first(t, way);
+        return way != 0;
+    }
+    // Surfaces that meet where they are wound against each other already, as Moebius strips, stay so.
+    void join(uint32_t a, uint32_t b, bool alike) {
+        char of_a = 0, of_b = 0;
+        const uint32_t to = first(a, of_a), from = first(b, of_b);
+        if (to == from) return;
+        above_[std::max(to, from)] = std::min(to, from);
+        turned_[std::max(to, from)] = static_cast<char>(of_a ^ of_b ^ (alike ? 0 : 1));
+    }
+
+private:
+    uint32_t first(uint32_t t, char& way) {
+        for (; above_[t] != t; t = above_[t]) {
+            const uint32_t up = above_[t]; // halves the path
+            turned_[t] = static_cast<char>(turned_[t] ^ turned_[up]);
+            above_[t] = above_[up];
+            way = static_cast<char>(way ^ turned_[t]);
+        }
+        return t;
+    }
+    std::vector<uint32_t> above_;
+    std::vector<char> turned_;
 };
 } // namespace
 
@@ -160,13 +195,14 @@ bool build_mesh(const float* vertices, uint32_t vertex_count, const uint32_t* in
     for (uint32_t t = 0; t < triangle_count; ++t)
         for (uint32_t k = 0; k < 3 && length(exact[t]) > 0.5; ++k) {
             const uint32_t a = names[indices[size_t{3} * t + k]], b = names[indices[size_t{3} * t + (k + 1) % 3]];
-            edges.push_back({std::min(a, b), std::max(a, b), t, k});
+            edges.push_back({std::min(a, b), std::max(a, b), t, k, a > b});
         }
     std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
         if (a.low != b.low) return a.low < b.low;
         if (a.high != b.high) return a.high < b.high;
         return a.triangle != b.triangle ? a.triangle < b.triangle : a.number < b.number;
     });
+    Surfaces surfaces(triangle_count);
     for (size_t from = 0; from < edges.size();) {
         size_t to = from;
         while (to < edges.size() && edges[to].low == edges[from].low && edges[to].high == edges[from].high) ++to;
@@ -180,8 +216,12 @@ bool build_mesh(const float* vertices, uint32_t vertex_count, const uint32_t* in
                 if (rise > -bend) bits = static_cast<uint8_t>(bits | 1u << mine.number);
                 if (rise < bend) bits = static_cast<uint8_t>(bits | 8u << mine.number);
             }
+        for (size_t i = from + 1; i < to; ++i)
+            surfaces.join(edges[from].triangle, edges[i].triangle, edges[from].downwards != edges[i].downwards);
         from = to;
     }
+    for (uint32_t t = 0; t < triangle_count; ++t)
+        if (surfaces.turned(t)) hidden_edges[t] = static_cast<uint8_t>(hidden_edges[t] | turned_triangle);
     return true;
 }
 

@@ -187,6 +187,72 @@ void ContactGroup::touch_grounds(const ContactSubstep& substep) {
     }
 }
 
+namespace {
+
+// Share of the reach: a shallower overlap is undone.
+constexpr float shallow = 0.1f;
+
+// A unit vector in three times ten bits; 0: none.
+uint32_t packed_direction(Vector d) {
+    const auto bits = [](float f) { return static_cast<uint32_t>(511.0f * f + 512.0f); };
+    return bits(d.x) | bits(d.y) << 10 | bits(d.z) << 20;
+}
+Vector direction_in(uint32_t packed) {
+    const auto part = [&](uint32_t at) { return static_cast<float>(packed >> at & 1023u) - 511.5f; };
+    return packed == 0 ? Vector{} : 1.0f / 511.5f * Vector{part(0), part(10), part(20)};
+}
+} // namespace
+
+void ContactGroup::find_floors(const ContactSubstep& substep) {
+    for (uint32_t i = 0; i < count_; ++i) {
+        MeshFloor& floor = floor_[i];
+        const float reach = step_->shape->reach * arrays_.field[field_scale][i] + margin_of(i, substep.h);
+        const Vector a = pose_in(substep.before, i).position, b = pose_of(i).position;
+        Candidate near[most_candidates];
+        uint32_t near_count = 0;
+        each_candidate(i, grown({low_of(a, b), high_of(a, b)}, reach), [&](const Candidate& candidate) {
+            if (!step_->colliders->at(candidate.slot).geometry.mesh) return;
+            if (near_count < most_candidates) near[near_count] = candidate;
+            ++near_count;
+        });
+        const bool all = near_count <= most_candidates; // a part tells the side
+        near_count = std::min(near_count, most_candidates);
+        const Vector known = arrays_.floor ? direction_in(arrays_.floor[i]) : Vector{};
+        uint32_t kept = 0;
+        floor.count = 0, floor.side = 0;
+        for (uint32_t k = 0; k < near_count && floor.count == 0 && floor.side == 0;) {
+            const uint32_t slot = near[k].slot, first = k;
+            while (k < near_count && near[k].slot == slot) ++k;
+            const Collider& c = step_->colliders->at(slot);
+            const Pose begin = pose_at(c, substep.begin), end = pose_at(c, substep.end);
+            floor.slot = slot;
+            floor.up = rotate(inverse(end.rotation), known);
+            find_floor(*step_->shape, arrays_.field[field_scale][i], relative(begin, pose_in(substep.before, i)),
+                       relative(end, pose_of(i)), margin_of(i, substep.h), *c.geometry.mesh, near + first, k - first,
+                       floor);
+            if (!all) floor.count = 0;
+            if (floor.count > 0 || floor.side != 0) kept = packed_direction(rotate(end.rotation, floor.up));
+        }
+        if (arrays_.floor) arrays_.floor[i] = kept;
+    }
+}
+
+// Sweeps can leave a small body deep in rough ground. Its centre must not stay beyond the surface, or it would count as on the other side.
+void ContactGroup::leave_floors(const ContactSubstep& substep) {
+    for (uint32_t i = 0; i < count_; ++i) {
+        const MeshFloor& floor = floor_[i];
+        float deepest = 0.0f;
+        for (uint32_t k = 0; k < filled_[i] && floor.count > 0; ++k)
+            deepest = std::max(deepest, -slots_.slot[k].gap[i]);
+        const float scale = arrays_.field[field_scale][i];
+        if (!(deepest > shallow * scale * step_->shape->reach)) continue;
+        const Collider& c = step_->colliders->at(floor.slot);
+        const Pose pose = pose_at(c, substep.end), at = pose_of(i);
+        const Vector out = way_out(*step_->shape, scale, relative(pose, at).position, *c.geometry.mesh, floor);
+        put_in(arrays_.field, field_x, i, at.position + rotate(pose.rotation, out));
+    }
+}
+
 void ContactGroup::touch_others(uint32_t i, const ContactSubstep& substep) {
     const float margin = margin_of(i, substep.h), scale = arrays_.field[field_scale][i];
     const Pose at = pose_of(i);
@@ -202,12 +268,20 @@ void ContactGroup::touch_others(uint32_t i, const ContactSubstep& substep) {
     uint32_t mesh_slot = 0;
     Pose mesh_pose{}, began{};
     const auto finish_mesh = [&] {
-        if (mesh) add_all(mesh_slot, mesh_pose, mesh->keep(contacts));
+        if (mesh) add_all(mesh_slot, mesh_pose, mesh->keep(contacts, true));
         mesh.reset();
     };
+    const MeshFloor& floor = floor_[i];
+    if (floor.count > 0) {
+        const Collider& c = step_->colliders->at(floor.slot);
+        const Pose pose = pose_at(c, substep.end);
+        ContactPoints points(*step_->shape, scale, relative(pose, at), margin);
+        add_floor(points, *c.geometry.mesh, floor);
+        add_all(floor.slot, pose, points.keep(contacts, true));
+    }
     each_candidate(i, around, [&](const Candidate& candidate) {
         const Collider& c = step_->colliders->at(candidate.slot);
-        if (is_ground(c.geometry.kind)) return;
+        if (is_ground(c.geometry.kind) || (floor.count > 0 && candidate.slot == floor.slot)) return;
         if (candidate.slot != mesh_slot) finish_mesh();
         if (c.geometry.kind != ColliderKind::mesh) {
             const Pose pose = pose_at(c, substep.end);
@@ -220,7 +294,8 @@ void ContactGroup::touch_others(uint32_t i, const ContactSubstep& substep) {
             mesh_slot = candidate.slot;
             mesh_pose = pose_at(c, substep.end);
             began = relative(pose_at(c, substep.begin), pose_in(substep.before, i));
-            mesh.emplace(*step_->shape, scale, relative(mesh_pose, at), margin, &began);
+            mesh.emplace(*step_->shape, scale, relative(mesh_pose, at), margin, &began,
+                         mesh_slot == floor.slot ? floor.side : int8_t{0});
         }
         add_mesh(*mesh, *c.geometry.mesh, candidate.part);
     });
@@ -245,6 +320,7 @@ void ContactGroup::collect(const ContactSubstep& substep) {
     if (step_->settings->ground_effect > 0.0f) ground_effect(substep);
     slots_.used = 0;
     std::fill(filled_, filled_ + contact_lanes, uint8_t{0});
+    find_floors(substep);
     stop_before_passing_through(substep);
     std::fill(touches_, touches_ + contact_lanes, false);
     touch_grounds(substep);
@@ -260,6 +336,7 @@ void ContactGroup::take_out(uint32_t i) {
 void ContactGroup::solve(const ContactSubstep& substep) {
     if (slots_.used == 0) return;
     step_->target->resolve(bodies(substep), slots_);
+    leave_floors(substep);
     for (uint32_t i = 0; i < count_; ++i)
         for (uint32_t k = 0; k < filled_[i]; ++k) touches_[i] = touches_[i] || slots_.slot[k].impulse[i] >= 0.0f;
 }

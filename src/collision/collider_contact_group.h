@@ -5,6 +5,7 @@
 #include "collision/body_narrow_phase.h"
 #include "collision/collider_narrow_phase.h"
 #include "collision/colliders.h"
+#include "collision/mesh_floor.h"
 #include "kernel/contact/collider_contact.h"
 #include "kernel/wind/sample_wind.h"
 
@@ -182,6 +183,8 @@ private:
     template <class Found> void any_order(uint32_t lane, const Box& around, Found&& found) const;
     ContactBodies bodies(const ContactSubstep& substep) const;
     void ground_effect(const ContactSubstep& substep);
+    void find_floors(const ContactSubstep& substep);
+    void leave_floors(const ContactSubstep& substep);
     void stop_before_passing_through(const ContactSubstep& substep);
     void touch_grounds(const ContactSubstep& substep);
     void touch_others(uint32_t lane, const ContactSubstep& substep);
@@ -201,6 +204,7 @@ private:
     uint8_t filled_[contact_lanes];
     bool touches_[contact_lanes];
     Near near_[contact_lanes];
+    MeshFloor floor_[contact_lanes]; // of this substep
     Asleep at_rest_[contact_slots][contact_lanes];
     ContactSlots slots_;
 };

@@ -59,9 +59,11 @@ struct MeshGeometry {
     const uint32_t* indices; // 3 a triangle
     const float* normals;    // unit, 3 a triangle, counter-clockwise front
     // A bit for each edge (vertex k to k + 1) that is not a ridge seen from the front (bits 0 to 2) or from the back
-    // (3 to 5): flat or hollow there, so that nothing can touch the edge alone.
+    // (3 to 5): flat or hollow there, so that nothing can touch the edge alone. Also turned_triangle.
     const uint8_t* hidden_edges;
 };
+// The triangle is wound against the first of its connected surface.
+inline constexpr uint8_t turned_triangle = 64;
 
 // Part of a mesh: triangles [first, first + count). Other kinds have none.
 struct ColliderPart {

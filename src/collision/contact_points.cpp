@@ -152,10 +152,10 @@ double distance_from(const PlacedCollider& round, Double3 p, Double3& direction)
     return distance;
 }
 
-// A flat ellipsoid on a round collider touches at a point that jumps from rim to rim with the least tilt. As over ground, adds
-// the points where it would touch if it were tilted a little, and those at the other rims. gap: of the nearest point.
-void add_rims(ContactPoints& set, const PlacedCollider& round, Double3 normal, float gap) {
-    const PlacedBody& body = set.body;
+} // namespace
+
+Rims rims_of(const PlacedBody& body, Double3 normal) {
+    if (body.count > 0) return {};
     Double3 axes[3];
     double size[3], along[3];
     uint32_t shortest = 0, longest = 0;
@@ -167,21 +167,16 @@ void add_rims(ContactPoints& set, const PlacedCollider& round, Double3 normal, f
         if (size[k] > size[longest]) longest = k;
     }
     const double flat = 1.0 - size[shortest] / size[longest];
-    if (flat < 0.8 || round.count == 0 || round.count > 2) return;
+    if (flat < 0.8) return {};
     const uint32_t first = (shortest + 1) % 3, second = (shortest + 2) % 3;
-    // Closer rims can be pressed in when the nearest point is pushed out.
-    const float wide = set.margin + 0.1f * body.reach + 2.0f * std::max(-gap, 0.0f);
-    const auto add = [&](double a, double b) {
-        const Double3 p = body.support(-(along[shortest] * axes[shortest] + a * axes[first] + b * axes[second]));
-        Double3 direction;
-        const double out = distance_from(round, p, direction) - round.radius;
-        if (out < static_cast<double>(wide)) set.add(to_float(p), to_float(direction), static_cast<float>(out));
-    };
     const double a = along[first], b = along[second], tilt = 0.02 * flat * flat;
-    add(a + tilt, b), add(a - tilt, b), add(a, b + tilt), add(a, b - tilt);
-    add(-a, b), add(a, -b), add(-a, -b);
+    const auto point = [&](double by_a, double by_b) {
+        return to_float(body.support(-(along[shortest] * axes[shortest] + by_a * axes[first] + by_b * axes[second])));
+    };
+    return {7,
+            {point(a + tilt, b), point(a - tilt, b), point(a, b + tilt), point(a, b - tilt), point(-a, b), point(a, -b),
+             point(-a, -b)}};
 }
-} // namespace
 
 void add_patch(ContactPoints& set, const PlacedCollider& collider, const Separation& along) {
     const PlacedBody& body = set.body;
@@ -208,6 +203,13 @@ void add_manifold(ContactPoints& set, const PlacedCollider& collider, const Sepa
     if (gap - body.radius >= set.margin || set.least_gap(first) <= gap - body.radius + 0.05f * set.margin) return;
     const Vector point = to_float(along.has_points ? along.on_body : body.support(-along.normal));
     set.add_core(point, to_float(along.normal), gap);
-    if (body.count == 0) add_rims(set, collider, along.normal, gap);
+    if (collider.count == 0 || collider.count > 2) return;
+    const Rims rims = rims_of(body, along.normal);
+    for (uint32_t i = 0; i < rims.count; ++i) {
+        Double3 direction;
+        const double out = distance_from(collider, to_double(rims.point[i]), direction) - collider.radius;
+        if (out < static_cast<double>(rim_margin(set, gap)))
+            set.add(rims.point[i], to_float(direction), static_cast<float>(out));
+    }
 }
 } // namespace lr

@@ -4,6 +4,8 @@
 #include "collision/collider_narrow_phase.h"
 #include "collision/convex_separation.h"
 
+#include <algorithm>
+
 namespace lr {
 
 inline constexpr uint32_t most_found = 48;
@@ -11,15 +13,17 @@ inline constexpr uint32_t most_found = 48;
 class ContactPoints {
 public:
     // at: in the collider's frame. Contacts closer than `near` (m) count. began: where the body was as the substep began, which tells from
-    // which side it met a triangle; null: unknown.
-    ContactPoints(const BodyShape& shape, float scale, const Pose& at, float near, const Pose* began = nullptr)
-        : body(shape, scale, at), margin(near), before(began) {}
+    // which side it met a triangle; null: unknown. side: MeshFloor::side.
+    ContactPoints(const BodyShape& shape, float scale, const Pose& at, float near, const Pose* began = nullptr,
+                  int8_t known_side = 0)
+        : body(shape, scale, at), margin(near), before(began), side(known_side) {}
     ContactPoints(const ContactPoints&) = delete;
     ContactPoints& operator=(const ContactPoints&) = delete;
 
     const PlacedBody body;
     const float margin;
     const Pose* const before;
+    const int8_t side;
 
     // point: m, of the body's surface, from its centre of mass along the collider's axes.
     void add(Vector point, Vector normal, float gap);
@@ -41,6 +45,18 @@ private:
     uint32_t count_ = 0;
     Contact found_[most_found]; // arms along the collider's axes
 };
+
+// A flat ellipsoid touches round colliders and floors at a point that jumps from rim to rim with the least tilt. As over ground, these are the points
+// where it would touch if it were tilted a little, and those at the other rims. None for other bodies.
+struct Rims {
+    uint32_t count;
+    Vector point[7];
+};
+Rims rims_of(const PlacedBody& body, Double3 normal);
+// Rims closer than this (m) can be pressed in when the nearest point, with this gap, is pushed out.
+inline float rim_margin(const ContactPoints& set, float gap) {
+    return set.margin + 0.1f * set.body.reach + 2.0f * std::max(-gap, 0.0f);
+}
 
 // Adds contacts along a given normal: corners of one over a side of the other, and crossings of their edges. For bodies with corners.
 void add_patch(ContactPoints& set, const PlacedCollider& collider, const Separation& along);

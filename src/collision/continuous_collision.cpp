@@ -130,6 +130,7 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
             };
             any_order(i, grown(way, step_->shape->reach * scale), [&](const Candidate& c) {
                 const Collider& other = step_->colliders->at(c.slot);
+                if (floor_[i].count > 0 && c.slot == floor_[i].slot) return; // solid below
                 if (const MeshGeometry* const mesh = other.geometry.mesh) {
                     const Pose ends = pose_at(other, end);
                     PassedTriangles passed{met_before, met_count, c.slot, count, little, {}};

@@ -178,7 +178,20 @@ Triangle mesh_triangle(const MeshGeometry& mesh, uint32_t index) {
     for (uint32_t k = 0; k < 3; ++k)
         t.corners[k] = vector_of(mesh.vertices + size_t{3} * mesh.indices[size_t{3} * index + k]);
     t.normal = vector_of(mesh.normals + size_t{3} * index);
-    t.hidden = mesh.hidden_edges[index];
+    t.hidden = mesh.hidden_edges[index] & 63u;
+    t.turned = (mesh.hidden_edges[index] & turned_triangle) != 0;
+    return t;
+}
+
+Triangle one_side(Triangle t, bool front) {
+    if (!front) { // the edges are in reverse order then
+        std::swap(t.corners[1], t.corners[2]);
+        t.normal = -t.normal;
+        const auto bit = [&](uint32_t edge) { return t.hidden >> (3 + edge) & 1u; };
+        t.hidden = static_cast<uint8_t>(bit(2) | bit(1) << 1 | bit(0) << 2);
+    }
+    t.hidden &= all_front;
+    t.one_sided = true;
     return t;
 }
 
@@ -242,8 +255,16 @@ Triangle field_triangle(const HeightfieldGeometry& field, uint32_t i, uint32_t k
 void add_mesh(ContactPoints& set, const MeshGeometry& mesh, ColliderPart part, bool alone) {
     for (uint32_t i = part.first; i < part.first + part.count && i < mesh.triangle_count; ++i) {
         const Triangle t = mesh_triangle(mesh, i);
-        if (dot(t.normal, t.normal) > 0.5f) add_triangle(set, t, alone);
+        if (!(dot(t.normal, t.normal) > 0.5f)) continue;
+        add_triangle(set, set.side != 0 ? one_side(t, (set.side > 0) != t.turned) : t, alone);
     }
+}
+
+void add_ridges(ContactPoints& set, const Triangle& t) {
+    if (t.hidden == all_front) return;
+    const Vector n = t.normal;
+    const float near = dot(n, set.body.at.position - t.corners[0] + to_float(set.body.support(-to_double(n))));
+    if (near <= set.margin + set.body.radius) add_triangle(set, t);
 }
 
 void add_heightfield(ContactPoints& set, const HeightfieldGeometry& field) {
@@ -253,7 +274,6 @@ void add_heightfield(ContactPoints& set, const HeightfieldGeometry& field) {
     if (p.y - far > field.highest) return;
     add_points(set, field);
     const Cells cells = cells_between(field, grown({p, p}, far));
-    const float enough = set.margin + body.radius;
     for (uint32_t k = cells.first[1]; k < cells.last[1]; ++k)
         for (uint32_t i = cells.first[0]; i < cells.last[0]; ++i) {
             const float highest = std::max(
@@ -264,9 +284,7 @@ void add_heightfield(ContactPoints& set, const HeightfieldGeometry& field) {
                 const float off = dot(t.normal, p - t.corners[0]);
                 if (off > far) continue;
                 t.hidden = hidden_edges(field, i, k, second, t);
-                if (t.hidden == all_front) continue;
-                if (off + dot(t.normal, to_float(body.support(-to_double(t.normal)))) > enough) continue;
-                add_triangle(set, t);
+                add_ridges(set, t);
             }
         }
 }

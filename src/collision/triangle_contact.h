@@ -9,7 +9,7 @@ struct Triangle {
     Vector corners[3]; // m, collider frame
     Vector normal;     // unit
     uint8_t hidden;    // as in MeshGeometry
-    bool one_sided;
+    bool one_sided, turned;
 };
 
 Triangle mesh_triangle(const MeshGeometry& mesh, uint32_t index);
@@ -32,5 +32,9 @@ Triangle field_triangle(const HeightfieldGeometry& field, uint32_t i, uint32_t k
 
 // alone: without the surrounding parts, so that no edge is left to them.
 void add_mesh(ContactPoints& set, const MeshGeometry& mesh, ColliderPart part, bool alone = false);
+// Its front, or its back, alone.
+Triangle one_side(Triangle t, bool front);
+// Of such a triangle, if one of its edges is a ridge.
+void add_ridges(ContactPoints& set, const Triangle& t);
 void add_heightfield(ContactPoints& set, const HeightfieldGeometry& field);
 } // namespace lr

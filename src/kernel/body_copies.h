@@ -18,7 +18,8 @@ constexpr uint32_t whole_blocks(uint32_t bodies) {
 template <size_t kMost> struct BodyCopies {
     uint32_t count = 0, padded = 0; // the last body fills the remaining lanes
     alignas(64) float field[field_count][kMost];
-    alignas(64) uint32_t noise_seed[kMost];
+    alignas(64) uint32_t noise_seed[kMost], floor[kMost];
+    bool has_floor = false;
     alignas(64) float force[force_components][kMost];
 
     // index(i): where the i-th body is in `from`.
@@ -28,6 +29,8 @@ template <size_t kMost> struct BodyCopies {
         for (size_t f = 0; f < field_count; ++f)
             if (from.field[f]) gather(from.field[f], index, field[f]);
         gather(from.noise_seed, index, noise_seed);
+        has_floor = from.floor != nullptr;
+        if (has_floor) gather(from.floor, index, floor);
     }
     // forget: clears the originals, so the forces apply to the following substeps only.
     template <class Index> void take_forces(const ExternalInput& in, const Index& index, bool forget) {
@@ -43,11 +46,13 @@ template <size_t kMost> struct BodyCopies {
     template <class Index> void put_back(const BatchArrays& to, const Index& index) const {
         for (size_t f = 0; f < field_count; ++f)
             for (uint32_t i = 0; i < count && to.field[f]; ++i) to.field[f][index(i)] = field[f][i];
+        for (uint32_t i = 0; i < count && to.floor; ++i) to.floor[index(i)] = floor[i];
     }
     BatchArrays arrays(uint32_t first = 0) {
         BatchArrays a{};
         for (size_t f = 0; f < field_count; ++f) a.field[f] = field[f] + first;
         a.noise_seed = noise_seed + first;
+        if (has_floor) a.floor = floor + first;
         return a;
     }
     // Points `to` at the forces of the copies from `first` on.

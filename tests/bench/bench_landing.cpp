@@ -1,6 +1,7 @@
 // The cost of contact: leaves falling over a ground and without it, all landing within a second, a million asleep, and a capsule
 // that walks through lying leaves. Steps of 1/60 s with two substeps, AERODYNAMIC loads, still air.
-//     bench_landing [--bodies N] [--turns N] [--workers N] [--asset FILE] [--only flight|landing|rest|walk]
+//     bench_landing [--bodies N] [--turns N] [--workers N] [--asset FILE] [--ground mesh]
+//                   [--only flight|landing|rest|walk]
 // Default: 100,000 bodies, asleep ten times as many; workers 0 and then 1, with the same hashes. Times are medians of turns that
 // alternate between the compared scenes; cpu is the sum over all threads.
 #include "bench/landing_scene.h"
@@ -22,6 +23,7 @@ struct Options {
     int workers = -1; // both
     const char* asset = nullptr;
     const char* only = nullptr;
+    bool mesh = false;
 };
 
 struct Cost {
@@ -55,8 +57,8 @@ void row(const char* name, uint32_t workers, const Cost& of_step, uint32_t bodie
 // Spread over 20 m; each turn is the same ten steps of the same state.
 bool flight(const Options& o, uint32_t workers) {
     Scene with, without;
-    if (!with.make(o.asset, o.bodies, workers) || !without.make(o.asset, o.bodies, workers) || !with.add_ground() ||
-        !with.emit(o.bodies, 0.0f, 20.0f) || !without.emit(o.bodies, 0.0f, 20.0f))
+    if (!with.make(o.asset, o.bodies, workers) || !without.make(o.asset, o.bodies, workers) ||
+        !with.add_ground(o.mesh) || !with.emit(o.bodies, 0.0f, 20.0f) || !without.emit(o.bodies, 0.0f, 20.0f))
         return false;
     constexpr int warm = 10, steps = 10;
     for (int i = 0; i < warm; ++i) with.step(), without.step();
@@ -84,8 +86,8 @@ constexpr int landing_steps = 240;
 // From between half a metre and 1.5 m.
 bool landing(const Options& o, uint32_t workers) {
     Scene with, without;
-    if (!with.make(o.asset, o.bodies, workers) || !without.make(o.asset, o.bodies, workers) || !with.add_ground() ||
-        !with.emit(o.bodies, 0.5f, 1.5f) || !without.emit(o.bodies, 0.5f, 1.5f))
+    if (!with.make(o.asset, o.bodies, workers) || !without.make(o.asset, o.bodies, workers) ||
+        !with.add_ground(o.mesh) || !with.emit(o.bodies, 0.5f, 1.5f) || !without.emit(o.bodies, 0.5f, 1.5f))
         return false;
     for (Scene* scene : {&with, &without}) scene->save();
     const uint32_t turns = std::max(o.turns / 2, 1u);
@@ -120,7 +122,7 @@ bool landing(const Options& o, uint32_t workers) {
 bool at_rest(const Options& o, uint32_t workers) {
     Scene scene;
     const uint32_t bodies = 10 * o.bodies;
-    if (!scene.make(o.asset, bodies, workers) || !scene.add_ground(false) || !scene.emit(bodies, 0.0f, 0.1f))
+    if (!scene.make(o.asset, bodies, workers) || !scene.add_ground(o.mesh, false) || !scene.emit(bodies, 0.0f, 0.1f))
         return false;
     for (int i = 0; i < 2; ++i) { // new colliders wake the bodies near them
         if (!scene.lay_down()) return false;
@@ -145,7 +147,7 @@ bool at_rest(const Options& o, uint32_t workers) {
 // 35 cm radius, 1.7 m tall, at 1.4 m/s across the middle of the ground.
 bool walk(const Options& o, uint32_t workers) {
     Scene scene;
-    if (!scene.make(o.asset, o.bodies, workers) || !scene.add_ground() || !scene.emit(o.bodies, 0.3f, 0.6f))
+    if (!scene.make(o.asset, o.bodies, workers) || !scene.add_ground(o.mesh) || !scene.emit(o.bodies, 0.3f, 0.6f))
         return false;
     for (int i = 0; i < 360 && scene.awake() > o.bodies / 200; ++i) scene.step();
     const uint32_t before = scene.awake();
@@ -182,6 +184,8 @@ bool parse(int argc, char** argv, Options& o) {
             o.workers = static_cast<int>(number);
         else if (std::strcmp(name, "--asset") == 0)
             o.asset = value;
+        else if (std::strcmp(name, "--ground") == 0 && std::strcmp(value, "mesh") == 0)
+            o.mesh = true;
         else if (std::strcmp(name, "--only") == 0)
             o.only = value;
         else
@@ -195,8 +199,9 @@ bool parse(int argc, char** argv, Options& o) {
 int main(int argc, char** argv) {
     Options o;
     if (!parse(argc, argv, o)) {
-        std::fprintf(stderr, "usage: bench_landing [--bodies N] [--turns N] [--workers N] [--asset FILE] "
-                             "[--only flight|landing|rest|walk]\n");
+        std::fprintf(stderr,
+                     "usage: bench_landing [--bodies N] [--turns N] [--workers N] [--asset FILE] [--ground mesh] "
+                     "[--only flight|landing|rest|walk]\n");
         return 2;
     }
     struct Part {

@@ -67,8 +67,8 @@ public:
         return lr_body_set_sleep(world_, ids_.data(), static_cast<uint32_t>(ids_.size()), LR_SLEEP_ASLEEP) == LR_OK;
     }
     // Hills of 0.6 m below y = 0, a plane below them, and on them spheres, capsules, boxes, hulls and meshes of about a metre; every
-    // tenth turns if colliders move.
-    bool add_ground(bool turning = true, uint32_t solids = 98) {
+    // tenth turns if colliders move. of_triangles: the hills are a mesh, not a heightfield.
+    bool add_ground(bool of_triangles = false, bool turning = true, uint32_t solids = 98) {
         std::vector<float> heights(samples * samples);
         for (uint32_t k = 0; k < samples; ++k)
             for (uint32_t i = 0; i < samples; ++i)
@@ -77,6 +77,21 @@ public:
         field.counts[0] = field.counts[1] = samples;
         field.spacing[0] = field.spacing[1] = cell;
         field.heights = heights.data();
+        std::vector<float> vertices;
+        std::vector<uint32_t> triangles;
+        for (uint32_t at = 0; at < samples * samples; ++at) {
+            const uint32_t i = at % samples, k = at / samples, along = at + samples;
+            vertices.insert(vertices.end(), {cell * static_cast<float>(i), heights[at], cell * static_cast<float>(k)});
+            if (i + 1 < samples && k + 1 < samples)
+                triangles.insert(triangles.end(), {at, along, along + 1, at, along + 1, at + 1});
+        }
+        if (of_triangles) {
+            field.kind = LR_COLLIDER_MESH;
+            field.vertices = vertices.data();
+            field.vertex_count = samples * samples;
+            field.indices = triangles.data();
+            field.triangle_count = static_cast<uint32_t>(triangles.size() / 3);
+        }
         lr_collider_desc below = collider_at(LR_COLLIDER_PLANE, 0.0f, -2.0f, 0.0f);
         if (lr_collider_create(world_, &field, 1, nullptr) != LR_OK ||
             lr_collider_create(world_, &below, 1, nullptr) != LR_OK)

@@ -273,11 +273,14 @@ bool Batch::reserve_contact() {
     if (columns_.has(part_contact)) return true;
     if (!reserve_sleep() || !cut_noted_.allocate(*allocator_, cut_count(lanes))) return false;
     std::fill_n(cut_noted_.data(), cut_noted_.size(), uint8_t{0});
-    return columns_.reserve(*allocator_, part_contact, lanes);
+    if (!columns_.reserve(*allocator_, part_contact, lanes)) return false;
+    arrays_.floor = columns_.row<uint32_t>(column_floor);
+    return true;
 }
 
 bool Batch::any_contact() const {
-    bool any = columns_.any(column_still_time, count_) || columns_.any(column_stay, count_);
+    bool any = columns_.any(column_still_time, count_) || columns_.any(column_stay, count_) ||
+               columns_.any(column_floor, count_);
     for (size_t k = 0; k < most_touches && !any; ++k) any = columns_.any(column_touching + k, count_);
     return any;
 }
@@ -398,6 +401,7 @@ void Batch::grow_older(double seconds) {
 void Batch::write(uint32_t index, const BodyState& state) {
     oldest_ = std::max(oldest_, static_cast<double>(state.value[field_age]));
     for (size_t f = 0; f < field_count && arrays_.field[f]; ++f) arrays_.field[f][index] = state.value[f];
+    if (arrays_.floor) arrays_.floor[index] = 0; // placed anywhere, on any side
 }
 
 // Loads off the body's axes or centre of buoyancy need the full path. A diagonal asset's own loads do not.

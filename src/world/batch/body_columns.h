@@ -53,6 +53,7 @@ enum ColumnIndex : uint32_t {
     column_touching,
     column_stay = column_touching + most_touches,
     column_lee = column_stay + stay_rows,
+    column_floor,
     column_noted,
     column_noise_seed,
     column_ids,
@@ -86,6 +87,7 @@ constexpr std::array<Column, column_count> make_columns() {
     rows(column_stay + 1, stay_rows - 1, {part_contact, 4, rare, 137, -most, most});
     // The share of the wind's speed that others keep from an awake body: 0 to 1, or lee_unknown.
     rows(column_lee, 1, {part_contact, 4, rare, 143, lee_unknown, 1.0f});
+    rows(column_floor, 1, {part_contact, 4, rare, 144}); // the side of a mesh on which it is: MeshFloor::up
     rows(column_noted, 1, {part_contact, 4, never, 0, 0.0f, 0.0f, false}); // marked for sleep or waking
     rows(column_noise_seed, 1, {part_body, 4, never});
     rows(column_ids, 1, {part_body, 8, never});

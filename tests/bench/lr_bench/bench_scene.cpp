@@ -172,7 +172,7 @@ private:
     bool add_things() {
         lr_world* const world = scene_.world();
         bool ok = true;
-        if ((with_ & (heightfield | solids)) != 0) ok = scene_.add_ground(false, (with_ & solids) != 0 ? 98 : 0);
+        if ((with_ & (heightfield | solids)) != 0) ok = scene_.add_ground(false, false, (with_ & solids) != 0 ? 98 : 0);
         if ((with_ & rules) != 0) {
             auto d = initialised(lr_batch_rules_init);
             d.volume_count = (with_ & eight_volumes) != 0 ? 8 : 1;

@@ -1,0 +1,249 @@
+#include "collision/mesh_floor.h"
+
+#include "base/float4.h"
+#include "collision/triangle_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace lr {
+namespace {
+
+// Cosines: of the steepest triangle of a floor; of triangles that tell on which side of a surface a body is.
+constexpr float steepest = 0.2f, facing = 0.5f;
+// Cosine between normals that differ by 0.2, as over heightfields: a sharper edge has to be met itself.
+constexpr float sharp = 0.98f;
+// Share of the thickness: a centre of mass nearer to the surface could be on the wrong side by rounding.
+constexpr float clear = 0.125f;
+// Times the size of a triangle.
+constexpr float fine = 1.5f;
+// Share of the reach by which points may be outside a triangle, so that none falls between two.
+constexpr float seam = 1e-4f;
+
+bool crosses(const Box& box, const Triangle& t) {
+    if (!reaches(box, t)) return false;
+    const Vector half = 0.5f * (box.high - box.low);
+    const float reach = std::abs(t.normal.x) * half.x + std::abs(t.normal.y) * half.y + std::abs(t.normal.z) * half.z;
+    return std::abs(dot(t.normal, middle_of(box) - t.corners[0])) <= reach;
+}
+
+// Whether an edge without a neighbour comes near.
+bool ends_in(const Box& box, const Triangle& t) {
+    for (uint32_t k = 0; k < 3; ++k) {
+        if ((t.hidden >> k & 1u) != 0 || (t.hidden >> (3 + k) & 1u) != 0) continue;
+        const Vector a = t.corners[k], b = t.corners[(k + 1) % 3];
+        if (overlap(box, {low_of(a, b), high_of(a, b)})) return true;
+    }
+    return false;
+}
+
+// A triangle seen from above, along `up`. Origin: a place near the body.
+struct FloorFace {
+    Vector normal; // upwards
+    float offset, lean;
+    Vector inward[3]; // across the edges
+    float edge[3];
+
+    FloorFace() = default;
+    FloorFace(const Triangle& t, Vector origin, Vector up)
+        : normal(dot(t.normal, up) > 0.0f ? t.normal : -t.normal), offset(dot(normal, t.corners[0] - origin)),
+          lean(1.0f / dot(normal, up)) {
+        const float turn = dot(t.normal, up) > 0.0f ? 1.0f : -1.0f;
+        for (uint32_t k = 0; k < 3; ++k) {
+            const Vector across = cross(up, t.corners[(k + 1) % 3] - t.corners[k]);
+            const float size = turn * length(across);
+            inward[k] = size != 0.0f ? 1.0f / size * across : across;
+            edge[k] = dot(inward[k], t.corners[k] - origin);
+        }
+    }
+    // How far the place is inside all edges, seen along `up`; negative: outside.
+    float inside(Vector p) const {
+        return std::min({dot(inward[0], p) - edge[0], dot(inward[1], p) - edge[1], dot(inward[2], p) - edge[2]});
+    }
+    float gap(Vector p) const { return dot(normal, p) - offset; }
+    // Height over it along `up`.
+    float height(Vector p) const { return lean * gap(p); }
+};
+
+// The triangles under a body.
+class FloorFaces {
+public:
+    FloorFaces(const MeshGeometry& mesh, const MeshFloor& floor, Vector origin, float reach) : seam_(-seam * reach) {
+        for (uint32_t k = 0; k < floor.count; ++k) {
+            face_[count_] = FloorFace(mesh_triangle(mesh, floor.triangles[k]), origin, floor.up);
+            if (face_[count_].inside({0.0f, 0.0f, 0.0f}) >= -reach) ++count_;
+        }
+    }
+    uint32_t count() const { return count_; }
+    const FloorFace& face(uint32_t k) const { return face_[k]; }
+    // The highest surface at a place, and the place's height over it; null outside.
+    const FloorFace* under(Vector p, float& height) const {
+        const FloorFace* best = nullptr;
+        height = std::numeric_limits<float>::infinity();
+        for (const FloorFace* f = face_; f != face_ + count_; ++f)
+            if (const float h = f->height(p); h < height && f->inside(p) >= seam_) height = h, best = f;
+        return best;
+    }
+    // The same for four places; -1 outside.
+    Int4 under(Float4 x, Float4 y, Float4 z) const {
+        const auto along = [&](Vector d) { return d.x * x + d.y * y + d.z * z; };
+        Float4 least = all(std::numeric_limits<float>::infinity());
+        Int4 best{-1, -1, -1, -1};
+        for (uint32_t k = 0; k < count_; ++k) {
+            const FloorFace& f = face_[k];
+            const Float4 h = f.lean * (along(f.normal) - f.offset);
+            Int4 better = h < least;
+            for (uint32_t e = 0; e < 3; ++e) better &= along(f.inward[e]) - f.edge[e] >= all(seam_);
+            if (!any(better)) continue;
+            const auto at = static_cast<int32_t>(k);
+            least = choose(better, h, least);
+            best = choose(better, Int4{at, at, at, at}, best);
+        }
+        return best;
+    }
+
+private:
+    FloorFace face_[MeshFloor::most];
+    uint32_t count_ = 0;
+    float seam_; // m
+};
+
+void add_points(ContactPoints& set, const FloorFaces& faces, bool even) {
+    const PlacedBody& body = set.body;
+    const BodyShape& shape = *body.shape;
+    const uint32_t count = even ? shape.sample_count : shape.count;
+    float place[3][most_shape_samples + 3];
+    for (uint32_t i = 0; i < count + 3; ++i) {
+        const Vector core = i < shape.count ? body.point(i)
+                            : i < count     ? rotate(body.at.rotation, body.scale * shape.point(i))
+                                            : Vector{};
+        for (uint32_t k = 0; k < 3; ++k) place[k][i] = core[k];
+    }
+    Int4 under{};
+    for (uint32_t i = 0; i < count; ++i) {
+        if (i % 4 == 0) under = faces.under(load(place[0] + i), load(place[1] + i), load(place[2] + i));
+        const int32_t index = under[i % 4];
+        if (index < 0) continue;
+        const Vector core{place[0][i], place[1][i], place[2][i]};
+        const FloorFace* const face = &faces.face(static_cast<uint32_t>(index));
+        const float gap = face->gap(core);
+        if (gap - body.radius >= set.margin) continue;
+        // Beside a ridge a slope's plane continues where the slope does not: its triangles then decide.
+        if (!even && gap > 0.0f) {
+            float off;
+            if (!faces.under(core - gap * face->normal, off) || off > 1e-3f * gap + seam * body.reach) continue;
+        }
+        set.add_core(core, face->normal, gap);
+    }
+}
+
+// An ellipsoid touches each triangle of a valley. On a ridge it touches none of them with the point towards it, but with the one towards the
+// triangle below that point.
+void add_ellipsoid(ContactPoints& set, const FloorFaces& faces, Vector up) {
+    const PlacedBody& body = set.body;
+    const auto add = [&](Vector core, const FloorFace& face) {
+        const float gap = face.gap(core);
+        if (gap >= set.margin) return;
+        set.add(core, face.normal, gap);
+        const Rims rims = rims_of(body, to_double(face.normal));
+        for (uint32_t i = 0; i < rims.count; ++i) {
+            float height;
+            const FloorFace* const below = faces.under(rims.point[i], height);
+            if (below && below->gap(rims.point[i]) < rim_margin(set, gap))
+                set.add(rims.point[i], below->normal, below->gap(rims.point[i]));
+        }
+    };
+    const auto towards = [&](Vector normal) { return to_float(body.support(-to_double(normal))); };
+    for (uint32_t k = 0; k < faces.count(); ++k)
+        if (const Vector p = towards(faces.face(k).normal); faces.face(k).inside(p) >= 0.0f) add(p, faces.face(k));
+    if (set.count() > 0) return;
+    Vector normal = up, p{};
+    const FloorFace* below = nullptr;
+    for (uint32_t round = 0; round < 4; ++round) {
+        float height;
+        p = towards(normal);
+        below = faces.under(p, height);
+        if (!below) return;
+        normal = below->normal;
+    }
+    add(p, *below);
+}
+
+float height_over(const MeshGeometry& mesh, const MeshFloor& floor, Vector place, float if_none) {
+    float height;
+    return FloorFaces(mesh, floor, place, 0.0f).under({}, height) ? height : if_none;
+}
+} // namespace
+
+Vector way_out(const BodyShape& shape, float scale, Vector position, const MeshGeometry& mesh, const MeshFloor& floor) {
+    const float least = clear * scale * shape.thickness;
+    return std::max(2.0f * least - height_over(mesh, floor, position, 2.0f * least), 0.0f) * floor.up;
+}
+
+void find_floor(const BodyShape& shape, float scale, const Pose& from, const Pose& to, float margin,
+                const MeshGeometry& mesh, const Candidate* parts, uint32_t count, MeshFloor& out) {
+    const Vector a = from.position, b = to.position, known = out.up;
+    const bool was_there = dot(known, known) > 0.0f;
+    const float reach = scale * shape.reach;
+    const Box around = grown({low_of(a, b), high_of(a, b)}, reach + margin);
+    Vector normals[MeshFloor::most], sum{};
+    uint32_t used = 0;
+    bool all = true;
+    float small = std::numeric_limits<float>::infinity(); // m^2, twice the area
+    out.count = 0;
+    out.side = 0;
+    for (uint32_t n = 0; n < count && all; ++n)
+        for (uint32_t i = parts[n].part.first; i < parts[n].part.first + parts[n].part.count; ++i) {
+            const Triangle t = mesh_triangle(mesh, i);
+            if (!(dot(t.normal, t.normal) > 0.5f) || !crosses(around, t)) continue;
+            if (ends_in(around, t)) return;
+            all = used < MeshFloor::most;
+            if (!all) break; // enough to tell the side
+            normals[used] = t.turned ? -t.normal : t.normal;
+            sum = sum + normals[used];
+            small = std::min(small, length(cross(t.corners[1] - t.corners[0], t.corners[2] - t.corners[0])));
+            out.triangles[used++] = i;
+        }
+    const float size = length(sum);
+    if (!(size > 0.0f)) return;
+    out.up = 1.0f / size * sum;
+    bool flat = all, front = false, back = false;
+    out.even = true;
+    for (uint32_t k = 0; k < used; ++k) {
+        flat = flat && dot(normals[k], out.up) > steepest;
+        out.even = out.even && dot(normals[k], normals[0]) > sharp;
+        front = front || dot(normals[k], known) > facing;
+        back = back || dot(normals[k], known) < -facing;
+    }
+    // Bodies that fall through several slopes within a substep are pushed from one to the next: the swept test stops them before.
+    if (!out.even && margin * margin > fine * fine * small) return;
+    const bool faces_back = back && !front;
+    if (front != back) out.side = faces_back ? -1 : 1;
+    if (faces_back) out.up = -out.up;
+    // Contacts undo a deep overlap over several substeps, so that fast bodies are stopped by the swept test first. At rest the way is the fall in a
+    // substep, which the margin includes.
+    const float far = (was_there ? 3.0f : 1.0f) * (reach + margin);
+    if (!flat || !(length(b - a) < far)) return;
+    out.count = used;
+    const auto height = [&] { return height_over(mesh, out, a, 0.0f); };
+    if (out.side != 0 && height() > -far) return;
+    const float least = clear * scale * shape.thickness;
+    if (height() > least) return;
+    out.up = -out.up;
+    if (!(height() > least)) out.count = 0;
+}
+
+void add_floor(ContactPoints& set, const MeshGeometry& mesh, const MeshFloor& floor) {
+    const FloorFaces faces(mesh, floor, set.body.at.position, set.body.reach + set.body.radius);
+    if (set.body.count > 0)
+        add_points(set, faces, floor.even);
+    else
+        add_ellipsoid(set, faces, floor.up);
+    if (floor.even) return;
+    for (uint32_t k = 0; k < floor.count; ++k) {
+        const Triangle t = mesh_triangle(mesh, floor.triangles[k]);
+        add_ridges(set, one_side(t, dot(t.normal, floor.up) > 0.0f));
+    }
+}
+} // namespace lr
