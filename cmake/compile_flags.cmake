@@ -18,9 +18,10 @@ target_compile_options(lr_flags INTERFACE
     $<$<CXX_COMPILER_ID:GNU>:-Wno-error=null-dereference -Wno-null-dereference>)
 
 # GCC for 64-bit Windows keeps vectors of 32 and 64 bytes in stack slots with an alignment of 16, but moves them with aligned
-# instructions (GCC bug 54412). The assembler replaces these by unaligned moves.
+# instructions (GCC bug 54412). The assembler replaces these by unaligned moves. It also takes the registers that its own copy of an
+# inline function leaves alone as free over a call, though the linker may choose the copy of a file with other options: -fno-ipa-ra.
 if(MINGW AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    target_compile_options(lr_flags INTERFACE -Wa,-muse-unaligned-vector-move)
+    target_compile_options(lr_flags INTERFACE -Wa,-muse-unaligned-vector-move -fno-ipa-ra)
 endif()
 
 # Equal sources give equal bytes in any folder.

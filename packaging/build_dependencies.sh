@@ -26,8 +26,8 @@ jobs=${LR_JOBS:-$(nproc)}
 # No contraction, which would differ between ARM and x86. No paths in the code.
 # Sections by function, so that the linker drops unused functions.
 flags="-ffp-contract=off -fno-fast-math -fvisibility=hidden -ffunction-sections -fdata-sections -w -ffile-prefix-map=$sources=. -ffile-prefix-map=$folder=."
-# GCC for 64-bit Windows assumes an alignment of stack slots that they lack (cmake/compile_flags.cmake).
-[ "$platform" != windows-x64 ] || flags+=" -Wa,-muse-unaligned-vector-move"
+# GCC for 64-bit Windows assumes what does not hold of stack slots and inline functions (cmake/compile_flags.cmake).
+[ "$platform" != windows-x64 ] || flags+=" -Wa,-muse-unaligned-vector-move -fno-ipa-ra"
 
 stamp="$( (cat "$sources/versions" packaging/build_dependencies.sh
     find packaging/cmake -type f -print0 | sort -z | xargs -0 cat

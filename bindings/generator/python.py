@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Writes the generated files of bindings/python from the public header: `_native.py` (ctypes), `enums.py`, `_fields.py` (types of
-options and of records), `_plain.py` (plain getters and setters), `_version.py`.
+"""Writes the generated files of bindings/python from the public header: `_native.py` (ctypes), `enums.py`, `_options.py` (types
+of keywords), `_records.py`, `_plain.py` (plain getters and setters), `_version.py`.
 
     python.py [--check]     --check writes nothing, and fails if a file is out of date
 """
@@ -278,20 +278,25 @@ def hint(type_, reading):
     return "NDArray[Any]" if reading else "Any"
 
 
-def field_types(model):
-    records = RECORDS | {c["struct"] for c in plain_calls(model) if c["verb"] == "get" and c["struct"]}
-    enums = {field_enum(f) for s in model["structs"] if s["name"] in records for f in s["fields"] if field_enum(f)}
-    out = [HEAD, '"""Types of keywords for calls, and of records that calls return."""', "from __future__ import annotations", "",
-           "from typing import TYPE_CHECKING, Any, Sequence, TypedDict", "", "from ._record import Record",
-           f"from .enums import {', '.join(sorted(enums))}", "",
-           "if TYPE_CHECKING:", "    from numpy.typing import ArrayLike, NDArray", ""]
+def option_types(model):
     options = OPTIONS | {c["struct"] for c in plain_calls(model) if c["verb"] == "set" and c["struct"]}
+    out = [HEAD, '"""Types of keywords for calls: only type checkers read them."""', "from __future__ import annotations", "",
+           "from typing import TYPE_CHECKING, Any, Sequence, TypedDict", "", "if TYPE_CHECKING:", "    from numpy.typing import ArrayLike", ""]
     for s in (s for s in model["structs"] if s["name"] in options):
         out += ["", f"class {options_name(s['name'])}(TypedDict, total=False):", f'    """Keywords for {s["name"]}."""']
         for f in s["fields"]:
             if not RESERVED.match(f["name"]) and f["name"] not in hidden(s):
                 out.append(f"    {f['name']}: {hint(f['type'], False)}")
         out.append("")
+    return "\n".join(out)
+
+
+def record_types(model):
+    records = RECORDS | {c["struct"] for c in plain_calls(model) if c["verb"] == "get" and c["struct"]}
+    enums = {field_enum(f) for s in model["structs"] if s["name"] in records for f in s["fields"] if field_enum(f)}
+    out = [HEAD, '"""Records that calls return."""', "from __future__ import annotations", "", "from typing import TYPE_CHECKING, Any", "",
+           "from ._record import Record", f"from .enums import {', '.join(sorted(enums))}", "",
+           "if TYPE_CHECKING:", "    from numpy.typing import NDArray", ""]
     for s in (s for s in model["structs"] if s["name"] in records):
         struct, name = s["name"], class_name(s["name"].removesuffix("_desc"))
         used = [f for f in s["fields"] if not RESERVED.match(f["name"])]
@@ -411,17 +416,17 @@ def plain_text(model):
     enums = [e for e in enums if re.search(rf"(-> |return ){e}\b", text)]
     head = [HEAD, '"""Getters and setters of a single call: bases of the hand-written classes."""',
             "from __future__ import annotations", "", "import ctypes", "from typing import TYPE_CHECKING, Any, List, Mapping", "",
-            "from . import _native as native", f"from ._fields import {', '.join(records)}", "from ._structs import init, integer, make, takes",
+            "from . import _native as native", f"from ._records import {', '.join(records)}", "from ._structs import init, integer, make, takes",
             *([f"from .enums import {', '.join(enums)}"] if enums else []), "", "if TYPE_CHECKING:",
-            "    from typing_extensions import Unpack", "", f"    from ._fields import {', '.join(options)}"]
+            "    from typing_extensions import Unpack", "", f"    from ._options import {', '.join(options)}"]
     return "\n".join(head) + PLAIN + "\n" + text
 
 
 def files(model):
     learn(model)
     return {f"{OUT}/{name}": text for name, text in (
-        ("_native.py", native(model)), ("_version.py", version(model)), ("enums.py", enums(model)), ("_fields.py", field_types(model)),
-        ("_plain.py", plain_text(model)))}
+        ("_native.py", native(model)), ("_version.py", version(model)), ("enums.py", enums(model)), ("_options.py", option_types(model)),
+        ("_records.py", record_types(model)), ("_plain.py", plain_text(model)))}
 
 
 def main():

@@ -210,11 +210,13 @@ void ContactGroup::find_floors(const ContactSubstep& substep) {
         const Vector a = pose_in(substep.before, i).position, b = pose_of(i).position;
         Candidate near[most_candidates];
         uint32_t near_count = 0;
-        each_candidate(i, grown({low_of(a, b), high_of(a, b)}, reach), [&](const Candidate& candidate) {
+        const auto take = [&](const Candidate& candidate) {
             if (!step_->colliders->at(candidate.slot).geometry.mesh) return;
             if (near_count < most_candidates) near[near_count] = candidate;
             ++near_count;
-        });
+        };
+        // A longer way ends on no floor; on a very long one a search in order would be slow.
+        if (length(b - a) < longest_floor * reach) each_candidate(i, grown({low_of(a, b), high_of(a, b)}, reach), take);
         const bool all = near_count <= most_candidates; // a part tells the side
         near_count = std::min(near_count, most_candidates);
         const Vector known = arrays_.floor ? direction_in(arrays_.floor[i]) : Vector{};

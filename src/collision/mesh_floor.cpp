@@ -223,7 +223,7 @@ void find_floor(const BodyShape& shape, float scale, const Pose& from, const Pos
     if (faces_back) out.up = -out.up;
     // Contacts undo a deep overlap over several substeps, so that fast bodies are stopped by the swept test first. At rest the way is the fall in a
     // substep, which the margin includes.
-    const float far = (was_there ? 3.0f : 1.0f) * (reach + margin);
+    const float far = (was_there ? longest_floor : 1.0f) * (reach + margin);
     if (!flat || !(length(b - a) < far)) return;
     out.count = used;
     const auto height = [&] { return height_over(mesh, out, a, 0.0f); };

@@ -19,6 +19,9 @@ struct MeshFloor {
     int8_t side = 0;
 };
 
+// A body on a floor stays on it for ways of up to this many times its reach and margin.
+inline constexpr float longest_floor = 3.0f;
+
 // Whether the mesh is a floor for a body that goes from one pose to the other in the mesh's frame: near its way one surface without a border, nowhere
 // steeper than 78 degrees against its mean normal. parts: `count` of this mesh, near the body. out.up: of the last substep, or zero. A body that is
 // pressed in can be beyond the surface: then only this tells its side.

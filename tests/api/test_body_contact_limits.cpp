@@ -73,11 +73,9 @@ TEST_CASE("bodies of all sizes meet" * doctest::test_suite("native")) {
     set_pair(world, batch, batch);
     add_collider(world, collider_desc(LR_COLLIDER_PLANE));
     for (int i = 0; i < 100; ++i) {
-        lr_body_desc d = body_desc();
-        d.scale = narrow(random.logarithmic(0.001, 1000.0));
-        for (float& x : d.position) x = random.real(-5.0, 5.0);
+        lr_body_desc d = strewn(random, 5.0);
         d.position[1] += 3.0f;
-        for (float& q : d.orientation) q = random.real(-1.0, 1.0);
+        d.scale = narrow(random.logarithmic(0.001, 1000.0));
         add_body(world, batch, d);
     }
     steps(world, 30, 1.0f / 60.0f, 2);

@@ -24,12 +24,9 @@ lr_batch_desc free_fall() {
 std::vector<lr_body> some_bodies(const World& world, lr_batch batch, uint32_t count, float apart = 1.0f) {
     std::vector<lr_body> ids;
     for (uint32_t i = 0; i < count; ++i) {
-        lr_body_desc d = body_desc();
         Random random(i);
-        d.position[0] = apart * static_cast<float>(i % 100), d.position[2] = apart * static_cast<float>(i / 100);
-        d.position[1] = 2.0f;
-        for (float& q : d.orientation) q = random.real(-1.0, 1.0);
-        ids.push_back(add_body(world, batch, d));
+        ids.push_back(
+            add_body(world, batch, turned_anyhow(random, {wide(apart) * (i % 100), 2.0, wide(apart) * (i / 100)})));
     }
     return ids;
 }

@@ -22,11 +22,8 @@ struct Heap {
         add_collider(world, collider_desc(LR_COLLIDER_PLANE));
         Random random(8);
         for (uint32_t i = 0; i < cards && full; ++i) {
-            lr_body_desc d = body_desc();
-            d.position[0] = random.real(-0.03, 0.03), d.position[2] = random.real(-0.03, 0.03);
-            d.position[1] = 0.05f + 0.006f * static_cast<float>(i);
-            for (float& q : d.orientation) q = random.real(-1.0, 1.0);
-            add_body(world, batch, d);
+            const double x = random.uniform(-0.03, 0.03), z = random.uniform(-0.03, 0.03);
+            add_body(world, batch, turned_anyhow(random, {x, 0.05 + 0.006 * i, z}));
         }
     }
     lr_status restore(const std::vector<unsigned char>& bytes) const {

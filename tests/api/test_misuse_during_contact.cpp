@@ -28,10 +28,9 @@ std::vector<lr_body> drop(const World& world, lr_batch batch, uint32_t count, ui
     Random random(seed);
     std::vector<lr_body> out;
     for (uint32_t i = 0; i < count; ++i) {
-        lr_body_desc d = body_desc();
-        put(d.position, {random.uniform(-0.8, 0.8), random.uniform(0.3, 0.8), random.uniform(-0.8, 0.8)});
-        for (float& q : d.orientation) q = random.real(-1, 1);
-        out.push_back(add_body(world, batch, d));
+        out.push_back(add_body(
+            world, batch,
+            turned_anyhow(random, {random.uniform(-0.8, 0.8), random.uniform(0.3, 0.8), random.uniform(-0.8, 0.8)})));
     }
     return out;
 }
@@ -156,10 +155,9 @@ TEST_CASE("meshes that are inside out, and those with triangles that are none, h
         Random random(9);
         std::vector<lr_body> bodies;
         for (int i = 0; i < 50; ++i) {
-            lr_body_desc b = body_desc();
-            put(b.position, {random.uniform(-0.4, 0.4), random.uniform(0.4, 0.9), random.uniform(-0.4, 0.4)});
-            for (float& q : b.orientation) q = random.real(-1, 1);
-            bodies.push_back(add_body(world, batch, b));
+            bodies.push_back(add_body(world, batch,
+                                      turned_anyhow(random, {random.uniform(-0.4, 0.4), random.uniform(0.4, 0.9),
+                                                             random.uniform(-0.4, 0.4)})));
         }
         steps(world, 240, step, 2);
         CHECK(view_of(world, batch).awake_count <= 2);

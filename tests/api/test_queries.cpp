@@ -1,6 +1,5 @@
 // Rays and overlaps through the API: closed forms of spheres, brute force over bodies, order, arguments.
-#include "support/colliders.h"
-#include "support/vector.h"
+#include "support/contact.h"
 
 #include <algorithm>
 #include <cmath>
@@ -208,10 +207,9 @@ TEST_CASE("overlaps of balls with spheres and boxes are those of closed forms, i
     for (int round = 0; round < 300; ++round) {
         lr_overlap_desc d = initialised(lr_overlap_desc_init);
         const Vec at = random_vec(random, 5.0);
-        const Quat q = normalised(
-            Quat{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
-        for (size_t k = 0; k < 3; ++k) d.position[k] = narrow(at[k]);
-        for (size_t k = 0; k < 4; ++k) d.orientation[k] = narrow(q[k]);
+        const Quat q = any_turn(random);
+        put(d.position, at);
+        put(d.orientation, q);
         for (float& s : d.size) s = narrow(random.logarithmic(0.01, 5.0));
         d.shape = round % 2 ? LR_OVERLAP_BOX : LR_OVERLAP_SPHERE;
         d.batch = round % 3 ? lr_batch{} : balls.batches[1];

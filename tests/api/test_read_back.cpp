@@ -265,9 +265,7 @@ TEST_CASE("bounds contain all that is drawn, asleep, large, far away or behind, 
         Random random(count);
         std::vector<lr_body> ids;
         for (uint32_t i = 0; i < count; ++i) {
-            lr_body_desc d = body_desc();
-            for (float& x : d.position) x = random.real(-5, 5);
-            for (float& x : d.orientation) x = random.real(-1, 1);
+            lr_body_desc d = strewn(random, 5);
             for (float& x : d.linear_velocity) x = random.real(-9, 9);
             d.scale = random.real(0.5, 2);
             if (i == 7) d.position[2] = -1e9f, d.scale = 1000.0f;

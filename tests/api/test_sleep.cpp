@@ -14,10 +14,8 @@ namespace {
 
 lr_body_desc placed(uint32_t noise_seed, double extent = 2.0) {
     Random random(noise_seed);
-    lr_body_desc d = body_desc();
+    lr_body_desc d = strewn(random, extent);
     d.noise_seed = noise_seed;
-    for (float& x : d.position) x = random.real(-extent, extent);
-    for (float& q : d.orientation) q = random.real(-1.0, 1.0);
     for (float& v : d.linear_velocity) v = random.real(-1.0, 1.0);
     d.scale = random.real(0.5, 2.0);
     return d;

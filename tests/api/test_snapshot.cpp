@@ -24,10 +24,7 @@ struct Lived {
         if (!live) return;
         Random random(seed);
         for (int i = 0; i < 50; ++i) {
-            lr_body_desc b = body_desc();
-            for (float& x : b.position) x = random.real(-1.0, 1.0);
-            for (float& q : b.orientation) q = random.real(-1.0, 1.0);
-            ids.push_back(add_body(world, i < 30 ? leaves : curled, b));
+            ids.push_back(add_body(world, i < 30 ? leaves : curled, strewn(random, 1.0)));
         }
         steps(world, 10, 0.01f, 2);
         for (int i : {3, 17, 31, 45}) REQUIRE(lr_body_destroy(world.get(), &ids[static_cast<size_t>(i)], 1) == LR_OK);

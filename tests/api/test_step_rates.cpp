@@ -34,9 +34,7 @@ std::vector<lr_body> populate(const World& w, lr_batch batch, uint32_t count) {
     std::vector<lr_body> ids;
     Random random(count);
     for (uint32_t i = 0; i < count; ++i) {
-        lr_body_desc d = body_desc();
-        for (float& x : d.position) x = random.real(-1.0, 1.0);
-        for (float& q : d.orientation) q = random.real(-1.0, 1.0);
+        lr_body_desc d = strewn(random, 1.0);
         for (float& v : d.linear_velocity) v = random.real(-1.0, 1.0);
         for (float& v : d.angular_velocity) v = random.real(-10.0, 10.0);
         ids.push_back(add_body(w, batch, d));

@@ -20,9 +20,7 @@ struct Crowd {
         batch = add_batch(world, asset, count + 5);
         Random random(count);
         for (uint32_t i = 0; i < count; ++i) {
-            lr_body_desc d = body_desc();
-            for (float& x : d.position) x = random.real(-50.0, 50.0);
-            for (float& q : d.orientation) q = random.real(-1.0, 1.0);
+            lr_body_desc d = strewn(random, 50.0);
             for (float& v : d.linear_velocity) v = random.real(-2.0, 2.0);
             for (float& w : d.angular_velocity) w = random.real(-9.0, 9.0);
             d.scale = static_cast<float>(random.logarithmic(0.01, 100.0));

@@ -67,9 +67,9 @@ std::string triangle_bytes() {
 
 // An archive of one file that is not packed.
 std::string zip_of(const std::string& name, const std::string& text) {
-    const auto number = [](uint64_t value, int bytes) {
+    const auto number = [](uint32_t value, int bytes) {
         std::string out;
-        for (int i = 0; i < bytes; ++i) out += static_cast<char>(value >> 8 * i & 255U);
+        for (; bytes > 0; --bytes, value >>= 8) out += static_cast<char>(value & 255U);
         return out;
     };
     const auto size = static_cast<uint32_t>(text.size()), length = static_cast<uint32_t>(name.size());

@@ -128,9 +128,8 @@ TEST_CASE("a body moves the same in any company") {
             std::vector<lr_body_desc> descs;
             for (uint32_t i = 0; i < count; ++i) {
                 Random random(i);
-                lr_body_desc d = body_desc();
+                lr_body_desc d = turned_anyhow(random);
                 d.noise_seed = i + 1;
-                for (float& q : d.orientation) q = random.real(-1.0, 1.0);
                 descs.push_back(d);
             }
             std::vector<lr_body> ids(count);
@@ -173,8 +172,7 @@ TEST_CASE("steps of several substeps are as many steps of one") {
                     const lr_batch batch = add_batch(world, bd, asset, 20);
                     for (uint32_t i = 0; i < 20; ++i) {
                         Random random(i);
-                        lr_body_desc d = body_desc();
-                        for (float& q : d.orientation) q = random.real(-1.0, 1.0);
+                        lr_body_desc d = turned_anyhow(random);
                         for (float& v : d.linear_velocity) v = random.real(-1.0, 1.0);
                         add_body(world, batch, d);
                     }

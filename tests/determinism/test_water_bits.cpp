@@ -66,11 +66,9 @@ uint64_t outcome(const How& how) {
         std::vector<lr_body_desc> bodies;
         for (uint32_t i = 0; i < 1200; ++i) {
             Random random(i + 10000 * b);
-            lr_body_desc d = body_desc();
+            lr_body_desc d = strewn(random, 2.0);
             d.noise_seed = i + 1;
-            for (float& x : d.position) x = random.real(-2.0, 2.0);
             d.position[1] += how.height;
-            for (float& q : d.orientation) q = random.real(-1.0, 1.0);
             for (float& v : d.linear_velocity) v = random.real(-2.0, 2.0);
             bodies.push_back(d);
         }

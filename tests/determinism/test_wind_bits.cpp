@@ -51,10 +51,8 @@ uint64_t outcome(const How& how) {
         std::vector<lr_body_desc> bodies;
         for (uint32_t i = 0; i < 1500; ++i) {
             Random random(i + 10000 * b);
-            lr_body_desc d = body_desc();
+            lr_body_desc d = strewn(random, 3.0);
             d.noise_seed = i + 1;
-            for (float& x : d.position) x = random.real(-3.0, 3.0);
-            for (float& q : d.orientation) q = random.real(-1.0, 1.0);
             bodies.push_back(d);
         }
         if (how.reversed) std::reverse(bodies.begin(), bodies.end());

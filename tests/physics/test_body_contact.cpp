@@ -14,11 +14,6 @@ constexpr int rounds = 30;
 constexpr int rounds = 150;
 #endif
 
-Quat any_turn(Random& random) {
-    Quat q;
-    for (double& x : q) x = random.uniform(-1.0, 1.0);
-    return normalised(q);
-}
 Vec any_vector(Random& random, double most) {
     return {random.uniform(-most, most), random.uniform(-most, most), random.uniform(-most, most)};
 }

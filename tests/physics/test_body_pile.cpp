@@ -63,11 +63,8 @@ TEST_CASE("a pile in a bin loses energy, hardly overlaps, and nothing is outside
         add_bin(world, kind.half, 2.0f);
         const auto room = 0.6 * wide(kind.half);
         for (uint32_t i = 0; i < dropped; ++i) {
-            lr_body_desc d = body_desc();
-            d.position[0] = random.real(-room, room), d.position[2] = random.real(-room, room);
-            d.position[1] = 0.06f + 0.006f * static_cast<float>(i);
-            for (float& q : d.orientation) q = random.real(-1.0, 1.0);
-            add_body(world, batch, d);
+            const double x = random.uniform(-room, room), z = random.uniform(-room, room);
+            add_body(world, batch, turned_anyhow(random, {x, 0.06 + 0.006 * i, z}));
         }
         const lr_asset_info info = info_of(kind.asset);
         const double unit = info.mass * gravity * info.length_d * dropped; // of all bodies, relative to their length

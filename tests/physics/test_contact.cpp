@@ -260,12 +260,11 @@ TEST_CASE("no shot at 20 m/s goes through a thin wall at 60 steps a second" * do
         for (size_t b = 0; b < 3; ++b) {
             batches[b] = add_batch(world, unloaded(), assets[b], shots);
             set_contact(world, batches[b], contact_desc(0.3f, 0.0f));
-            std::vector<lr_body_desc> descs(shots, body_desc());
+            std::vector<lr_body_desc> descs(shots);
             for (lr_body_desc& d : descs) {
                 const float tilt = random.real(-0.8, 0.8), side = random.below(2) == 0 ? 1.0f : -1.0f;
-                d.position[0] = random.real(-40.0, 40.0), d.position[2] = random.real(-40.0, 40.0);
-                d.position[1] = side * random.real(0.05, 1.0);
-                for (float& q : d.orientation) q = random.real(-1.0, 1.0);
+                const double x = random.uniform(-40.0, 40.0), z = random.uniform(-40.0, 40.0);
+                d = turned_anyhow(random, {x, wide(side) * random.uniform(0.05, 1.0), z});
                 for (float& w : d.angular_velocity) w = random.real(-30.0, 30.0);
                 d.linear_velocity[0] = 20.0f * std::sin(tilt);
                 d.linear_velocity[1] = -side * 20.0f * std::cos(tilt);

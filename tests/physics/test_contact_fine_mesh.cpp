@@ -49,8 +49,7 @@ TEST_CASE("bodies land and rest on floors of fine triangles as on a plane" * doc
             Random random(3);
             std::vector<lr_body> bodies;
             for (uint32_t i = 0; i < count; ++i) {
-                lr_body_desc d = body_desc();
-                for (float& q : d.orientation) q = random.real(-1, 1);
+                lr_body_desc d = turned_anyhow(random);
                 d.position[0] = kind.reach * random.real(-1, 1), d.position[2] = kind.reach * random.real(-1, 1);
                 d.position[1] = 4.0f * kind.reach;
                 d.linear_velocity[1] = -std::sqrt(20.0f * 9.81f * kind.reach);
@@ -94,8 +93,7 @@ TEST_CASE("no shot goes through walls of fine triangles" * doctest::test_suite("
         const float fast = std::min(20.0f, 60.0f * half); // it must not leave the wall within a step
         std::vector<lr_body> bodies;
         for (uint32_t i = 0; i < count; ++i) {
-            lr_body_desc d = body_desc();
-            for (float& q : d.orientation) q = random.real(-1, 1);
+            lr_body_desc d = turned_anyhow(random);
             const float side = i % 2 == 0 ? 1.0f : -1.0f;
             const Vec target{wide(half) * random.uniform(-0.5, 0.5), 0.0, wide(half) * random.uniform(-0.5, 0.5)};
             const Vec aside{0.3 * wide(half) * random.uniform(-1, 1), wide(side) * (3.0 * wide(kind.reach) + 0.05),
@@ -167,8 +165,7 @@ TEST_CASE("nothing falls through uneven ground of triangles, and all comes to re
                 Random random(5);
                 std::vector<lr_body> bodies;
                 for (uint32_t i = 0; i < count; ++i) {
-                    lr_body_desc d = body_desc();
-                    for (float& q : d.orientation) q = random.real(-1, 1);
+                    lr_body_desc d = turned_anyhow(random);
                     d.position[0] = 4.0f * cell * random.real(-1, 1), d.position[2] = 4.0f * cell * random.real(-1, 1);
                     d.position[1] = pace.steep * cell + 3.0f * kind.reach;
                     d.linear_velocity[1] = -1.0f;
@@ -226,8 +223,7 @@ TEST_CASE("no card goes through a groove that is narrower than itself" * doctest
                     Random random(6);
                     std::vector<lr_body> bodies;
                     for (uint32_t i = 0; i < count; ++i) {
-                        lr_body_desc d = body_desc();
-                        for (float& q : d.orientation) q = random.real(-1, 1);
+                        lr_body_desc d = turned_anyhow(random);
                         d.position[0] = 0.5f * kind.reach * random.real(-1, 1);
                         d.position[1] = kind.reach * random.real(1.2f, 2.2f);
                         d.position[2] = 5.0f * kind.reach * random.real(-1, 1);

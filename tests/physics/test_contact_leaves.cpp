@@ -17,10 +17,8 @@ constexpr uint32_t count = 600;
 void drop(const World& world, lr_batch batch) {
     Random random(1);
     for (uint32_t i = 0; i < count; ++i) {
-        lr_body_desc d = body_desc();
-        put(d.position, {random.uniform(-3, 3), random.uniform(1, 2), random.uniform(-3, 3)});
-        for (float& q : d.orientation) q = random.real(-1, 1);
-        add_body(world, batch, d);
+        add_body(world, batch,
+                 turned_anyhow(random, {random.uniform(-3, 3), random.uniform(1, 2), random.uniform(-3, 3)}));
     }
 }
 lr_batch_desc in_air() {

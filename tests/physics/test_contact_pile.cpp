@@ -51,11 +51,8 @@ TEST_CASE("boxes that land on the ground end with less energy, come to rest, and
             set_contact(world, batch, c);
             add_collider(world, collider_desc(LR_COLLIDER_PLANE));
             for (uint32_t i = 0; i < count; ++i) {
-                lr_body_desc d = body_desc();
-                d.position[0] = random.real(-1.2, 1.2), d.position[2] = random.real(-1.2, 1.2);
-                d.position[1] = random.real(0.3, 1.0);
-                for (float& q : d.orientation) q = random.real(-1.0, 1.0);
-                add_body(world, batch, d);
+                const double x = random.uniform(-1.2, 1.2), z = random.uniform(-1.2, 1.2);
+                add_body(world, batch, turned_anyhow(random, {x, random.uniform(0.3, 1.0), z}));
             }
             const lr_asset_info info = info_of(asset);
             const double scale = gravity * (info.mass - info.fluid_density * info.volume) * info.length_d;

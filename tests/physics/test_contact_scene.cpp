@@ -74,10 +74,8 @@ TEST_CASE("bodies of all shapes come to rest on colliders of all kinds, and gain
         Random random(seed);
         std::vector<lr_body> bodies;
         for (uint32_t i = 0; i < count; ++i) {
-            lr_body_desc d = body_desc();
-            for (float& q : d.orientation) q = random.real(-1, 1);
-            put(d.position, {random.uniform(-1, 1), random.uniform(0.5, 1.2), random.uniform(-1.3, 1)});
-            bodies.push_back(add_body(world, batches[i % 3], d));
+            const Vec place{random.uniform(-1, 1), random.uniform(0.5, 1.2), random.uniform(-1.3, 1)};
+            bodies.push_back(add_body(world, batches[i % 3], turned_anyhow(random, place)));
         }
         std::vector<double> last(count);
         double first = 0.0, now = 0.0, rise = 0.0, gains = 0.0, fastest = 0.0;

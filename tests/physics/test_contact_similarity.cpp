@@ -43,9 +43,7 @@ public:
         Random random(seed);
         for (uint32_t i = 0; i < bodies; ++i) {
             lr_body_desc d = body_desc();
-            Quat q;
-            for (double& c : q) c = random.uniform(-1, 1);
-            put(d.orientation, product(frame.turn(), normalised(q)));
+            put(d.orientation, product(frame.turn(), any_turn(random)));
             put(d.position, frame.place({random.uniform(-1, 1), random.uniform(0.4, 1.0), random.uniform(-1, 1)}));
             put(d.linear_velocity, frame.speed({random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)}));
             put(d.angular_velocity, frame.spin({random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-5, 5)}));

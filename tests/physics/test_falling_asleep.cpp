@@ -30,13 +30,6 @@ lr_collider_desc uneven_ground(const std::vector<float>& heights, uint32_t n, fl
     return ground;
 }
 
-lr_body_desc turned_anyhow(Random& random, float x, float y, float z) {
-    lr_body_desc d = body_desc();
-    for (float& q : d.orientation) q = random.real(-1, 1);
-    d.position[0] = x, d.position[1] = y, d.position[2] = z;
-    return d;
-}
-
 // A petal: a thin bowl 12 mm x 11 mm x 1.2 mm, whose hull has a curved side.
 Asset petal() {
     lr::shape::EllipsoidSpec spec;
@@ -80,9 +73,7 @@ TEST_CASE("petals lie still on their curved sides, however coarse the steps") {
         const lr_batch batch = add_batch(world, asset, 100);
         Random random(8);
         for (uint32_t i = 0; i < 100; ++i)
-            add_body(
-                world, batch,
-                turned_anyhow(random, 0.05f * static_cast<float>(i % 10), 0.2f, 0.05f * static_cast<float>(i / 10)));
+            add_body(world, batch, turned_anyhow(random, {0.05 * (i % 10), 0.2, 0.05 * (i / 10)}));
         steps(world, 8 * rate, 1.0f / static_cast<float>(rate), static_cast<uint32_t>(substeps));
         CHECK(view_of(world, batch).awake_count <= 5);
     }
@@ -93,6 +84,7 @@ TEST_CASE("coins, rods and bricks come to rest on uneven ground") {
     for (const auto& size : sizes) {
         CAPTURE(size[0]);
         const float reach = narrow(0.5 * std::hypot(size[0], std::hypot(size[1], size[2])));
+        const double apart = 4.2 * wide(reach);
         const World world = make(world_desc());
         const Asset asset = make(rigid_box(size[0], size[1], size[2], 800.0));
         const lr_batch batch = add_batch(world, asset, 64);
@@ -101,8 +93,7 @@ TEST_CASE("coins, rods and bricks come to rest on uneven ground") {
         Random random(9);
         for (uint32_t i = 0; i < 64; ++i)
             add_body(world, batch,
-                     turned_anyhow(random, 4.2f * reach * (static_cast<float>(i % 8) - 3.5f), 3.0f * reach,
-                                   4.2f * reach * (static_cast<float>(i / 8) - 3.5f)));
+                     turned_anyhow(random, {apart * (i % 8 - 3.5), 3.0 * wide(reach), apart * (i / 8 - 3.5)}));
         steps(world, 600, 1.0f / 60.0f, 4);
         CHECK(view_of(world, batch).awake_count <= 1);
     }
@@ -149,8 +140,7 @@ TEST_CASE("a body that trembled long enough half-way through a snapshot comes to
     add_collider(world, uneven_ground(heights, 41, reach));
     Random random(12);
     for (uint32_t i = 0; i < 8; ++i)
-        add_body(world, batch,
-                 turned_anyhow(random, 4.0f * reach * (static_cast<float>(i) - 3.5f), 2.0f * reach, 0.0f));
+        add_body(world, batch, turned_anyhow(random, {4.0 * wide(reach) * (i - 3.5), 2.0 * wide(reach), 0.0}));
     for (int frame = 0; frame < 200; ++frame) {
         const std::vector<unsigned char> saved = snapshot_of(world);
         steps(world, 1, 1.0f / 60.0f, 4);

@@ -14,12 +14,6 @@ constexpr int volleys = 20;
 #endif
 constexpr uint32_t shots = 500;
 
-Quat any_turn(Random& random) {
-    Quat q;
-    for (double& x : q) x = random.uniform(-1.0, 1.0);
-    return normalised(q);
-}
-
 } // namespace
 
 // Targets are far apart in the air, one for each shot; only contacts between a shot and its target count.

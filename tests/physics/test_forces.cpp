@@ -41,9 +41,7 @@ void push(const World& world, const lr_body_force& f) {
 }
 
 lr_body_desc turned(Random& random, double scale = 1.0) {
-    lr_body_desc d = body_desc();
-    for (float& q : d.orientation) q = random.real(-1.0, 1.0);
-    for (float& x : d.position) x = random.real(-1.0, 1.0);
+    lr_body_desc d = strewn(random, 1.0);
     d.scale = narrow(scale);
     return d;
 }

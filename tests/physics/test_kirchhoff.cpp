@@ -41,9 +41,8 @@ Drift drift(const Asset& asset, lr_batch_desc desc, int count, float dt, uint32_
     std::vector<lr_body> ids;
     std::vector<Invariants> before;
     for (int i = 0; i < 32; ++i) {
-        lr_body_desc d = body_desc();
+        lr_body_desc d = turned_anyhow(random);
         d.scale = narrow(scale);
-        for (float& q : d.orientation) q = random.real(-1.0, 1.0);
         // Speeds at which a body rotates about once per second and moves its own length in a quarter of one.
         for (float& v : d.linear_velocity) v = random.real(-0.2, 0.2) * narrow(scale);
         for (float& w : d.angular_velocity) w = random.real(-5.0, 5.0);

@@ -27,8 +27,7 @@ TEST_CASE("the default integrator keeps every body finite at every step") {
                                   LR_LOADS_AERODYNAMIC}[static_cast<size_t>(i % 8 == 7 ? 0 : 1 + i / 2 % 2)];
         batches.push_back(add_batch(world, d, make(shape), 40));
         for (int k = 0; k < 40; ++k) {
-            lr_body_desc b = body_desc();
-            for (float& q : b.orientation) q = random.real(-1.0, 1.0);
+            lr_body_desc b = turned_anyhow(random);
             for (float& v : b.linear_velocity) v = random.real(-20.0, 20.0);
             for (float& w : b.angular_velocity) w = random.real(-200.0, 200.0);
             b.scale = static_cast<float>(random.logarithmic(0.1, 10.0));
@@ -74,8 +73,7 @@ TEST_CASE("the default integrator keeps every body finite at the limits of the A
             if (i % 5 == 4) d.damping_gain = d.noise_gain = 100.0f;
             batches.push_back(add_batch(world, d, make(shape), 16));
             for (int k = 0; k < 16; ++k) {
-                lr_body_desc b = body_desc();
-                for (float& q : b.orientation) q = random.real(-1.0, 1.0);
+                lr_body_desc b = turned_anyhow(random);
                 for (float& v : b.linear_velocity) v = random.real(-speed, speed);
                 for (float& w : b.angular_velocity) w = random.real(-spin, spin);
                 b.scale = static_cast<float>(random.logarithmic(1.001e-3, 999.0));

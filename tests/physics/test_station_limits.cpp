@@ -229,8 +229,7 @@ TEST_CASE("stations: bodies fall through a surface of water and sink, or float")
             const lr_batch batch = add_batch(world, aerodynamic(), load(data), 20);
             Random random(3);
             for (int i = 0; i < 20; ++i) {
-                lr_body_desc d = body_desc();
-                for (float& q : d.orientation) q = random.real(-1.0, 1.0);
+                lr_body_desc d = turned_anyhow(random);
                 d.position[1] = 0.2f;
                 add_body(world, batch, d);
             }

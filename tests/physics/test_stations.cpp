@@ -77,9 +77,8 @@ Error compare(const Case& c, int32_t integrator, double time, int count, uint32_
     std::vector<lr_body> ids;
     std::vector<ReferenceBody::State> expected;
     for (int i = 0; i < 16; ++i) {
-        lr_body_desc d = body_desc();
+        lr_body_desc d = turned_anyhow(random);
         d.scale = narrow(c.scale);
-        for (float& q : d.orientation) q = random.real(-1.0, 1.0);
         Vec v{}, w{};
         for (double& x : v) x = random.uniform(-c.speed, c.speed);
         for (double& x : w) x = random.uniform(-c.spin, c.spin);
@@ -139,8 +138,7 @@ TEST_CASE("stations: RK4 converges at fourth order, the default at second order"
 namespace {
 
 lr_body_desc moving(Random& random, double speed, double spin) {
-    lr_body_desc d = body_desc();
-    for (float& q : d.orientation) q = random.real(-1.0, 1.0);
+    lr_body_desc d = turned_anyhow(random);
     for (float& v : d.linear_velocity) v = random.real(-speed, speed);
     for (float& w : d.angular_velocity) w = random.real(-spin, spin);
     return d;

@@ -27,8 +27,7 @@ Run run(const World& world, const lr_batch_desc& desc, const Asset& asset, int f
     Random random(31);
     std::vector<lr_body> ids;
     for (int i = 0; i < 20; ++i) {
-        lr_body_desc d = body_desc();
-        for (float& q : d.orientation) q = random.real(-1.0, 1.0);
+        lr_body_desc d = turned_anyhow(random);
         // Of few bits, so that sums with a wind are exact.
         for (float& v : d.linear_velocity) v = static_cast<float>(static_cast<int>(random.below(64)) - 32) / 64.0f;
         for (float& w : d.angular_velocity) w = random.real(-5.0, 5.0);

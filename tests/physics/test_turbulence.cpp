@@ -287,9 +287,7 @@ TEST_CASE("the paper's leaf falls about as fast as paper does") {
         Random random(21);
         std::vector<lr_body> ids;
         for (int i = 0; i < 200; ++i) {
-            lr_body_desc b = body_desc();
-            for (float& q : b.orientation) q = random.real(-1.0, 1.0);
-            ids.push_back(add_body(world, batch, b));
+            ids.push_back(add_body(world, batch, turned_anyhow(random)));
         }
         steps(world, 120, 1.0f / 60.0f, 4);
         double start = 0.0, end = 0.0, most = 0.0;

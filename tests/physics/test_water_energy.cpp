@@ -27,9 +27,7 @@ double longest(const lr_ellipsoid_desc& e) {
     return std::max({e.semi_axes[0], e.semi_axes[1], e.semi_axes[2]});
 }
 lr_body_desc draw_motion(Random& random, double size, double fastest, double spin) {
-    lr_body_desc b = body_desc();
-    b.position[1] = narrow(random.uniform(-1.2, 1.2) * size);
-    for (float& q : b.orientation) q = random.real(-1.0, 1.0);
+    lr_body_desc b = turned_anyhow(random, {0.0, random.uniform(-1.2, 1.2) * size, 0.0});
     const double v = random.logarithmic(0.01, fastest), w = random.logarithmic(0.1, spin);
     for (float& x : b.linear_velocity) x = random.real(-v, v);
     for (float& x : b.angular_velocity) x = random.real(-w, w);

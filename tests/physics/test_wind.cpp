@@ -278,8 +278,7 @@ TEST_CASE("a uniform wind as sources, as itself and none, moved along, are one m
             std::vector<float> samples = {2.0f, -0.5f, 1.0f};
             for (uint32_t i = 0; i < 20; ++i) {
                 Random random(i);
-                lr_body_desc d = body_desc();
-                for (float& q : d.orientation) q = random.real(-1.0, 1.0);
+                lr_body_desc d = turned_anyhow(random);
                 if (how > 0)
                     for (size_t k = 0; k < 3; ++k) d.linear_velocity[k] = samples[k];
                 ids.push_back(add_body(world, batch, d));
@@ -351,10 +350,7 @@ TEST_CASE("bodies stay finite in any wind at any step, and no faster than the wi
         }
         std::vector<lr_body> ids;
         for (int i = 0; i < 64; ++i) {
-            lr_body_desc b = body_desc();
-            for (float& x : b.position) x = random.real(-2.0, 2.0);
-            for (float& q : b.orientation) q = random.real(-1.0, 1.0);
-            ids.push_back(add_body(world, batch, b));
+            ids.push_back(add_body(world, batch, strewn(random, 2.0)));
         }
         const float dt = narrow(random.logarithmic(0.002, 0.1));
         CAPTURE(round);

@@ -27,6 +27,11 @@ inline lr_collider_desc surface(lr_collider_desc d, float friction, float restit
 template <size_t N> void put(float (&to)[N], const std::array<double, N>& from) {
     for (size_t k = 0; k < N; ++k) to[k] = narrow(from[k]);
 }
+inline Quat any_turn(Random& random) {
+    Quat q;
+    for (double& x : q) x = random.uniform(-1.0, 1.0);
+    return normalised(q);
+}
 // n cells of `cell` along x and z about the origin, z = 0 at the middle, heights by height(x, z).
 template <class Height> Triangles fine_sheet(uint32_t n, float cell, const Height& height) {
     Triangles t;

@@ -12,8 +12,7 @@ namespace test {
 
 // size: m, the smallest of the body; scales keep it above a micrometre.
 inline lr_body_desc draw_motion(Random& random, double size) {
-    lr_body_desc b = body_desc();
-    for (float& q : b.orientation) q = random.real(-1.0, 1.0);
+    lr_body_desc b = turned_anyhow(random);
     const double speed = random.logarithmic(0.01, 100.0), spin = random.logarithmic(0.1, 1000.0);
     for (float& v : b.linear_velocity) v = random.real(-speed, speed);
     for (float& w : b.angular_velocity) w = random.real(-0.57 * spin, 0.57 * spin);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "support/handles.h"
+#include "support/random.h"
 
 #include <algorithm>
 #include <doctest/doctest.h>
@@ -52,6 +53,18 @@ inline lr_batch_desc langevin() {
 }
 inline lr_body_desc body_desc() {
     return initialised(lr_body_desc_init);
+}
+// At rest at `place`, m, with any orientation.
+inline lr_body_desc turned_anyhow(Random& random, const std::array<double, 3>& place = {}) {
+    lr_body_desc d = body_desc();
+    for (size_t k = 0; k < 3; ++k) d.position[k] = narrow(place[k]);
+    for (float& q : d.orientation) q = random.real(-1.0, 1.0);
+    return d;
+}
+// The same, anywhere in a cube about the origin; extent: m, half its edge.
+inline lr_body_desc strewn(Random& random, double extent) {
+    const auto along = [&] { return random.uniform(-extent, extent); };
+    return turned_anyhow(random, {along(), along(), along()});
 }
 inline lr_body_state body_state() {
     return initialised(lr_body_state_init);

@@ -14,9 +14,9 @@
 SI units everywhere, right-handed frames, quaternions x, y, z, w. The whole C API is in `langevin_rigid._native`.
 """
 from . import enums, errors
-from ._fields import (Aerodynamics, AssetInfo, BatchContact, BatchCounts, BatchForce, BatchPace, BatchRules, BodyState, ColliderState,
-                      Emitter, LoadGains, StepReport, Timings, Water, WorldInfo)
 from ._library import library, library_path, version
+from ._records import (Aerodynamics, AssetInfo, BatchContact, BatchCounts, BatchForce, BatchPace, BatchRules, BodyState, ColliderState,
+                       Emitter, LoadGains, StepReport, Timings, Water, WorldInfo)
 from ._version import __version__
 from .air import WindSource
 from .asset import Asset, check_asset

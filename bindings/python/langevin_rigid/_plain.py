@@ -8,14 +8,14 @@ import ctypes
 from typing import TYPE_CHECKING, Any, List, Mapping
 
 from . import _native as native
-from ._fields import Aerodynamics, BatchContact, BatchCounts, BatchForce, BatchPace, BodyState, ColliderState, LoadGains, StepReport, Timings, WorldInfo
+from ._records import Aerodynamics, BatchContact, BatchCounts, BatchForce, BatchPace, BodyState, ColliderState, LoadGains, StepReport, Timings, WorldInfo
 from ._structs import init, integer, make, takes
 from .enums import DivergencePolicy
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ._fields import BatchContactOptions, BatchForceOptions, BatchRulesOptions, EmitterOptions, LoadGainsOptions
+    from ._options import BatchContactOptions, BatchForceOptions, BatchRulesOptions, EmitterOptions, LoadGainsOptions
 
 
 class Plain:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Callable, Dict, List, Mapping, Optional
 import numpy as np
 
 from . import _native as native
-from ._fields import Water
+from ._records import Water
 from ._structs import address, assign, init, make, rows, takes
 from .callbacks import WaterQuery, WindQuery, field_callback
 
@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
     from typing_extensions import Unpack
 
-    from ._fields import (BlowerOptions, GroundWindOptions, GustsOptions, TurbulenceOptions, VortexOptions, WaterOptions,
-                          WindGridOptions)
+    from ._options import (BlowerOptions, GroundWindOptions, GustsOptions, TurbulenceOptions, VortexOptions, WaterOptions,
+                           WindGridOptions)
 
 
 class WindSource:

@@ -7,7 +7,7 @@ import os
 from typing import TYPE_CHECKING, Any, List, Optional, Union
 
 from . import _native as native
-from ._fields import Aerodynamics, AssetInfo
+from ._records import Aerodynamics, AssetInfo
 from ._library import call, error, library
 from ._structs import init, make, takes
 from .errors import ClosedError, Fault
@@ -15,7 +15,7 @@ from .errors import ClosedError, Fault
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ._fields import EllipsoidOptions, RigidOptions
+    from ._options import EllipsoidOptions, RigidOptions
 
 
 class Asset:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Dict, List, Optional, Tuple
 import numpy as np
 
 from . import _native as native
-from ._fields import Aerodynamics, BatchRules, Emitter
+from ._records import Aerodynamics, BatchRules, Emitter
 from ._plain import BatchPlain
 from ._structs import address, as_fields, contiguous, elements, init, takes, vectors
 from .enums import ForceFrame, ForceMode, TransformFormat
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
     from typing_extensions import Unpack
 
-    from ._fields import AerodynamicsOptions, TurbulenceTableOptions
+    from ._options import AerodynamicsOptions, TurbulenceTableOptions
     from .asset import Asset
 
 SHAPES = {

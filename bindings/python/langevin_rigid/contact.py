@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
     from typing_extensions import Unpack
 
-    from ._fields import ColliderOptions, MaterialOptions
+    from ._options import ColliderOptions, MaterialOptions
 
 
 class Events(NamedTuple):

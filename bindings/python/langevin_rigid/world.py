@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
     from typing_extensions import Unpack
 
-    from ._fields import BatchOptions, BodyStateOptions, RecordingOptions, WorldOptions
+    from ._options import BatchOptions, BodyStateOptions, RecordingOptions, WorldOptions
     from .asset import Asset
 
 

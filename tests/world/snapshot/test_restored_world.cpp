@@ -27,10 +27,8 @@ struct Place {
         if (!lived) return;
         Random random(3);
         for (int i = 0; i < 100; ++i) {
-            lr_body_desc d = body_desc();
-            for (float& x : d.position) x = random.real(0.05, 0.5);
-            for (float& q : d.orientation) q = random.real(-1.0, 1.0);
-            ids.push_back(add_body(world, batch, d));
+            const auto along = [&] { return random.uniform(0.05, 0.5); };
+            ids.push_back(add_body(world, batch, turned_anyhow(random, {along(), along(), along()})));
         }
         const lr_collider_desc solids[2] = {collider_desc(LR_COLLIDER_PLANE), sphere_collider(0.1f)};
         lr_collider colliders[2] = {};
