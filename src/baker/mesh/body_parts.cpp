@@ -21,7 +21,8 @@ constexpr double weld = 1e-5;
 constexpr double crack = 1e-6;
 // Holes of a part, over its area: a seam that does not meet, a missing cap of a stem.
 constexpr double small_holes = 0.01;
-constexpr double no_volume = 1e-6; // over area^(3/2)
+constexpr double missing_faces = 0.05; // where each hole has the corners of a triangle or quad
+constexpr double no_volume = 1e-6;     // over area^(3/2)
 
 std::array<uint32_t, 3> sorted(Face f) {
     std::sort(f.begin(), f.end());
@@ -162,7 +163,9 @@ private:
             if (area_of(other.faces) > area_of(closed.faces)) {
                 closed = std::move(other);
                 flaps = std::move(other_flaps);
-                flaps.insert(flaps.end(), walls.begin(), walls.end()); // those inside the solid are left out later
+                const SolidRegion region(mesh_, closed.faces);
+                for (const Face& f : walls)
+                    if (!region.contains(middle(f))) flaps.push_back(f);
             }
         }
         if (!flaps.empty()) sheet_parts_.add(middle(flaps.front()));
@@ -298,7 +301,9 @@ private:
                 holes += 0.5 * (at(a) - centre).cross(at(b) - centre).norm();
             }
         }
-        if (!(holes <= small_holes * area_of(faces))) return filled;
+        const bool few_corners =
+            std::all_of(loops.begin(), loops.end(), [](const std::vector<uint32_t>& loop) { return loop.size() <= 4; });
+        if (!(holes <= (few_corners ? missing_faces : small_holes) * area_of(faces))) return filled;
         mesh_.vertices.insert(mesh_.vertices.end(), centres.begin(), centres.end());
         for (const Face& cap : caps)
             if (!is_flat(cap)) faces.push_back(cap);
@@ -428,15 +433,19 @@ private:
 
 } // namespace
 
+bool is_clean_solid(Mesh& mesh, Faults& found) {
+    return check_and_repair(mesh, found) && std::none_of(found.begin(), found.end(), [](const Fault& f) {
+               return f.id == FaultId::mesh_self_intersection;
+           });
+}
+
 bool find_parts(Mesh& mesh, BodyParts& out, Faults& faults, bool all_sheets) {
     if (!Parts(mesh, faults).run(out, all_sheets)) return false;
     if (out.solid_faces == 0) return true;
     Mesh solids = out.mesh;
     solids.faces.resize(out.solid_faces);
     Faults found;
-    out.clean = check_and_repair(solids, found) && std::none_of(found.begin(), found.end(), [](const Fault& f) {
-                    return f.id == FaultId::mesh_self_intersection;
-                });
+    out.clean = is_clean_solid(solids, found);
     if (out.clean && !out.has_sheets()) {
         out.mesh = std::move(solids);
         out.solid_faces = out.mesh.faces.size();

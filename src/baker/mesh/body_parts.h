@@ -25,6 +25,9 @@ struct BodyParts {
     }
 };
 
+// Whether it passes check_and_repair, and does not cross itself.
+bool is_clean_solid(Mesh& mesh, Faults& found);
+
 // A part is connected by edges. Joins cracks, removes faces without area and second copies, closes holes of a hundredth of a part's area, and
 // winds each solid outward. A part that is closed then is a solid; one in another solid, wound the other way in the file, is a cavity; flaps without
 // a back that hang on a solid, and all else, are sheets. Each change is one warning with its number of faces. False only if nothing is left.
