@@ -11,6 +11,7 @@
 #include "baker/check_options.h"
 #include "baker/fault_text.h"
 #include "baker/file_faults.h"
+#include "baker/length_text.h"
 #include "baker/mass_mesh.h"
 #include "baker/mesh/body_parts.h"
 #include "baker/mesh/convex_hull.h"
@@ -26,7 +27,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <new>
@@ -138,7 +138,7 @@ private:
             resize(mesh_, size_scale_);
             faults_.push_back(
                 {FaultId::mesh_turned_or_scaled, Severity::warning, "unit",
-                 "The body would be " + two_digits(side_) + " m long: its lengths were taken as millimetres.",
+                 "The body would be " + length_text(side_) + " long: its lengths were taken as millimetres.",
                  "Give its true length, as in --size 20cm, or the --unit that it was modelled in."});
             side_ *= size_scale_;
         }
@@ -162,7 +162,10 @@ private:
             faults_.insert(faults_.end(), found.begin(), found.end());
             return !has_error(found) && (!is_sheet() || set_thickness(mesh_, mesh_.faces));
         }
-        if (!find_parts(mesh_, parts_, faults_, is_sheet())) return false;
+        const OpenParts open = is_sheet()      ? OpenParts::all_sheets
+                               : options_.fill ? OpenParts::filled
+                                               : OpenParts::sheets;
+        if (!find_parts(mesh_, parts_, faults_, open)) return false;
         mesh_ = parts_.mesh;
         if (parts_.solid_faces == 0) {
             sheet_ = true;
@@ -203,17 +206,11 @@ private:
             thickness_ = default_thickness * sheet_length(mesh, sheets);
             faults_.push_back(
                 {FaultId::mesh_open_edge, Severity::warning, "mesh",
-                 "Open parts are sheets " + two_digits(thickness_) + " m thick: 0.3 % of their typical length.",
+                 "Open parts are sheets " + length_text(thickness_, 2) + " thick: 0.3 % of their typical length.",
                  "Give --thickness if it is known."});
         }
         if (options_.sheet && options_.sheet->areal_density) density_ = *options_.sheet->areal_density / thickness_;
         return true;
-    }
-
-    static std::string two_digits(double x) {
-        std::array<char, 32> text{};
-        return {text.data(),
-                std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, 2).ptr};
     }
 
     // Of the union of the solids, and of the sheets outside them.
@@ -222,7 +219,7 @@ private:
         if (m.counted - m.volume > 1e-4 * m.counted)
             faults_.push_back({FaultId::mesh_several_components, Severity::warning, "mesh",
                                "Solids cross or lie in each other: they were taken as one body; " +
-                                   two_digits(100.0 * (1.0 - m.volume / m.counted)) +
+                                   shortest(std::round(1e4 * (1.0 - m.volume / m.counted)) / 100.0) +
                                    " % of their volume was covered more than once and counts once.",
                                "None needed. A boolean union in the modelling program makes the added mass more exact; "
                                "--strict refuses such parts."});
@@ -247,7 +244,7 @@ private:
         const std::size_t before = faults_.size();
         bool good = read_mass_input(options_, mesh, input_, faults_);
         resize(mesh, size_scale_);
-        good = good && weigh(mesh, {is_sheet(), options_.strict, thickness_}, weighed, faults_);
+        good = good && weigh(mesh, {is_sheet(), options_.strict, options_.fill, thickness_}, weighed, faults_);
         for (std::size_t i = before; i < faults_.size(); ++i)
             if (static_cast<uint32_t>(faults_[i].id) >= 200) faults_[i].where = "mass, " + faults_[i].where;
         return good;
@@ -266,11 +263,12 @@ private:
         const double size = solid_.extents.maxCoeff();
         if (!(size >= 1e-6 && size <= longest_body))
             return fail(faults_, FaultId::parameter_out_of_range, "unit",
-                        "The body is " + shortest(size) + " m long; the limits are 1e-6 and 1000 m.",
+                        "The body is " + length_text(size) + " long; the limits are 1e-6 and 1000 m.",
                         "Give its true length, as in --size 20cm, or the --unit that it was modelled in.");
         if (is_sheet() && thickness_ > max_thickness_share * size)
             return fail(faults_, FaultId::parameter_out_of_range, "thickness",
-                        "A sheet " + shortest(thickness_) + " m thick and " + shortest(size) + " m long is too thick.",
+                        "A sheet " + length_text(thickness_) + " thick and " + length_text(size) +
+                            " long is too thick.",
                         "Model it as a solid, or check --thickness and --unit.");
         center_ = weighed.centroid;
         if (options_.center_of_mass) {

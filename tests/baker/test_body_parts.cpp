@@ -66,9 +66,9 @@ Mesh fin(double y0, double z0, double y1, double z1, int n = 1) {
     return mesh;
 }
 
-BodyParts parts_of(Mesh mesh, Faults& faults) {
+BodyParts parts_of(Mesh mesh, Faults& faults, OpenParts open = OpenParts::sheets) {
     BodyParts parts;
-    REQUIRE(find_parts(mesh, parts, faults));
+    REQUIRE(find_parts(mesh, parts, faults, open));
     return parts;
 }
 
@@ -135,6 +135,12 @@ TEST_CASE("parts: a small hole is closed, a missing side is not") {
     Mesh tall = box({0, 0, 0}, {1, 1, 3}, 1); // a carton without its lid, 8 %
     tall.faces.resize(10);
     CHECK(parts_of(tall, faults).solid_faces == 0);
+    Mesh leaf = fin(2, 2, 3, 3, 4); // bent
+    for (Vector& v : leaf.vertices) v.x() += 0.5 * (v.y() - 2.0) * (v.y() - 2.0);
+    add(tall, leaf);
+    const BodyParts trunk = parts_of(tall, faults, OpenParts::filled);
+    CHECK(volume_of(trunk) == doctest::Approx(3.0));
+    CHECK(trunk.sheets().size() == leaf.faces.size());
 }
 
 TEST_CASE("parts: a fin that hangs on a box, a wall between boxes") {

@@ -22,6 +22,7 @@ constexpr double crack = 1e-6;
 // Holes of a part, over its area: a seam that does not meet, a missing cap of a stem.
 constexpr double small_holes = 0.01;
 constexpr double missing_faces = 0.05; // where each hole has the corners of a triangle or quad
+constexpr double any_holes = 0.75;     // OpenParts::filled: half a ball has 0.5, a curved leaf 0.9 and more
 constexpr double no_volume = 1e-6;     // over area^(3/2)
 
 std::array<uint32_t, 3> sorted(Face f) {
@@ -31,9 +32,9 @@ std::array<uint32_t, 3> sorted(Face f) {
 
 class Parts {
 public:
-    Parts(Mesh& mesh, Faults& faults) : mesh_(mesh), faults_(faults) {}
+    Parts(Mesh& mesh, Faults& faults, OpenParts open) : mesh_(mesh), faults_(faults), open_(open) {}
 
-    bool run(BodyParts& out, bool all_sheets) {
+    bool run(BodyParts& out) {
         clean_up();
         if (mesh_.faces.empty()) {
             faults_.push_back(
@@ -43,7 +44,7 @@ public:
             return false;
         }
         std::vector<Face> sheets;
-        if (all_sheets)
+        if (open_ == OpenParts::all_sheets)
             sheets = mesh_.faces;
         else
             for (const std::vector<uint32_t>& part : connected()) sort_out(part, sheets);
@@ -303,7 +304,8 @@ private:
         }
         const bool few_corners =
             std::all_of(loops.begin(), loops.end(), [](const std::vector<uint32_t>& loop) { return loop.size() <= 4; });
-        if (!(holes <= (few_corners ? missing_faces : small_holes) * area_of(faces))) return filled;
+        const double most = open_ == OpenParts::filled ? any_holes : few_corners ? missing_faces : small_holes;
+        if (!(holes <= most * area_of(faces))) return filled;
         mesh_.vertices.insert(mesh_.vertices.end(), centres.begin(), centres.end());
         for (const Face& cap : caps)
             if (!is_flat(cap)) faces.push_back(cap);
@@ -408,7 +410,7 @@ private:
                                none});
         warn(FaultId::mesh_duplicate_face, copies_, "1 face lies on another face and was left out.",
              " faces lie on another face and were left out", none);
-        warn(FaultId::mesh_open_edge, filled_, "1 small hole was closed.", " small holes were closed", none);
+        warn(FaultId::mesh_open_edge, filled_, "1 hole was closed.", " holes were closed", none);
         if (turned_ > 0)
             faults_.push_back({FaultId::mesh_inconsistent_winding, Severity::warning, "mesh",
                                counted(turned_, "face was", "faces were") + " turned so that all look outward.", none});
@@ -419,12 +421,15 @@ private:
             solids_.empty() ? "" : ", and " + counted(solids_.size(), "is", "are") + " closed and solid";
         warn(FaultId::mesh_open_edge, sheet_parts_, ("1 part is open and was taken as a sheet" + solid + ".").c_str(),
              " parts are open and were taken as sheets" + solid,
-             "To make a part solid, close its holes in the modelling program (fill, cap) or give it a thickness "
-             "(solidify); --strict refuses open parts.");
+             open_ == OpenParts::filled
+                 ? "None needed; what is left open is flat, or not bounded by plain loops of edges."
+                 : "To make parts solid, give --fill, or close their holes in the modelling program (fill, cap, "
+                   "solidify); --strict refuses open parts.");
     }
 
     Mesh& mesh_;
     Faults& faults_;
+    OpenParts open_;
     std::vector<char> wall_;
     std::vector<Solid> solids_;
     std::size_t joined_ = 0, turned_ = 0;
@@ -439,8 +444,8 @@ bool is_clean_solid(Mesh& mesh, Faults& found) {
            });
 }
 
-bool find_parts(Mesh& mesh, BodyParts& out, Faults& faults, bool all_sheets) {
-    if (!Parts(mesh, faults).run(out, all_sheets)) return false;
+bool find_parts(Mesh& mesh, BodyParts& out, Faults& faults, OpenParts open) {
+    if (!Parts(mesh, faults, open).run(out)) return false;
     if (out.solid_faces == 0) return true;
     Mesh solids = out.mesh;
     solids.faces.resize(out.solid_faces);
