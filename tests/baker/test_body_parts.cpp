@@ -138,7 +138,10 @@ TEST_CASE("parts: a small hole is closed, a missing side is not") {
     Mesh leaf = fin(2, 2, 3, 3, 4); // bent
     for (Vector& v : leaf.vertices) v.x() += 0.5 * (v.y() - 2.0) * (v.y() - 2.0);
     add(tall, leaf);
+    faults.clear();
     const BodyParts trunk = parts_of(tall, faults, OpenParts::filled);
+    CHECK(std::none_of(faults.begin(), faults.end(),
+                       [](const Fault& f) { return f.id == FaultId::mesh_inconsistent_winding; }));
     CHECK(volume_of(trunk) == doctest::Approx(3.0));
     CHECK(trunk.sheets().size() == leaf.faces.size());
 }

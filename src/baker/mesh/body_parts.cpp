@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace lr::baker {
 namespace {
@@ -261,12 +262,15 @@ private:
     Count fill_small_holes(std::vector<Face>& faces) {
         Count filled;
         std::map<uint32_t, std::vector<uint32_t>> next;
+        std::set<std::pair<uint32_t, uint32_t>> backward; // as a cap runs along a face
         const std::vector<HalfEdge> halves = half_edges(faces);
         for (std::size_t i = 0, end = 0; i < halves.size(); i = end) {
             while (end < halves.size() && same_edge(halves[i], halves[end])) ++end;
             if (end - i != 1) continue;
             next[halves[i].low].push_back(halves[i].high);
             next[halves[i].high].push_back(halves[i].low);
+            const Face& f = faces[halves[i].face];
+            backward.emplace(f[(halves[i].side + 1) % 3], f[halves[i].side]);
         }
         if (next.empty()) return filled;
         for (const auto& [v, others] : next)
@@ -281,6 +285,7 @@ private:
                 to = ends[0] == from ? ends[1] : ends[0];
             }
             for (const uint32_t v : loop) next.erase(v);
+            if (!backward.contains({loop[0], loop[1]})) std::reverse(loop.begin(), loop.end());
             loops.push_back(std::move(loop));
         }
         double holes = 0.0;
