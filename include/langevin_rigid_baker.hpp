@@ -86,6 +86,7 @@ struct BakeOptions {
     // Of a mesh: the largest side of its bounding box, in m. Scales the mesh, `mass` and center_of_mass from whatever unit
     // they are in; `unit` then only counts for the thickness of a sheet.
     std::optional<double> size;
+    bool fill = false; // closes the holes of open parts, which then are solid; not with `sheet` or `strict`
 };
 
 struct BakeFault {

@@ -83,14 +83,14 @@ def limit():
 
 
 def bake(command):
-    """Exit code, messages, and seconds of processor time, which other work on the machine does not change."""
+    """Exit code, messages, seconds of processor time, which other work on the machine does not change, and megabytes."""
     with tempfile.TemporaryFile() as errors:
         run = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=errors, preexec_fn=limit)
         _, status, usage = os.wait4(run.pid, 0)
         run.returncode = code = os.waitstatus_to_exitcode(status)
         errors.seek(0)
         text = errors.read().decode(errors="replace")
-    return "time" if code in {-signal.SIGXCPU, -signal.SIGKILL} else code, text, usage.ru_utime + usage.ru_stime
+    return "time" if code in {-signal.SIGXCPU, -signal.SIGKILL} else code, text, usage.ru_utime + usage.ru_stime, usage.ru_maxrss // 1024
 
 
 def outcome(code, text):
@@ -106,18 +106,18 @@ def outcome(code, text):
 
 def try_model(lr_bake, name, path):
     command = [lr_bake, "mesh", str(path), "-o", f"{FOLDER}/out/{hashlib.sha256(str(path).encode()).hexdigest()[:16]}.lrb"]
-    code, text, seconds = bake(command)
+    code, text, seconds, megabytes = bake(command)
     lines = [re.sub(r"^.*?: (?=(error|warning) \d)", "", line) for line in text.splitlines() if re.search(r"(error|warning) \d", line)]
-    result = {"collection": name, "path": str(path.relative_to(FOLDER)), "outcome": outcome(code, text), "seconds": round(seconds, 2),
+    result = {"collection": name, "path": str(path.relative_to(FOLDER)), "outcome": outcome(code, text), "seconds": round(seconds, 2), "megabytes": megabytes,
               "lines": lines}
     if code == 1:
         errors = " ".join(line for line in lines if line.startswith("error"))
         named = [option for option in re.findall(r"--[a-z]+(?:-[a-z]+)*", errors) if option in VALUES]
         if named:
             option = named[0]
-            code, text, seconds = bake(command + [option] + VALUES[option])
+            code, text, seconds, megabytes = bake(command + [option] + VALUES[option])
             if code == 2 and option == "--sheet":  # releases in which a sheet needs a thickness
-                code, text, seconds = bake(command + [option, "--thickness", "0.001"])
+                code, text, seconds, megabytes = bake(command + [option, "--thickness", "0.001"])
             result |= {"option": option, "then": outcome(code, text), "seconds_then": round(seconds, 2),
                        "lines_then": [line for line in text.splitlines() if "error" in line]}
     return result
@@ -128,8 +128,8 @@ def table(results):
     for result in results:
         rows[result["collection"]].append(result)
         rows["all"].append(result)
-    print("| collection | models | no surface | baked with no option | with the option named | slowest | refused |")
-    print("|---|---|---|---|---|---|---|")
+    print("| collection | models | no surface | baked with no option | with the option named | slowest | most memory | refused |")
+    print("|---|---|---|---|---|---|---|---|")
     order = [name for name in PACKAGES if name in rows] + ["all"]
     for name in order:
         row = rows[name]
@@ -141,7 +141,7 @@ def table(results):
         text = ", ".join(f"{count} {reason}" for reason, count in reasons.most_common())
         share = lambda part: f"{len(part)} ({100 * len(part) / max(1, len(usable)):.0f} %)"
         print(f"| {name} | {len(row)} | {len(row) - len(usable)} | {share(first)} | {share(second)} | "
-              f"{max((r['seconds'] for r in row), default=0):.0f} s | {text} |")
+              f"{max((r['seconds'] for r in row), default=0):.0f} s | {max((r['megabytes'] for r in row), default=0)} MB | {text} |")
 
 
 def main():

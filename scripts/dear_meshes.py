@@ -123,7 +123,7 @@ def spring(mesh):
 
 
 def soup(mesh):
-    """Triangles of all sizes anywhere; they have too much surface for an asset (413)."""
+    """Triangles of all sizes anywhere."""
     for _ in range(30000):
         centre, size = [random.uniform(-1, 1) for _ in range(3)], 10 ** random.uniform(-3, -0.3)
         mesh.add([tuple(random.gauss(c, size) for c in centre) for _ in range(3)], [(0, 1, 2)])

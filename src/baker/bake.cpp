@@ -11,6 +11,7 @@
 #include "baker/check_options.h"
 #include "baker/fault_text.h"
 #include "baker/file_faults.h"
+#include "baker/length_text.h"
 #include "baker/mass_mesh.h"
 #include "baker/mesh/body_parts.h"
 #include "baker/mesh/convex_hull.h"
@@ -26,7 +27,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <new>
@@ -36,7 +36,9 @@ namespace {
 
 // Largest thickness over length of a sheet: in a thicker sheet the edges matter, which the zero-thickness formulation omits.
 constexpr double max_thickness_share = 0.2;
-constexpr double longest_body = 1e3; // m
+constexpr double longest_body = 1e3; // m, at most the diagonal of its box
+// Half of the surface, exact where nothing lies behind something else, is the silhouette up to this.
+constexpr double hidden_share = 0.01;
 
 std::array<double, 3> to_array(const Eigen::Vector3d& v) {
     return {v[0], v[1], v[2]};
@@ -130,13 +132,13 @@ private:
     bool read() {
         if (!read_input(options_, mesh_, input_, faults_) || !resize()) return false;
         side_ = box_sides(mesh_).maxCoeff();
-        if (side_ > longest_body && !options_.size && !options_.card && !options_.strict &&
+        if (box_sides(mesh_).norm() > longest_body && !options_.size && !options_.card && !options_.strict &&
             options_.unit == Unit::file) {
             size_scale_ = 1e-3;
             resize(mesh_, size_scale_);
             faults_.push_back(
                 {FaultId::mesh_turned_or_scaled, Severity::warning, "unit",
-                 "The body would be " + two_digits(side_) + " m long: its lengths were taken as millimetres.",
+                 "The body would be " + length_text(side_) + " long: its lengths were taken as millimetres.",
                  "Give its true length, as in --size 20cm, or the --unit that it was modelled in."});
             side_ *= size_scale_;
         }
@@ -160,7 +162,10 @@ private:
             faults_.insert(faults_.end(), found.begin(), found.end());
             return !has_error(found) && (!is_sheet() || set_thickness(mesh_, mesh_.faces));
         }
-        if (!find_parts(mesh_, parts_, faults_, is_sheet())) return false;
+        const OpenParts open = is_sheet()      ? OpenParts::all_sheets
+                               : options_.fill ? OpenParts::filled
+                                               : OpenParts::sheets;
+        if (!find_parts(mesh_, parts_, faults_, open)) return false;
         mesh_ = parts_.mesh;
         if (parts_.solid_faces == 0) {
             sheet_ = true;
@@ -170,14 +175,30 @@ private:
         mixed_ = !parts_.clean || parts_.has_sheets();
         if (!mixed_) return true;
         const BodyParts skin = outer_skin(parts_);
+        if (take_as_one_solid(skin)) return true;
         const std::vector<Face> sheets = skin.sheets();
-        std::vector<Face> all = parts_.solids();
-        all.insert(all.end(), sheets.begin(), sheets.end());
-        parts_.mesh.faces = std::move(all);
+        parts_.mesh.faces.resize(parts_.solid_faces);
+        parts_.mesh.faces.insert(parts_.mesh.faces.end(), sheets.begin(), sheets.end());
         mesh_ = skin.mesh;
         drop_unused_vertices(mesh_);
         solid_faces_ = skin.solid_faces;
         return sheets.empty() || set_thickness(parts_.mesh, sheets);
+    }
+
+    // Where all that made the body mixed lies inside one sound solid, the more exact way of solids is open. A cavity can hold solids.
+    bool take_as_one_solid(const BodyParts& skin) {
+        const std::size_t inside = parts_.mesh.faces.size() - skin.mesh.faces.size();
+        if (inside == 0 || skin.has_sheets() || !parts_.cavities.faces.empty()) return false;
+        Mesh solid = skin.mesh;
+        drop_unused_vertices(solid);
+        Faults found;
+        if (!is_clean_solid(solid, found)) return false;
+        mesh_ = std::move(solid);
+        mixed_ = false;
+        faults_.push_back({FaultId::mesh_several_components, Severity::warning, "mesh",
+                           counted(inside, "face lies", "faces lie") + " inside the solid, without effect.",
+                           "None needed; --strict refuses such parts."});
+        return true;
     }
 
     bool set_thickness(const Mesh& mesh, const std::vector<Face>& sheets) {
@@ -185,17 +206,11 @@ private:
             thickness_ = default_thickness * sheet_length(mesh, sheets);
             faults_.push_back(
                 {FaultId::mesh_open_edge, Severity::warning, "mesh",
-                 "Open parts are sheets " + two_digits(thickness_) + " m thick: 0.3 % of their typical length.",
+                 "Open parts are sheets " + length_text(thickness_, 2) + " thick: 0.3 % of their typical length.",
                  "Give --thickness if it is known."});
         }
         if (options_.sheet && options_.sheet->areal_density) density_ = *options_.sheet->areal_density / thickness_;
         return true;
-    }
-
-    static std::string two_digits(double x) {
-        std::array<char, 32> text{};
-        return {text.data(),
-                std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::general, 2).ptr};
     }
 
     // Of the union of the solids, and of the sheets outside them.
@@ -204,11 +219,10 @@ private:
         if (m.counted - m.volume > 1e-4 * m.counted)
             faults_.push_back({FaultId::mesh_several_components, Severity::warning, "mesh",
                                "Solids cross or lie in each other: they were taken as one body; " +
-                                   two_digits(100.0 * (1.0 - m.volume / m.counted)) +
+                                   shortest(std::round(1e4 * (1.0 - m.volume / m.counted)) / 100.0) +
                                    " % of their volume was covered more than once and counts once.",
-                               "None needed. Unite them (boolean union) in the modelling program for the most exact "
-                               "added mass; --strict "
-                               "refuses such parts."});
+                               "None needed. A boolean union in the modelling program makes the added mass more exact; "
+                               "--strict refuses such parts."});
         return combined_mass_properties(mesh_, solid_faces_, m.volume, m.first, m.second);
     }
 
@@ -230,7 +244,7 @@ private:
         const std::size_t before = faults_.size();
         bool good = read_mass_input(options_, mesh, input_, faults_);
         resize(mesh, size_scale_);
-        good = good && weigh(mesh, {is_sheet(), options_.strict, thickness_}, weighed, faults_);
+        good = good && weigh(mesh, {is_sheet(), options_.strict, options_.fill, thickness_}, weighed, faults_);
         for (std::size_t i = before; i < faults_.size(); ++i)
             if (static_cast<uint32_t>(faults_[i].id) >= 200) faults_[i].where = "mass, " + faults_[i].where;
         return good;
@@ -249,11 +263,12 @@ private:
         const double size = solid_.extents.maxCoeff();
         if (!(size >= 1e-6 && size <= longest_body))
             return fail(faults_, FaultId::parameter_out_of_range, "unit",
-                        "The body is " + shortest(size) + " m long; the limits are 1e-6 and 1000 m.",
+                        "The body is " + length_text(size) + " long; the limits are 1e-6 and 1000 m.",
                         "Give its true length, as in --size 20cm, or the --unit that it was modelled in.");
         if (is_sheet() && thickness_ > max_thickness_share * size)
             return fail(faults_, FaultId::parameter_out_of_range, "thickness",
-                        "A sheet " + shortest(thickness_) + " m thick and " + shortest(size) + " m long is too thick.",
+                        "A sheet " + length_text(thickness_) + " thick and " + length_text(size) +
+                            " long is too thick.",
                         "Model it as a solid, or check --thickness and --unit.");
         center_ = weighed.centroid;
         if (options_.center_of_mass) {
@@ -306,6 +321,9 @@ private:
                                                   ? sheet_geometry(mesh_, thickness_, axes, centre, solid_faces_)
                                                   : mesh_geometry(mesh_, axes, centre);
         geometry.volume = solid_.volume;
+        const auto broad = std::max_element(geometry.area.begin(), geometry.area.end()) - geometry.area.begin();
+        broad_area_ = geometry.area[static_cast<std::size_t>(broad)];
+        broad_normal_ = Eigen::Map<const Eigen::Vector3d>(axes.data() + 3 * broad);
         out_.aerodynamics = shape::default_aerodynamics(geometry);
         make_stations();
         return true;
@@ -339,8 +357,7 @@ private:
                  "Take its flight as a rough likeness, or bake a simpler shape.");
         if (stations_.fit == StationFit::hidden)
             warn("Large parts of the surface lie behind others (a deep bowl, a tube, a crumpled sheet): the loads are "
-                 "those "
-                 "of a plate of its outline.",
+                 "those of a plate of its outline.",
                  "Take its fall as a rough likeness; close the shape if it has a filling or lid.");
         if (stations_.fit == StationFit::hollow)
             warn(
@@ -427,10 +444,16 @@ private:
         share_added_mass(out_.aerodynamics, out_.added_mass, out_.stations);
         Eigen::Index broad = 0;
         out_.projected_area = solid_.projected_areas.maxCoeff(&broad);
-        const Eigen::Vector3d normal = solid_.axes.col(broad);
+        Eigen::Vector3d normal = solid_.axes.col(broad);
+        double layers = thickness_; // of a sheet, all that lie behind each other
+        if (broad_area_ < (1.0 - hidden_share) * out_.projected_area) {
+            layers *= out_.projected_area / broad_area_;
+            out_.projected_area = broad_area_;
+            normal = broad_normal_;
+        }
         const double broadside = normal.dot(added.value.topLeftCorner<3, 3>() * normal);
         const shape::BodyScales scales =
-            shape::body_scales(solid_.extents.maxCoeff(), is_sheet() ? thickness_ : solid_.extents.minCoeff(),
+            shape::body_scales(solid_.extents.maxCoeff(), is_sheet() ? layers : solid_.extents.minCoeff(),
                                solid_.volume, out_.projected_area, broadside, out_.density, options_.fluid_density);
         out_.length_d = scales.d;
         out_.length_b = scales.b;
@@ -550,6 +573,8 @@ private:
     std::size_t solid_faces_ = 0;          // mixed: of mesh_, which has only outer faces
     double side_ = 0.0, size_scale_ = 1.0; // of the bounding box, m; of options.size
     double hull_volume_ = 0.0;             // m^3
+    double broad_area_ = 0.0;              // m^2, of the largest silhouette
+    Eigen::Vector3d broad_normal_ = Eigen::Vector3d::Zero();
     Stations stations_;
     Mesh mesh_;
     MassProperties solid_;

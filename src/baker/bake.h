@@ -60,6 +60,7 @@ struct BakeOptions {
     std::optional<SheetOptions> sheet; // the mesh is a sheet, not the boundary of a solid
     std::optional<double> thickness;   // of open parts, without `sheet`, in `unit`; by default as in SheetOptions
     bool strict = false;               // refuse what is not one clean solid, instead of repairing it (find_parts)
+    bool fill = false;                 // close holes of open parts, which then are solid; not with `sheet` or `strict`
     std::optional<CardOptions> card;   // the sheet is a card: mesh_path is an image, its width in `unit`
     double density = 800.0;            // kg/m^3; leaf, paper
     double fluid_density = 1.2;        // kg/m^3; air

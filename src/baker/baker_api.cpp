@@ -79,6 +79,7 @@ core::BakeOptions to_core(const BakeOptions& o) {
     options.wake = o.wake;
     options.stations = o.stations;
     options.strict = o.strict;
+    options.fill = o.fill;
     if (o.thickness != 0.0) options.thickness = o.thickness;
     options.size = o.size;
     if (o.mass) {

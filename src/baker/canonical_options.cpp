@@ -43,6 +43,7 @@ std::string canonical_options(const BakeOptions& o) {
         add_one(" --speck", o.card->speck);
     }
     if (!o.semi_axes && o.strict) text += " --strict";
+    if (!o.semi_axes && o.fill) text += " --fill";
     if (!o.semi_axes && o.thickness) add_one(" --thickness", *o.thickness);
     if (!o.semi_axes && o.sheet && o.sheet->thickness == choose_thickness)
         text += " --sheet";

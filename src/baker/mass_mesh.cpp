@@ -24,7 +24,7 @@ bool weigh(Mesh& mesh, const WeighOptions& how, MassProperties& out, Faults& fau
         return true;
     }
     BodyParts parts;
-    if (!find_parts(mesh, parts, faults)) return false;
+    if (!find_parts(mesh, parts, faults, how.fill ? OpenParts::filled : OpenParts::sheets)) return false;
     const double thickness =
         how.thickness > 0.0 ? how.thickness : default_thickness * sheet_length(parts.mesh, parts.sheets());
     const RegionMoments m = body_moments(parts, thickness, true);

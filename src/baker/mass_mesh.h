@@ -6,7 +6,7 @@
 namespace lr::baker {
 
 struct WeighOptions {
-    bool sheet = false, strict = false;
+    bool sheet = false, strict = false, fill = false;
     double thickness = 0.0; // of sheets; 0: default_thickness of their length
 };
 

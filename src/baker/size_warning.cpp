@@ -41,7 +41,7 @@ void warn_of_size(const BodySize& body, Faults& faults) {
     remedy += remedy.empty() ? "Give its true length, as in --size 20cm, or another --density; nothing if it is right."
                              : "; nothing if it is right.";
     faults.push_back({FaultId::parameter_implausible, Severity::warning, "size",
-                      "The body is " + size_text(side) + " long, weighs " + three_digits(body.mass) +
+                      "The body is " + length_text(side) + " long, weighs " + three_digits(body.mass) +
                           " kg and falls at about " + three_digits(body.fall_speed) + " m/s.",
                       remedy});
 }

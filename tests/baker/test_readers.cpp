@@ -83,6 +83,107 @@ std::string zip_of(const std::string& name, const std::string& text) {
 
 } // namespace
 
+TEST_CASE("readers: OBJ with decimal commas, and with the line ends of old Macs") {
+    Faults faults;
+    for (const char* text :
+         {"v 0,5 0 0\nv 1,5 0 0\nv 0,5 -2,25e0 0\nf 1 2 3\n", "v 0.5 0 0\rv 1.5 0 0\rv 0.5 -2.25 0\rf 1 2 3\r"}) {
+        const Mesh mesh = read(text, "obj", faults);
+        REQUIRE(mesh.faces.size() == 1);
+        CHECK(mesh.vertices[2] == Eigen::Vector3d(0.5, -2.25, 0.0));
+    }
+    CHECK(contains(only_fault("v 1,2,3\nf 1 1 1\n", "obj"), "needs three numbers"));
+}
+
+TEST_CASE("readers: a polygon whose hole is joined to its outline by a cut keeps the hole") {
+    // The cut between the first corners of two rings passes both twice.
+    for (const int n : {4, 5, 16}) {
+        std::string text, face = "f";
+        for (const double radius : {1.0, 0.5})
+            for (int i = 0; i < n; ++i) {
+                const double turn = 6.283185307179586 * i / n;
+                text += "v " + std::to_string(radius * std::cos(turn)) + " " + std::to_string(radius * std::sin(turn)) +
+                        " 0\n";
+            }
+        for (int i = 0; i < n; ++i) face += " " + std::to_string(i + 1);
+        face += " 1 " + std::to_string(n + 1);
+        for (int i = n - 1; i >= 0; --i) face += " " + std::to_string(n + 1 + i);
+        Faults faults;
+        const Mesh mesh = read(text + face + "\n", "obj", faults);
+        double area = 0.0;
+        for (const Face& f : mesh.faces)
+            area += 0.5 *
+                    (mesh.vertices[f[1]] - mesh.vertices[f[0]]).cross(mesh.vertices[f[2]] - mesh.vertices[f[0]]).norm();
+        CHECK(mesh.faces.size() == static_cast<std::size_t>(2 * n));
+        CHECK(area == doctest::Approx(0.375 * n * std::sin(6.283185307179586 / n)).epsilon(1e-5));
+    }
+}
+
+TEST_CASE("readers: STL in capitals, and glTF whose meshes are packed") {
+    Faults faults;
+    const Mesh mesh =
+        read("SOLID A\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1 0 0\nVERTEX 0 1.5E0 0\nENDLOOP\n"
+             "ENDFACET\nENDSOLID A\n",
+             "stl", faults);
+    REQUIRE(mesh.faces.size() == 1);
+    CHECK(mesh.vertices[mesh.faces[0][2]].y() == 1.5);
+    for (const std::string name : {"KHR_mesh_quantization", "EXT_meshopt_compression"}) {
+        const std::string text =
+            R"({"asset":{"version":"2.0"},"extensionsRequired" : ["KHR_texture_transform",")" + name + R"("]})";
+        CHECK(contains(only_fault(text, "gltf"), "packed (" + name + ")"));
+    }
+}
+
+TEST_CASE("readers: the joints of a skinned glTF mesh place it, not its node") {
+    const Scratch scratch;
+    const float numbers[] = {0,   0, 0, 1, 0, 0,   0, 2, 0, // positions
+                             100, 0, 0, 0, 0, 100, 0, 0, 0, 0, 100, 0,
+                             0,   0, 0, 1,                              // the joint's inverse, as it is when bound
+                             1,   0, 0, 0, 1, 0,   0, 0, 1, 0, 0,   0}; // weights
+    const uint32_t indices[] = {0, 1, 2}, joints[] = {0, 0, 0};         // the latter four bytes a vertex
+    std::string bytes;
+    for (const auto& [from, size] :
+         {std::pair<const void*, std::size_t>{numbers, sizeof numbers}, {indices, 12}, {joints, 12}})
+        bytes.append(static_cast<const char*>(from), size);
+    scratch.write("skin.bin", bytes);
+    const std::string path = scratch.write(
+        "skin.gltf",
+        R"({"asset":{"version":"2.0"},"buffers":[{"uri":"skin.bin","byteLength":172}],"bufferViews":[)"
+        R"({"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":64},{"buffer":0,"byteOffset":100,"byteLength":48},)"
+        R"({"buffer":0,"byteOffset":148,"byteLength":12},{"buffer":0,"byteOffset":160,"byteLength":12}],"accessors":[)"
+        R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"},{"bufferView":1,"componentType":5126,"count":1,"type":"MAT4"},)"
+        R"({"bufferView":2,"componentType":5126,"count":3,"type":"VEC4"},{"bufferView":3,"componentType":5125,"count":3,"type":"SCALAR"},)"
+        R"({"bufferView":4,"componentType":5121,"count":3,"type":"VEC4"}],)"
+        R"("meshes":[{"primitives":[{"attributes":{"POSITION":0,"WEIGHTS_0":2,"JOINTS_0":4},"indices":3}]}],)"
+        R"("skins":[{"joints":[1],"inverseBindMatrices":1}],"nodes":[{"scale":[0.01,0.01,0.01],"children":[1,2]},)"
+        R"({"name":"bone","translation":[300,0,0]},{"mesh":0,"skin":0,"translation":[0,9,0]}],"scenes":[{"nodes":[0]}],"scene":0})");
+    Mesh mesh;
+    Faults faults;
+    REQUIRE(read_mesh(path, MeshReadOptions{}, mesh, faults));
+    REQUIRE(mesh.vertices.size() == 3);
+    CHECK(mesh.vertices[2].isApprox(Eigen::Vector3d(3, 2, 0), 1e-5));
+}
+
+TEST_CASE("readers: coarser levels of detail and collision shapes are not baked with the object") {
+    const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n";
+    std::string text;
+    for (const char* name :
+         {"oak_LOD1", "oak_LOD0", "oak_LOD2", "elm_lod1", "ash", "UCX_oak_01", "ash-colonly", "balloon_load2"})
+        text += std::string("o ") + name + "\n" + triangle;
+    MeshReadOptions options;
+    Mesh mesh;
+    Faults faults;
+    REQUIRE(read_mesh_memory(text.data(), text.size(), "obj", options, mesh, faults));
+    CHECK(mesh.faces.size() == 8); // where nothing is repaired
+    options.repair = true;
+    faults.clear();
+    REQUIRE(read_mesh_memory(text.data(), text.size(), "obj", options, mesh, faults));
+    CHECK(mesh.faces.size() == 4);
+    CHECK(contains(faults[0].what, "collision shapes: 'oak_LOD1', 'oak_LOD2', 'UCX_oak_01', 'ash-colonly'."));
+    options.mesh = "UCX_oak_01";
+    REQUIRE(read_mesh_memory(text.data(), text.size(), "obj", options, mesh, faults));
+    CHECK(mesh.faces.size() == 1);
+}
+
 TEST_CASE("readers: OFF keeps every face") {
     const std::string corners = "0 0 0\n1 0 0 # comment\n\n0 1 0 0.5 0.5 1\n0 0 1.0000000001\n";
     const std::string faces = "3 0 2 1\n3 0 1 3 255 0 0\n3 0 3 2 # red\n3 1 2 3";

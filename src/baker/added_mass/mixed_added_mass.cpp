@@ -21,6 +21,7 @@ constexpr double too_much_lost = 0.2; // of the largest added mass: then a coars
 constexpr double needle = 1e-4;       // face_shape() of faces that coarser meshes do without
 constexpr double trapped_error =
     0.05;                            // of the trapped fluid's inertia: a box of 48 cells has 1 to 2 %, thin walls more
+constexpr double nearly_full = 0.1;  // of the convex hull, that is hollow
 constexpr double coarse_error = 2.0; // relative, times the size of the cubes over that of the body
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
@@ -83,8 +84,9 @@ Matrix6 trapped_fluid(const BodyParts& parts, const Eigen::Vector3d& centre, Mat
     return m;
 }
 
-// Rounding and coarseness can leave less than nothing in a direction in which the body hardly moves fluid. Returns how much less, over the most.
-double make_positive(Matrix6& m, double size) {
+// Rounding and coarseness can leave less than nothing in a direction in which the body hardly moves fluid. Returns how much less, over the most, and
+// adds it to the error of such directions and all like them.
+double make_positive(Matrix6& m, Matrix6& error, double size) {
     Eigen::Matrix<double, 6, 1> scale;
     scale.head<3>().setOnes();
     scale.tail<3>().setConstant(1.0 / size);
@@ -98,15 +100,22 @@ double make_positive(Matrix6& m, double size) {
     const Matrix6 vectors = solver.eigenvectors();
     const Matrix6 good = back.asDiagonal() * (vectors * values.asDiagonal() * vectors.transpose()) * back.asDiagonal();
     m = 0.5 * (good + good.transpose());
-    return -solver.eigenvalues().minCoeff() / largest;
+    const double less = std::max(0.0, -solver.eigenvalues().minCoeff());
+    error.diagonal() += less * back.cwiseAbs2();
+    return less / largest;
 }
 
-// The last resort when no surface can be solved: the convex hull as a solid, or one side of it where it is flat.
-bool solve_hull(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMass& out, Faults& faults,
-                const Progress& progress, const AddedMassOptions& options) {
-    constexpr std::size_t most = 3000;
+// The convex hull, with few faces; one side of it where it is flat.
+struct Hull {
+    Mesh mesh;
+    bool is_flat = false;
+    MassProperties filled; // of the hull as a solid
+};
+
+bool make_hull(const Mesh& mesh, Hull& out) {
+    constexpr std::size_t most = 600;
     constexpr double flat = 1e-4; // of the size
-    Mesh solid = mesh;
+    Mesh& solid = out.mesh = mesh;
     Faults found;
     drop_unused_vertices(solid);
     for (double cube = size_of(mesh) / 256.0;; cube *= 2.0) {
@@ -117,19 +126,39 @@ bool solve_hull(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMass& out,
         if (solid.faces.size() <= most) break;
         cluster_to(solid, cube);
     }
+    out.filled = compute_mass_properties(solid);
     const Eigen::Vector3d up = normal_of(solid, solid.faces[0]);
-    const bool is_flat = std::all_of(solid.vertices.begin(), solid.vertices.end(), [&](const Eigen::Vector3d& v) {
+    out.is_flat = std::all_of(solid.vertices.begin(), solid.vertices.end(), [&](const Eigen::Vector3d& v) {
         return std::abs(up.dot(v - solid.vertices[solid.faces[0][0]])) < flat * size_of(mesh);
     });
-    if (is_flat) std::erase_if(solid.faces, [&](const Face& f) { return normal_of(solid, f).dot(up) < 0.0; });
-    if (!(is_flat ? compute_sheet_added_mass(solid, centre, {}, out, found, progress, options)
-                  : compute_added_mass(solid, centre, out, found, progress, options)))
+    if (out.is_flat) std::erase_if(solid.faces, [&](const Face& f) { return normal_of(solid, f).dot(up) < 0.0; });
+    return true;
+}
+
+// The hull instead of the body: for one that nearly fills it, and as the last resort where no surface can be solved. Fluid in its hollows can go
+// along with the body or not. share: of the hull, that is hollow.
+bool solve_hull(const Hull& hull, double share, const Eigen::Vector3d& centre, AddedMass& out, Faults& faults,
+                const Progress& progress, const AddedMassOptions& options) {
+    Faults found;
+    if (!(hull.is_flat ? compute_sheet_added_mass(hull.mesh, centre, {}, out, found, progress, options)
+                       : compute_added_mass(hull.mesh, centre, out, found, progress, options)))
         return false;
-    out.error += 0.5 * out.value.cwiseAbs();
-    faults.push_back({FaultId::mesh_ill_conditioned, Severity::warning, "mesh",
-                      "The added mass is that of the convex hull: faces cross, or lie so close to each other that the "
-                      "flow between them cannot be computed.",
-                      "Delete one of two layers that lie on each other, and unite parts that cross (boolean union)."});
+    out.error += share * out.value.cwiseAbs();
+    if (!hull.is_flat) {
+        const Eigen::Vector3d arm = hull.filled.centroid - centre;
+        out.error.diagonal().head<3>().array() += share * hull.filled.volume;
+        out.error.diagonal().tail<3>() +=
+            share * (hull.filled.inertia.diagonal() +
+                     hull.filled.volume * (Eigen::Vector3d::Constant(arm.squaredNorm()) - arm.cwiseAbs2()));
+    }
+    const bool full = share < nearly_full;
+    faults.push_back(
+        {FaultId::mesh_ill_conditioned, Severity::warning, "mesh",
+         full ? "The added mass is that of the convex hull, which the body nearly fills."
+              : "The added mass is that of the convex hull: faces cross, or lie so close to each other that the flow "
+                "between them cannot be computed.",
+         full ? "None needed: the report has the error."
+              : "Delete one of two layers that lie on each other, and unite parts that cross (boolean union)."});
     return true;
 }
 } // namespace
@@ -165,6 +194,17 @@ BodyParts outer_skin(const BodyParts& parts) {
 bool compute_mixed_added_mass(const BodyParts& parts, const Eigen::Vector3d& centre, AddedMass& out, Faults& faults,
                               const Progress& progress, const AddedMassOptions& options) {
     const double size = size_of(parts.mesh);
+    Hull hull;
+    const bool has_hull = make_hull(parts.mesh, hull);
+    double hollow = 1.0;
+    if (has_hull && parts.solid_faces > 0 && !hull.is_flat) {
+        const Mesh solids{parts.mesh.vertices, parts.solids(), {}};
+        const MassProperties sum = compute_mass_properties(solids);
+        const auto left = [&](double volume) { return std::clamp(1.0 - volume / hull.filled.volume, 0.0, 1.0); };
+        hollow = left(sum.volume);
+        if (hollow < nearly_full) hollow = left(SolidRegion(solids, solids.faces).moments(sum).volume);
+    }
+    if (hollow < nearly_full && solve_hull(hull, hollow, centre, out, faults, progress, options)) return true;
     Faults found;
     for (std::size_t round = 0; round < std::size(most_faces); ++round) {
         const Shell shell = make_shell(parts, most_faces[round], round > 0);
@@ -179,11 +219,10 @@ bool compute_mixed_added_mass(const BodyParts& parts, const Eigen::Vector3d& cen
         if (!compute_sheet_added_mass(shell.skin, centre, refinement, out, found, progress, options)) continue;
         Matrix6 error;
         const Matrix6 trapped = trapped_fluid(shell.parts, centre, error);
-        out.value -= trapped;
         out.error += error + std::min(0.5, coarse_error * shell.cube / size) * out.value.cwiseAbs();
-        const double lost = make_positive(out.value, size);
+        out.value -= trapped;
+        const double lost = make_positive(out.value, out.error, size);
         if (lost > (round + 1 < std::size(most_faces) ? too_much_lost : 1.0)) continue;
-        out.error += std::max(lost, 0.0) * out.value.cwiseAbs();
         if (shell.cube > 0.0)
             faults.push_back({FaultId::mesh_ill_conditioned, Severity::warning, "mesh",
                               "The added mass was solved on a coarser surface of " +
@@ -195,7 +234,7 @@ bool compute_mixed_added_mass(const BodyParts& parts, const Eigen::Vector3d& cen
                               "mesh is more exact."});
         return true;
     }
-    if (solve_hull(parts.mesh, centre, out, faults, progress, options)) return true;
+    if (has_hull && solve_hull(hull, std::max(0.5, hollow), centre, out, faults, progress, options)) return true;
     faults.insert(faults.end(), found.begin(), found.end());
     return false;
 }

@@ -41,7 +41,7 @@ Eigen::Matrix4d to_eigen(const aiMatrix4x4& m) {
 class SceneWalk {
 public:
     SceneWalk(const aiScene& scene, const SceneFile& file, PolygonSoup& soup)
-        : scene_(scene), soup_(soup), split_names_(file.extension == "gltf" || file.extension == "glb") {}
+        : scene_(scene), soup_(soup), is_gltf_(file.extension == "gltf" || file.extension == "glb") {}
 
     void append_node(const aiNode& node, const Eigen::Matrix4d& transform, int depth) {
         if (depth > 200 || soup_.polygons.size() > max_polygons) return;
@@ -62,7 +62,7 @@ private:
     // A mirroring transform inverts the faces; reversing their corners corrects that.
     void append_instance(const aiMesh& mesh, const std::string& node, const Eigen::Matrix4d& transform) {
         const auto base = static_cast<uint32_t>(soup_.vertices.size());
-        const bool mirrored = transform.topLeftCorner<3, 3>().determinant() < 0.0;
+        bool mirrored = transform.topLeftCorner<3, 3>().determinant() < 0.0;
         SoupPart part;
         part.first_polygon = soup_.polygons.size();
         part.object = object_;
@@ -72,6 +72,7 @@ private:
         for (unsigned i = 0; i < mesh.mNumVertices; ++i)
             soup_.vertices.emplace_back(transform.topLeftCorner<3, 3>() * to_eigen(mesh.mVertices[i]) +
                                         transform.topRightCorner<3, 1>());
+        if (is_gltf_) mirrored = pose(mesh, base, mirrored);
         for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
             const aiFace& face = mesh.mFaces[i];
             if (face.mNumIndices < 3) {
@@ -87,6 +88,30 @@ private:
         if (soup_.polygons.size() > part.first_polygon) soup_.parts.push_back(std::move(part));
     }
 
+    // glTF places a skinned mesh by its joints as they stand, not by its node. Returns whether that mirrors it.
+    bool pose(const aiMesh& mesh, uint32_t base, bool mirrored) {
+        std::vector<double> weights(mesh.mNumVertices, 0.0);
+        std::vector<Eigen::Vector3d> posed(mesh.mNumVertices, Eigen::Vector3d::Zero());
+        for (unsigned i = 0; i < mesh.mNumBones; ++i) {
+            const aiBone& bone = *mesh.mBones[i];
+            Eigen::Matrix4d joint = to_eigen(bone.mOffsetMatrix);
+            for (const aiNode* node = scene_.mRootNode->FindNode(bone.mName); node; node = node->mParent)
+                joint = to_eigen(node->mTransformation) * joint;
+            if (bone.mNumWeights > 0) mirrored = joint.topLeftCorner<3, 3>().determinant() < 0.0;
+            for (unsigned k = 0; k < bone.mNumWeights; ++k) {
+                const unsigned v = bone.mWeights[k].mVertexId;
+                if (v >= mesh.mNumVertices) continue;
+                const auto weight = static_cast<double>(bone.mWeights[k].mWeight);
+                posed[v] +=
+                    weight * (joint.topLeftCorner<3, 3>() * to_eigen(mesh.mVertices[v]) + joint.topRightCorner<3, 1>());
+                weights[v] += weight;
+            }
+        }
+        for (unsigned v = 0; v < mesh.mNumVertices; ++v)
+            if (weights[v] > 0.0) soup_.vertices[base + v] = posed[v] / weights[v];
+        return mirrored;
+    }
+
     std::string material_name(const aiMesh& mesh) const {
         aiString name;
         if (mesh.mMaterialIndex >= scene_.mNumMaterials ||
@@ -99,7 +124,7 @@ private:
     // assimp numbers the primitives of a glTF mesh: "leaf-0", "leaf-1".
     std::string mesh_name(const aiMesh& mesh) const {
         std::string name = mesh.mName.C_Str();
-        if (!split_names_) return name;
+        if (!is_gltf_) return name;
         const std::size_t dash = name.find_last_not_of("0123456789");
         if (dash == std::string::npos || dash == 0 || dash + 1 == name.size() || name[dash] != '-') return name;
         const std::string stem = name.substr(0, dash + 1);
@@ -113,7 +138,7 @@ private:
 
     const aiScene& scene_;
     PolygonSoup& soup_;
-    bool split_names_;
+    bool is_gltf_;
     std::size_t object_ = 0;
     std::vector<std::string> above_;
 };

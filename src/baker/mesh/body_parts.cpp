@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace lr::baker {
 namespace {
@@ -21,7 +22,9 @@ constexpr double weld = 1e-5;
 constexpr double crack = 1e-6;
 // Holes of a part, over its area: a seam that does not meet, a missing cap of a stem.
 constexpr double small_holes = 0.01;
-constexpr double no_volume = 1e-6; // over area^(3/2)
+constexpr double missing_faces = 0.05; // where each hole has the corners of a triangle or quad
+constexpr double any_holes = 0.75;     // OpenParts::filled: half a ball has 0.5, a curved leaf 0.9 and more
+constexpr double no_volume = 1e-6;     // over area^(3/2)
 
 std::array<uint32_t, 3> sorted(Face f) {
     std::sort(f.begin(), f.end());
@@ -30,9 +33,9 @@ std::array<uint32_t, 3> sorted(Face f) {
 
 class Parts {
 public:
-    Parts(Mesh& mesh, Faults& faults) : mesh_(mesh), faults_(faults) {}
+    Parts(Mesh& mesh, Faults& faults, OpenParts open) : mesh_(mesh), faults_(faults), open_(open) {}
 
-    bool run(BodyParts& out, bool all_sheets) {
+    bool run(BodyParts& out) {
         clean_up();
         if (mesh_.faces.empty()) {
             faults_.push_back(
@@ -42,7 +45,7 @@ public:
             return false;
         }
         std::vector<Face> sheets;
-        if (all_sheets)
+        if (open_ == OpenParts::all_sheets)
             sheets = mesh_.faces;
         else
             for (const std::vector<uint32_t>& part : connected()) sort_out(part, sheets);
@@ -162,7 +165,9 @@ private:
             if (area_of(other.faces) > area_of(closed.faces)) {
                 closed = std::move(other);
                 flaps = std::move(other_flaps);
-                flaps.insert(flaps.end(), walls.begin(), walls.end()); // those inside the solid are left out later
+                const SolidRegion region(mesh_, closed.faces);
+                for (const Face& f : walls)
+                    if (!region.contains(middle(f))) flaps.push_back(f);
             }
         }
         if (!flaps.empty()) sheet_parts_.add(middle(flaps.front()));
@@ -257,12 +262,15 @@ private:
     Count fill_small_holes(std::vector<Face>& faces) {
         Count filled;
         std::map<uint32_t, std::vector<uint32_t>> next;
+        std::set<std::pair<uint32_t, uint32_t>> backward; // as a cap runs along a face
         const std::vector<HalfEdge> halves = half_edges(faces);
         for (std::size_t i = 0, end = 0; i < halves.size(); i = end) {
             while (end < halves.size() && same_edge(halves[i], halves[end])) ++end;
             if (end - i != 1) continue;
             next[halves[i].low].push_back(halves[i].high);
             next[halves[i].high].push_back(halves[i].low);
+            const Face& f = faces[halves[i].face];
+            backward.emplace(f[(halves[i].side + 1) % 3], f[halves[i].side]);
         }
         if (next.empty()) return filled;
         for (const auto& [v, others] : next)
@@ -277,6 +285,7 @@ private:
                 to = ends[0] == from ? ends[1] : ends[0];
             }
             for (const uint32_t v : loop) next.erase(v);
+            if (!backward.contains({loop[0], loop[1]})) std::reverse(loop.begin(), loop.end());
             loops.push_back(std::move(loop));
         }
         double holes = 0.0;
@@ -298,7 +307,10 @@ private:
                 holes += 0.5 * (at(a) - centre).cross(at(b) - centre).norm();
             }
         }
-        if (!(holes <= small_holes * area_of(faces))) return filled;
+        const bool few_corners =
+            std::all_of(loops.begin(), loops.end(), [](const std::vector<uint32_t>& loop) { return loop.size() <= 4; });
+        const double most = open_ == OpenParts::filled ? any_holes : few_corners ? missing_faces : small_holes;
+        if (!(holes <= most * area_of(faces))) return filled;
         mesh_.vertices.insert(mesh_.vertices.end(), centres.begin(), centres.end());
         for (const Face& cap : caps)
             if (!is_flat(cap)) faces.push_back(cap);
@@ -403,7 +415,7 @@ private:
                                none});
         warn(FaultId::mesh_duplicate_face, copies_, "1 face lies on another face and was left out.",
              " faces lie on another face and were left out", none);
-        warn(FaultId::mesh_open_edge, filled_, "1 small hole was closed.", " small holes were closed", none);
+        warn(FaultId::mesh_open_edge, filled_, "1 hole was closed.", " holes were closed", none);
         if (turned_ > 0)
             faults_.push_back({FaultId::mesh_inconsistent_winding, Severity::warning, "mesh",
                                counted(turned_, "face was", "faces were") + " turned so that all look outward.", none});
@@ -414,12 +426,15 @@ private:
             solids_.empty() ? "" : ", and " + counted(solids_.size(), "is", "are") + " closed and solid";
         warn(FaultId::mesh_open_edge, sheet_parts_, ("1 part is open and was taken as a sheet" + solid + ".").c_str(),
              " parts are open and were taken as sheets" + solid,
-             "To make a part solid, close its holes in the modelling program (fill, cap) or give it a thickness "
-             "(solidify); --strict refuses open parts.");
+             open_ == OpenParts::filled
+                 ? "None needed; what is left open is flat, or not bounded by plain loops of edges."
+                 : "To make parts solid, give --fill, or close their holes in the modelling program (fill, cap, "
+                   "solidify); --strict refuses open parts.");
     }
 
     Mesh& mesh_;
     Faults& faults_;
+    OpenParts open_;
     std::vector<char> wall_;
     std::vector<Solid> solids_;
     std::size_t joined_ = 0, turned_ = 0;
@@ -428,15 +443,19 @@ private:
 
 } // namespace
 
-bool find_parts(Mesh& mesh, BodyParts& out, Faults& faults, bool all_sheets) {
-    if (!Parts(mesh, faults).run(out, all_sheets)) return false;
+bool is_clean_solid(Mesh& mesh, Faults& found) {
+    return check_and_repair(mesh, found) && std::none_of(found.begin(), found.end(), [](const Fault& f) {
+               return f.id == FaultId::mesh_self_intersection;
+           });
+}
+
+bool find_parts(Mesh& mesh, BodyParts& out, Faults& faults, OpenParts open) {
+    if (!Parts(mesh, faults, open).run(out)) return false;
     if (out.solid_faces == 0) return true;
     Mesh solids = out.mesh;
     solids.faces.resize(out.solid_faces);
     Faults found;
-    out.clean = check_and_repair(solids, found) && std::none_of(found.begin(), found.end(), [](const Fault& f) {
-                    return f.id == FaultId::mesh_self_intersection;
-                });
+    out.clean = is_clean_solid(solids, found);
     if (out.clean && !out.has_sheets()) {
         out.mesh = std::move(solids);
         out.solid_faces = out.mesh.faces.size();

@@ -17,6 +17,8 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <new>
 #include <set>
 #include <string_view>
@@ -61,16 +63,8 @@ bool has_name(const PolygonSoup& soup, const std::string& name) {
     return std::any_of(soup.parts.begin(), soup.parts.end(), [&](const SoupPart& p) { return has_name(p, name); });
 }
 
-// Keeps the named parts and removes the vertices that only other parts use.
-bool select(PolygonSoup& soup, const std::string& name, const std::string& where, Faults& faults) {
-    if (!has_name(soup, name)) {
-        std::vector<std::string> names;
-        for (const SoupPart& part : soup.parts) names.insert(names.end(), part.own_names.begin(), part.own_names.end());
-        report(faults, FaultId::parameter_unknown, Severity::error, "mesh",
-               "The file has no mesh, node or object named '" + printable(name) + "'.",
-               "It has: " + all_names(names) + ".");
-        return false;
-    }
+// Keeps these parts and removes the vertices that only others use. Returns the names of the others.
+std::vector<std::string> keep_parts(PolygonSoup& soup, const std::function<bool(const SoupPart&)>& wanted) {
     enum : uint8_t { unused, dropped, kept };
     std::vector<uint8_t> use(soup.vertices.size(), unused);
     std::vector<std::vector<uint32_t>> polygons;
@@ -79,7 +73,7 @@ bool select(PolygonSoup& soup, const std::string& name, const std::string& where
     for (std::size_t i = 0; i < soup.parts.size(); ++i) {
         SoupPart& part = soup.parts[i];
         const std::size_t end = i + 1 < soup.parts.size() ? soup.parts[i + 1].first_polygon : soup.polygons.size();
-        const bool keep = has_name(part, name);
+        const bool keep = wanted(part);
         const std::size_t first = polygons.size();
         for (std::size_t k = part.first_polygon; k < end; ++k) {
             for (const uint32_t v : soup.polygons[k])
@@ -105,11 +99,70 @@ bool select(PolygonSoup& soup, const std::string& name, const std::string& where
         for (uint32_t& v : polygon) v = v < renumbered.size() ? renumbered[v] : v;
     soup.polygons = std::move(polygons);
     soup.parts = std::move(parts);
+    return left_out;
+}
+
+bool select(PolygonSoup& soup, const std::string& name, const std::string& where, Faults& faults) {
+    if (!has_name(soup, name)) {
+        std::vector<std::string> names;
+        for (const SoupPart& part : soup.parts) names.insert(names.end(), part.own_names.begin(), part.own_names.end());
+        report(faults, FaultId::parameter_unknown, Severity::error, "mesh",
+               "The file has no mesh, node or object named '" + printable(name) + "'.",
+               "It has: " + all_names(names) + ".");
+        return false;
+    }
+    const std::vector<std::string> left_out = keep_parts(soup, [&](const SoupPart& p) { return has_name(p, name); });
     if (!left_out.empty())
         report(faults, FaultId::mesh_several_meshes, Severity::warning, where,
                "Only '" + printable(name) + "' was baked; ignored: " + all_names(left_out) + ".",
                "None needed if intended; without --mesh all form one body.");
     return true;
+}
+
+// Game engines know by their names copies of an object that are not seen beside it: "oak_LOD1", coarser than "oak_LOD0", and collision
+// shapes, "UCX_oak" (Unreal) and "oak-colonly" (Godot).
+struct EngineName {
+    bool collision = false;
+    std::string stem; // of a level of detail
+    int level = -1;
+};
+
+EngineName engine_name(const std::string& name) {
+    EngineName out;
+    for (const char* prefix : {"UCX_", "UBX_", "USP_", "UCP_"}) out.collision |= name.starts_with(prefix);
+    out.collision |= name.ends_with("colonly");
+    const std::string small = lower_case(name);
+    const std::size_t last = small.find_last_not_of("0123456789");
+    if (last != std::string::npos && last >= 3 && last + 2 == small.size() && small.substr(last - 3, 4) == "_lod") {
+        out.stem = small.substr(0, last - 3);
+        out.level = small.back() - '0';
+    }
+    return out;
+}
+
+void drop_engine_copies(PolygonSoup& soup, const std::string& where, Faults& faults) {
+    std::map<std::string, int> finest;
+    for (const SoupPart& part : soup.parts)
+        for (const auto* names : {&part.own_names, &part.group_names})
+            for (const std::string& name : *names)
+                if (const EngineName e = engine_name(name); e.level >= 0) {
+                    int& level = finest.try_emplace(e.stem, e.level).first->second;
+                    level = std::min(level, e.level);
+                }
+    const auto seen = [&](const SoupPart& part) {
+        for (const auto* names : {&part.own_names, &part.group_names})
+            for (const std::string& name : *names)
+                if (const EngineName e = engine_name(name); e.collision || (e.level >= 0 && e.level > finest[e.stem]))
+                    return false;
+        return true;
+    };
+    if (std::none_of(soup.parts.begin(), soup.parts.end(), seen) ||
+        std::all_of(soup.parts.begin(), soup.parts.end(), seen))
+        return;
+    const std::vector<std::string> left_out = keep_parts(soup, seen);
+    report(faults, FaultId::mesh_several_meshes, Severity::warning, where,
+           "Left out as coarser levels of detail or collision shapes: " + all_names(left_out) + ".",
+           "None needed; --mesh bakes one of them.");
 }
 
 std::string largest_object(const PolygonSoup& soup) {
@@ -207,6 +260,7 @@ bool finish(PolygonSoup& soup, const std::string& extension, const MeshReadOptio
         return false;
     }
     if (options.mesh && !select(soup, *options.mesh, where, faults)) return false;
+    if (!options.mesh && options.repair) drop_engine_copies(soup, where, faults);
     if (soup.polygons.size() > options.max_faces) {
         report(faults, FaultId::mesh_too_many_faces, Severity::error, where,
                "The mesh has " + std::to_string(soup.polygons.size()) + " faces, more than " +
@@ -292,7 +346,17 @@ bool read_any(SceneFile file, const MeshReadOptions& options, Mesh& out, Faults&
         } else if (file.extension == "zae") {
             report(faults, FaultId::mesh_unreadable, Severity::error, file.where, "This is packed Collada.",
                    "Unpack it (it is a zip archive) and bake the .dae inside.");
+        } else if (const std::string_view extension = unread_gltf_extension(text); !extension.empty()) {
+            report(faults, FaultId::mesh_unreadable, Severity::error, file.where,
+                   "Its mesh is packed (" + std::string(extension) + "), which is not read here.",
+                   "Export it again without compression and quantisation, or unpack it, as with gltf-transform "
+                   "dequantize.");
         } else {
+            if (file.extension == "stl" && text.substr(0, 5) == "SOLID" && text.find('\0') == std::string_view::npos) {
+                storage = lower_case(std::string(text)); // assimp knows the words of STL in small letters alone
+                file.path = nullptr;
+                file.bytes = storage.data();
+            }
             if (is_collada(text)) file.extension = "dae"; // assimp recognises Collada with any extension
             read = (file.extension != "dae" || check_collada(text, faults)) && read_with_assimp(file, soup, faults);
             if (read && options.mesh && file.extension == "dae" && !has_name(soup, *options.mesh)) {

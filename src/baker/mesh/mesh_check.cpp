@@ -429,7 +429,7 @@ private:
                          "Unite the parts (boolean union), or pull them apart.");
         warn(FaultId::mesh_self_intersection, std::move(where), "Faces cross, touch or cover each other.",
              sheet_
-                 ? "Split them along the contact so that they share vertices, or pull them apart."
+                 ? "None needed: a little fluid slips through there. Let them share vertices to close the gap."
                  : "Unite the parts (boolean union) or remesh: volume covered twice counts twice, and the added mass "
                    "is uncertain.");
         return true;

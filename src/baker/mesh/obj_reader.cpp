@@ -27,6 +27,12 @@ std::string_view next_word(std::string_view& rest) {
 // from_chars does not depend on the locale.
 bool parse_number(std::string_view word, double& value) {
     if (!word.empty() && word.front() == '+') word.remove_prefix(1);
+    std::string with_point; // programs of a language that writes 0,5
+    if (word.find(',') != std::string_view::npos) {
+        with_point = word;
+        std::replace(with_point.begin(), with_point.end(), ',', '.');
+        word = with_point;
+    }
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error == std::errc::result_out_of_range) {
         value = 0.0; // the sign of the exponent distinguishes underflow from overflow
@@ -73,11 +79,12 @@ public:
     }
 
 private:
+    // Ends of lines: \n, \r\n, or \r alone.
     static std::string_view take_line(std::string_view& text) {
-        const std::size_t end = text.find('\n');
-        std::string_view line = text.substr(0, end);
-        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-        if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+        const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+        const std::string_view line = text.substr(0, end);
+        text.remove_prefix(end);
+        text.remove_prefix(text.substr(0, 2) == "\r\n" ? 2 : std::min<std::size_t>(text.size(), 1));
         return line;
     }
 
@@ -199,15 +206,31 @@ void clip_ears(const PolygonSoup& soup, const std::vector<uint32_t>& polygon, st
     const std::vector<Eigen::Vector2d> flat = flatten(soup, polygon);
     std::vector<std::size_t> ring(polygon.size());
     for (std::size_t i = 0; i < ring.size(); ++i) ring[i] = i;
+    // Whether an edge at corner k runs between these directions, the second clockwise of the first.
+    const auto leads_into = [&](std::size_t k, const Eigen::Vector2d& left, const Eigen::Vector2d& right) {
+        const std::size_t n = ring.size();
+        for (const std::size_t other : {ring[(k + n - 1) % n], ring[(k + 1) % n]}) {
+            const Eigen::Vector2d along = flat[other] - flat[ring[k]];
+            if (cross2(right, along) > 0.0 && cross2(along, left) > 0.0) return true;
+        }
+        return false;
+    };
     // Shape of the triangle at a corner, 0 if it is no ear.
     const auto quality_of = [&](std::size_t i) {
         const std::size_t n = ring.size(), before = ring[(i + n - 1) % n], after = ring[(i + 1) % n];
         const Eigen::Vector2d &a = flat[before], &b = flat[ring[i]], &c = flat[after];
         const double area = cross2(b - a, c - b);
         if (!(area > 0.0)) return 0.0;
-        for (const std::size_t other : ring)
-            if (other != before && other != ring[i] && other != after && inside_triangle(flat[other], a, b, c))
-                return 0.0;
+        for (std::size_t k = 0; k < n; ++k) {
+            const Eigen::Vector2d& p = flat[ring[k]];
+            if (ring[k] == before || k == i || ring[k] == after || !inside_triangle(p, a, b, c)) continue;
+            // The cut that joins a hole to the outline passes its ends twice: such an end bars the ear only if an edge leads into it.
+            const bool bars = p == a   ? leads_into(k, c - a, b - a)
+                              : p == b ? leads_into(k, a - b, c - b)
+                              : p == c ? leads_into(k, b - c, a - c)
+                                       : true;
+            if (bars) return 0.0;
+        }
         return area / ((b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm());
     };
     std::vector<double> quality;

@@ -74,6 +74,15 @@ UnknownFile explain_unknown_file(std::string_view bytes, const std::string& exte
         "PLY."};
 }
 
+std::string_view unread_gltf_extension(std::string_view bytes) {
+    const std::size_t begin = bytes.find("\"extensionsRequired\"");
+    if (begin == std::string_view::npos) return {};
+    const std::string_view list = bytes.substr(begin, bytes.find(']', begin) - begin);
+    for (const std::string_view name : {"KHR_mesh_quantization", "EXT_meshopt_compression", "KHR_meshopt_compression"})
+        if (list.find(name) != std::string_view::npos) return name;
+    return {};
+}
+
 std::string_view as_utf8(std::string_view bytes, std::string& storage) {
     if (bytes.substr(0, 3) == "\xef\xbb\xbf") return bytes.substr(3);
     const bool little = bytes.substr(0, 2) == "\xff\xfe", big = bytes.substr(0, 2) == "\xfe\xff";

@@ -56,6 +56,11 @@ void add_sheet_options(CLI::App& command, Texts& texts, CommandLine& line) {
                      "refuse meshes that are not closed, sound and one body, instead of repairing them");
     const std::string help = "the mesh is the middle surface of a sheet: open or closed, with faces wound in any way";
     CLI::Option* sheet = command.add_flag("--sheet", help);
+    command
+        .add_flag("--fill", line.bake.fill,
+                  "close the holes of open parts, which then are solid: rocks and trunks without a base")
+        ->excludes(sheet)
+        ->excludes("--strict");
     command.add_option("--thickness", texts.thickness, "of the sheet, or of open parts, in the unit")
         ->default_str("0.3 % of their length")
         ->type_name("T");

@@ -56,6 +56,39 @@ TEST_CASE("lr_bake: --size gives a mesh its length, whatever its unit") {
     CHECK(lr_bake({"mesh", mesh, "-o", b, "--size", "0cm"}).exit_code == 1);
 }
 
+TEST_CASE("lr_bake: --fill takes a body without its base as solid") {
+    const Scratch scratch;
+    const std::string mesh =
+        scratch.write("rock.obj", "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nv 0 0 0.1\nf 1 4 3\nf 1 2 4\nf 2 3 4\n");
+    const std::string out = scratch.path("rock.lrb");
+    REQUIRE(contains(lr_bake({"mesh", mesh, "-o", out}).err, "give --fill"));
+    REQUIRE(lr_bake({"mesh", mesh, "-o", out, "--fill"}).exit_code == 0);
+    CHECK(mass_of(out) == doctest::Approx(800.0 * 0.001 / 6.0));
+    CHECK(contains(lr_bake({"info", out, "--json"}).out, " --fill"));
+    CHECK(lr_bake({"mesh", mesh, "-o", out, "--fill", "--sheet"}).exit_code == 2);
+}
+
+TEST_CASE("lr_bake: the speed of fall in warning 304 is near that of the drop") {
+    const Scratch scratch;
+    std::string stack; // of twelve sheets: they weigh twelve times as much as one, and have its drag
+    for (int i = 0; i < 12; ++i)
+        for (const char* corner : {"0 0 ", "3 0 ", "3 3 ", "0 3 "})
+            stack += "v " + (corner + std::to_string(0.2 * i)) + "\n";
+    for (int i = 0; i < 12; ++i)
+        stack += "f -" + std::to_string(4 * i + 4) + " -" + std::to_string(4 * i + 3) + " -" +
+                 std::to_string(4 * i + 2) + " -" + std::to_string(4 * i + 1) + "\n";
+    const Outcome baked =
+        lr_bake({"mesh", scratch.write("stack.obj", stack), "-o", scratch.path("s.lrb"), "--stations", "1"});
+    REQUIRE(baked.exit_code == 0);
+    const auto speed = [](const std::string& text) {
+        return std::stod(text.substr(text.find("falls at about ") + 15));
+    };
+    REQUIRE(contains(baked.err, "falls at about "));
+    REQUIRE(contains(baked.out, "falls at about "));
+    CHECK(speed(baked.err) > 0.6 * speed(baked.out));
+    CHECK(speed(baked.err) < 1.6 * speed(baked.out));
+}
+
 TEST_CASE("lr_bake: every leaf of an atlas by itself, from a mask in a file of its own") {
     const Scratch scratch;
     const test::Opacity two = test::draw(
