@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Bakes models that Debian packages, and counts how many bake: docs/maintainers/corpus.md has the table.
+"""Bakes models that Debian packages, and counts how many bake: docs/maintainers/testing.md has the table.
 
     scripts/bake_corpus.py [--lr-bake PATH] [--most N] [--jobs N] [--only CORPUS] [--match TEXT]
 
