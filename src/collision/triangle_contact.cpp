@@ -187,7 +187,7 @@ Triangle one_side(Triangle t, bool front) {
     if (!front) { // the edges are in reverse order then
         std::swap(t.corners[1], t.corners[2]);
         t.normal = -t.normal;
-        const auto bit = [&](uint32_t edge) { return t.hidden >> (3 + edge) & 1u; };
+        const auto bit = [&](uint32_t edge) { return static_cast<uint32_t>(t.hidden) >> (3 + edge) & 1u; };
         t.hidden = static_cast<uint8_t>(bit(2) | bit(1) << 1 | bit(0) << 2);
     }
     t.hidden &= all_front;
