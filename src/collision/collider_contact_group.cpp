@@ -287,9 +287,10 @@ void ContactGroup::touch_others(uint32_t i, const ContactSubstep& substep) {
         if (candidate.slot != mesh_slot) finish_mesh();
         if (c.geometry.kind != ColliderKind::mesh) {
             const Pose pose = pose_at(c, substep.end);
-            add_all(
-                candidate.slot, pose,
-                find_contacts(*step_->shape, scale, relative(pose, at), c.geometry, candidate.part, margin, contacts));
+            const Pose from = relative(pose_at(c, substep.begin), pose_in(substep.before, i));
+            add_all(candidate.slot, pose,
+                    find_contacts(*step_->shape, scale, relative(pose, at), c.geometry, candidate.part, margin,
+                                  contacts, &from));
             return;
         }
         if (!mesh) {

@@ -20,23 +20,32 @@ void add_plane(ContactPoints& set) {
     set.add_core(p, up, height + p.y);
 }
 
-// If the whole body is over the inside of one side of the box, that side acts as a plane.
-bool add_box_side(ContactPoints& set, const Geometry& box) {
-    const PlacedBody& body = set.body;
-    if (body.count == 0) return false;
-    const Vector p = body.at.position;
-    const float far = body.reach + body.radius;
+// The side of a box that is a plane for a body on a way: outside it at first, and wholly over its inside at both ends. By its normal; zero: none.
+Vector box_side(const Geometry& box, Vector from, Vector to, float far) {
     uint32_t axis = 3;
     for (uint32_t i = 0; i < 3; ++i) {
-        if (std::abs(p[i]) + far <= box.size[i]) continue;
-        if (axis < 3 || std::abs(p[i]) <= box.size[i]) return false;
+        if (std::max(std::abs(from[i]), std::abs(to[i])) + far <= box.size[i]) continue;
+        if (axis < 3 || std::abs(from[i]) <= box.size[i]) return {};
         axis = i;
     }
-    if (axis == 3) return false;
-    const float sign = p[axis] < 0.0f ? -1.0f : 1.0f, height = std::abs(p[axis]) - box.size[axis];
-    const float* const along = axis == 0 ? body.x : axis == 1 ? body.y : body.z;
-    for (uint32_t i = 0; i < body.count; ++i)
-        set.add_core(body.point(i), along_axis(axis, sign), height + sign * along[i]);
+    return axis == 3 ? Vector{} : along_axis(axis, from[axis] < 0.0f ? -1.0f : 1.0f);
+}
+
+bool add_box_side(ContactPoints& set, const Geometry& box) {
+    const PlacedBody& body = set.body;
+    const Vector at = body.at.position, from = set.before ? set.before->position : at;
+    const Vector n = box_side(box, from, at, body.reach + body.radius);
+    if (dot(n, n) == 0.0f) return false;
+    const float height = dot(n, at) - std::abs(dot(n, vector_of(box.size)));
+    const auto gap = [&](Vector core) { return height + dot(n, core); };
+    for (uint32_t i = 0; i < body.count; ++i) set.add_core(body.point(i), n, gap(body.point(i)));
+    if (body.count > 0) return true;
+    const Vector nearest = to_float(body.support(-to_double(n)));
+    if (gap(nearest) >= set.margin) return true;
+    set.add_core(nearest, n, gap(nearest));
+    const Rims rims = rims_of(body, to_double(n));
+    for (uint32_t i = 0; i < rims.count; ++i)
+        if (gap(rims.point[i]) < rim_margin(set, gap(nearest))) set.add(rims.point[i], n, gap(rims.point[i]));
     return true;
 }
 
@@ -74,10 +83,10 @@ float center_distance(const Geometry& g, Vector p) {
 } // namespace
 
 uint32_t find_contacts(const BodyShape& shape, float scale, const Pose& at, const Geometry& collider, ColliderPart part,
-                       float margin, Contact* out) {
+                       float margin, Contact* out, const Pose* began) {
     const float far = scale * shape.reach + margin;
     if (center_distance(collider, at.position) > far) return 0;
-    ContactPoints set(shape, scale, at, margin);
+    ContactPoints set(shape, scale, at, margin, began);
     switch (collider.kind) {
     case ColliderKind::plane:
         add_plane(set);
@@ -318,6 +327,11 @@ MetTriangle first_triangle(const BodyShape& shape, float scale, const Pose& from
                            const MeshGeometry& mesh, ColliderPart part, SkipTriangle skips, const void* context) {
     const Way way(shape, scale, from, to);
     return sweeps(way) ? sweep_mesh(way, mesh, part, skips, context) : MetTriangle{1.0f, 0};
+}
+
+bool over_box_side(const BodyShape& shape, float scale, const Pose& from, const Pose& to, const Geometry& box) {
+    const Vector side = box_side(box, from.position, to.position, scale * shape.reach);
+    return dot(side, side) > 0.0f;
 }
 
 float free_fraction(const BodyShape& shape, float scale, const Pose& from, const Pose& to, const Geometry& collider,

@@ -20,9 +20,10 @@ struct Contact {
 
 // Contacts where the body, `scale` times its shape, touches the collider or is closer than `margin`; for flat ellipsoids on round
 // colliders also other rims up to a tenth of the reach and twice the depth farther. Writes at most most_contacts, those that
-// hold it best; returns how many. Never misses a pair that overlaps.
+// hold it best; returns how many. Never misses a pair that overlaps. began: the pose at the beginning of the substep, which tells over which side of
+// a box it came.
 uint32_t find_contacts(const BodyShape& shape, float scale, const Pose& at, const Geometry& collider, ColliderPart part,
-                       float margin, Contact* out);
+                       float margin, Contact* out, const Pose* began = nullptr);
 
 // The free fraction of the way from one pose to the other, 0 to 1 (position linear, rotation by the normalised linear quaternion): up to there the
 // pair is not closer than touching, to a tenth of the body's thickness or a hundredth of its reach. 1 if they do not touch, for planes, and for ways
@@ -30,6 +31,9 @@ uint32_t find_contacts(const BodyShape& shape, float scale, const Pose& at, cons
 // up part of the core's remaining distance. Conservative advancement: the result can be too small.
 float free_fraction(const BodyShape& shape, float scale, const Pose& from, const Pose& to, const Geometry& collider,
                     ColliderPart part);
+
+// Whether a side of the box is a plane for a body on this way, and contacts from its first pose find it wherever it ends.
+bool over_box_side(const BodyShape& shape, float scale, const Pose& from, const Pose& to, const Geometry& box);
 
 // The triangle of a mesh's part that leaves the least free fraction, the first of equals; free 1: none. Triangles for which skips(context,
 // triangle, index) is true are passed over.
