@@ -71,7 +71,7 @@ void BodyContactStep::hold_group(const BodyContactBatch& member, uint32_t first,
     const ContactSubstep taken = contact_substep(time_, substep, began_rows);
     ContactGroup group(member.run.step, member.item.batch->step.body, arrays, count);
     group.collect(taken);
-    std::copy_n(copies.floor, count, from.floor + first);
+    if (copies.has_floor) std::copy_n(copies.floor, count, from.floor + first);
     const uint32_t* const place = buffers_->place.data() + member.first + first;
     const auto touches = [&](uint32_t i) { return place_count_ != 0 && place[i] != none; };
     for (uint32_t i = 0; i < count && which == Held::apart; ++i)

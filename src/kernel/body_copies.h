@@ -17,9 +17,9 @@ constexpr uint32_t whole_blocks(uint32_t bodies) {
 
 template <size_t kMost> struct BodyCopies {
     uint32_t count = 0, padded = 0; // the last body fills the remaining lanes
+    bool has_floor = false;
     alignas(64) float field[field_count][kMost];
     alignas(64) uint32_t noise_seed[kMost], floor[kMost];
-    bool has_floor = false;
     alignas(64) float force[force_components][kMost];
 
     // index(i): where the i-th body is in `from`.
@@ -46,7 +46,7 @@ template <size_t kMost> struct BodyCopies {
     template <class Index> void put_back(const BatchArrays& to, const Index& index) const {
         for (size_t f = 0; f < field_count; ++f)
             for (uint32_t i = 0; i < count && to.field[f]; ++i) to.field[f][index(i)] = field[f][i];
-        for (uint32_t i = 0; i < count && to.floor; ++i) to.floor[index(i)] = floor[i];
+        for (uint32_t i = 0; i < count && has_floor; ++i) to.floor[index(i)] = floor[i];
     }
     BatchArrays arrays(uint32_t first = 0) {
         BatchArrays a{};
