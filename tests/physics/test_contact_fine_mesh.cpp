@@ -189,6 +189,37 @@ TEST_CASE("nothing falls through uneven ground of triangles, and all comes to re
             }
 }
 
+// What a body remembers of a mesh under it must not make it solid on the far side of the next.
+TEST_CASE("bodies that left the ground meet a sheet above them from below") {
+    const World world = make(world_desc());
+    const Asset asset = make(rigid_box(0.06, 0.002, 0.06, 2000.0));
+    constexpr uint32_t count = 40;
+    const lr_batch batch = add_batch(world, asset, count);
+    const Triangles sheet = fine_sheet(4, 0.6f, flat);
+    std::vector<lr_body> bodies;
+    std::vector<lr_collider> floors;
+    const auto add_sheet = [&](uint32_t i, float height) {
+        lr_collider_desc d = mesh_collider(sheet);
+        d.position[0] = 4.0f * static_cast<float>(i), d.position[1] = height;
+        return add_collider(world, d);
+    };
+    const auto ceiling = [](uint32_t i) { return 1.0f + 0.01f * static_cast<float>(i); };
+    for (uint32_t i = 0; i < count; ++i) {
+        floors.push_back(add_sheet(i, 0.0f));
+        add_sheet(i, ceiling(i));
+        lr_body_desc d = body_desc();
+        d.position[0] = 4.0f * static_cast<float>(i), d.position[1] = 0.002f;
+        bodies.push_back(add_body(world, batch, d));
+    }
+    steps(world, 10, 1.0f / 30.0f);
+    REQUIRE(lr_collider_destroy(world.get(), floors.data(), count) == LR_OK);
+    const float upwards[3] = {0.0f, 9.81f, 0.0f};
+    REQUIRE(lr_world_set_gravity(world.get(), upwards) == LR_OK);
+    steps(world, 60, 1.0f / 30.0f);
+    for (uint32_t i = 0; i < count; ++i)
+        CHECK(state_of(world, bodies[i]).position[1] == doctest::Approx(ceiling(i) - 0.001f).epsilon(0.003));
+}
+
 TEST_CASE("no card goes through a groove that is narrower than itself" * doctest::test_suite("long")) {
 #ifdef LR_TEST_QUICK
     constexpr uint32_t count = 10;

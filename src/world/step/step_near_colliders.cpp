@@ -34,14 +34,14 @@ void touch(const ContactRun& run, ContactGroup& group, const States& states, con
 }
 
 // Bodies that were far throughout the step touch nothing.
-void leave(const ContactCache& book, const NearContacts& near, uint32_t begin, uint32_t end) {
+void leave(const ContactCache& book, uint32_t* floor, const NearContacts& near, uint32_t begin, uint32_t end) {
     if (!book.still_time) return;
     // Most bodies have been far before.
     const auto blank = [&](uint32_t from, uint32_t to) {
         uint32_t any = 0;
         for (uint32_t i = from; i < to; ++i)
             any |= std::bit_cast<uint32_t>(book.still_time[i]) | std::bit_cast<uint32_t>(book.stay[0][i]) |
-                   book.touching[0][i];
+                   book.touching[0][i] | floor[i];
         return any == 0;
     };
     for (uint32_t i = begin; i < end; ++i) {
@@ -51,6 +51,7 @@ void leave(const ContactCache& book, const NearContacts& near, uint32_t begin, u
         }
         if (near.holds(i)) continue;
         book.still_time[i] = 0.0f;
+        floor[i] = 0; // it can come back from the other side
         if (book.stay[0][i] != 0.0f)
             for (float* row : book.stay) row[i] = 0.0f;
         if (book.notes.noted && book.touching[0][i] != 0) book.notes.noted[book.notes.slot(i)] |= noted_touch;
@@ -118,7 +119,7 @@ void step_near_colliders(const ContactRun& run, const StepInput& in, const Batch
     for (uint32_t at = begin, last = begin; at < end; at = last) {
         NearContacts near(run.step, arrays, live, at, end, run.step.dt);
         last = near.end();
-        leave(run.book, near, at, std::min(last, live));
+        leave(run.book, arrays.floor, near, at, std::min(last, live));
         if (near.count() == 0) {
             step(at, last);
             continue;
@@ -143,7 +144,7 @@ ContactPass::ContactPass(const ContactRun& run, const StepInput& in, const Batch
                          uint32_t begin, uint32_t end, uint32_t substep)
     : run_(&run), body_(&in.body), faults_(in.faults), arrays_(&arrays), substep_(substep),
       near_(run.step, arrays, live, begin, end, static_cast<float>(run.time.h)) {
-    if (substep + 1 == run.time.substeps) leave(run.book, near_, begin, std::min(end, live));
+    if (substep + 1 == run.time.substeps) leave(run.book, arrays.floor, near_, begin, std::min(end, live));
     arrange(run.book, *run.step.colliders, near_);
     for (size_t f = 0; f < pose_fields && near_.count() != 0; ++f)
         for (uint32_t i = 0; i < field_block; ++i)
