@@ -221,7 +221,7 @@ void ContactGroup::find_floors(const ContactSubstep& substep) {
         near_count = std::min(near_count, most_candidates);
         const Vector known = arrays_.floor ? direction_in(arrays_.floor[i]) : Vector{};
         uint32_t kept = 0;
-        floor.count = 0, floor.side = 0;
+        floor.slot = 0, floor.count = 0, floor.side = 0;
         for (uint32_t k = 0; k < near_count && floor.count == 0 && floor.side == 0;) {
             const uint32_t slot = near[k].slot, first = k;
             while (k < near_count && near[k].slot == slot) ++k;

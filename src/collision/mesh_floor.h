@@ -9,7 +9,7 @@ namespace lr {
 struct MeshFloor {
     static constexpr uint32_t most = 128;
 
-    uint32_t slot;            // of the collider
+    uint32_t slot = 0;        // of the collider
     uint32_t count = 0;       // of triangles near the body's way; 0: no floor
     uint32_t triangles[most]; // by index
     Vector up;                // unit, mesh frame: their mean normal, towards the body
