@@ -28,14 +28,17 @@ struct BodyParts {
 // Whether it passes check_and_repair, and does not cross itself.
 bool is_clean_solid(Mesh& mesh, Faults& found);
 
-// A part is connected by edges. Joins cracks, removes faces without area and second copies, closes holes of a hundredth of a part's area, and
-// winds each solid outward. A part that is closed then is a solid; one in another solid, wound the other way in the file, is a cavity; flaps without
-// a back that hang on a solid, and all else, are sheets. Each change is one warning with its number of faces. False only if nothing is left.
+// Of parts with larger holes.
 enum class OpenParts {
     sheets,
     filled,     // closes holes up to three quarters of a part's area: a rock without its base
     all_sheets, // only cleans up, and takes all faces as sheets
 };
+
+// A part is connected by edges. Joins cracks, removes faces without area and second copies, closes holes (a hundredth of a part's area, or a twentieth
+// if all have the corners of a triangle or quad), and winds each solid outward. A part that is closed then is a solid; one in another solid, wound
+// the other way in the file, is a cavity; flaps without a back that hang on a solid, and all else, are sheets. Each change is one warning with its
+// number of faces. False only if nothing is left.
 bool find_parts(Mesh& mesh, BodyParts& out, Faults& faults, OpenParts open = OpenParts::sheets);
 
 // Of the union of the solids and of the sheets, plates of this thickness. hollow: less the cavities; else they count as filled.
