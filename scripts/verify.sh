@@ -46,6 +46,7 @@ need() { # program, arguments of scripts/setup.sh
 step_tidy() {
     need clang-tidy test
     configure build/release --preset release
+    cmake --build build/release --target lr_assets >/dev/null # writes a header
     # Not on files compiled for each target: clang-tidy rejects Highway's macros and would read each file several times.
     find src -name '*.cpp' -not -path 'src/baker/*' -not -path 'src/tools/*' |
         xargs grep -L 'HWY_TARGET_INCLUDE\|foreach_target' |
