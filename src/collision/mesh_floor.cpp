@@ -20,6 +20,8 @@ constexpr float clear = 0.125f;
 constexpr float fine = 1.5f;
 // Share of the reach by which points may be outside a triangle, so that none falls between two.
 constexpr float seam = 1e-4f;
+// Share of the reach by which a body can be pressed in beyond a surface: leave_floors() undoes what is much more than a tenth.
+constexpr float pressed = 0.125f;
 
 bool crosses(const Box& box, const Triangle& t) {
     if (!reaches(box, t)) return false;
@@ -174,6 +176,23 @@ float height_over(const MeshGeometry& mesh, const MeshFloor& floor, Vector place
     float height;
     return FloorFaces(mesh, floor, place, 0.0f).under({}, height) ? height : if_none;
 }
+
+// Whether a body on the `known` side of some surface can be on that side of these triangles, pressed in by at most `deep`. Else they are another
+// sheet, as the ceiling over the floor on which it was.
+bool can_be_on(const MeshGeometry& mesh, const uint32_t* triangles, uint32_t count, Vector known, Vector place,
+               float deep) {
+    bool near = false;
+    for (uint32_t k = 0; k < count; ++k) {
+        const Triangle t = mesh_triangle(mesh, triangles[k]);
+        const float lean = dot(t.normal, known), off = dot(t.normal, place - t.corners[0]);
+        if (std::abs(lean) <= facing) continue;
+        if ((lean > 0.0f ? off : -off) > -deep)
+            near = true;
+        else if (FloorFace(t, place, known).inside({}) >= 0.0f)
+            return false;
+    }
+    return near;
+}
 } // namespace
 
 Vector way_out(const BodyShape& shape, float scale, Vector position, const MeshGeometry& mesh, const MeshFloor& floor) {
@@ -218,16 +237,16 @@ void find_floor(const BodyShape& shape, float scale, const Pose& from, const Pos
     }
     // Bodies that fall through several slopes within a substep are pushed from one to the next: the swept test stops them before.
     if (!out.even && margin * margin > fine * fine * small) return;
-    const bool faces_back = back && !front;
-    if (front != back) out.side = faces_back ? -1 : 1;
-    if (faces_back) out.up = -out.up;
+    const bool is_other = front != back && !can_be_on(mesh, out.triangles, used, known, a, pressed * reach);
+    if (front != back && !is_other) out.side = front ? 1 : -1;
+    if (out.side < 0) out.up = -out.up;
     // Contacts undo a deep overlap over several substeps, so that fast bodies are stopped by the swept test first. At rest the way is the fall in a
     // substep, which the margin includes.
-    const float far = (was_there ? longest_floor : 1.0f) * (reach + margin);
+    const float far = (was_there && !is_other ? longest_floor : 1.0f) * (reach + margin);
     if (!flat || !(length(b - a) < far)) return;
     out.count = used;
+    if (out.side != 0) return;
     const auto height = [&] { return height_over(mesh, out, a, 0.0f); };
-    if (out.side != 0 && height() > -far) return;
     const float least = clear * scale * shape.thickness;
     if (height() > least) return;
     out.up = -out.up;

@@ -220,6 +220,50 @@ TEST_CASE("bodies that left the ground meet a sheet above them from below") {
         CHECK(state_of(world, bodies[i]).position[1] == doctest::Approx(ceiling(i) - 0.001f).epsilon(0.003));
 }
 
+// Both sheets are near a body that is between them, and look the same way: the side on which it is of one is not that of the other.
+TEST_CASE("bodies between two parallel sheets stay there") {
+    struct Case {
+        bool one_mesh;
+        float gap, speed; // m, m/s
+    };
+    constexpr uint32_t count = 30;
+    for (const Case& c : {Case{true, 0.05f, 0.5f}, Case{true, 0.05f, 2.0f}, Case{true, 0.08f, 0.5f},
+                          Case{true, 0.08f, 2.0f}, Case{false, 0.08f, 0.5f}})
+        for (const uint32_t substeps : {1u, 2u}) {
+            CAPTURE(c.one_mesh);
+            CAPTURE(c.gap);
+            CAPTURE(c.speed);
+            lr_world_desc still = world_desc();
+            still.gravity[1] = 0.0f;
+            const World world = make(still);
+            Triangles low = fine_sheet(40, 0.1f, flat),
+                      high = fine_sheet(40, 0.1f, [&](float, float) { return c.gap; });
+            if (c.one_mesh) {
+                const auto first = static_cast<uint32_t>(low.vertices.size() / 3);
+                for (const uint32_t index : high.indices) low.indices.push_back(first + index);
+                low.vertices.insert(low.vertices.end(), high.vertices.begin(), high.vertices.end());
+            } else
+                add_collider(world, mesh_collider(high));
+            add_collider(world, mesh_collider(low));
+            const Asset asset = make(rigid_box(0.06, 0.002, 0.06, 2000.0));
+            const lr_batch batch = add_batch(world, asset, count);
+            Random random(3);
+            std::vector<lr_body> bodies;
+            for (uint32_t i = 0; i < count; ++i) {
+                lr_body_desc d = body_desc();
+                d.position[0] = random.real(-0.5, 0.5), d.position[2] = random.real(-0.5, 0.5);
+                d.position[1] = c.gap * random.real(0.4f, 0.6f);
+                d.linear_velocity[1] = i % 2 == 0 ? c.speed : -c.speed;
+                bodies.push_back(add_body(world, batch, d));
+            }
+            steps(world, 60, 1.0f / 30.0f, substeps);
+            CHECK(std::all_of(bodies.begin(), bodies.end(), [&](lr_body body) {
+                const float y = state_of(world, body).position[1];
+                return y > 0.0f && y < c.gap;
+            }));
+        }
+}
+
 TEST_CASE("no card goes through a groove that is narrower than itself" * doctest::test_suite("long")) {
 #ifdef LR_TEST_QUICK
     constexpr uint32_t count = 10;
