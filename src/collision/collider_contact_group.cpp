@@ -192,14 +192,17 @@ namespace {
 // Share of the reach: a shallower overlap is undone.
 constexpr float shallow = 0.1f;
 
-// A unit vector in three times ten bits; 0: none.
-uint32_t packed_direction(Vector d) {
-    const auto bits = [](float f) { return static_cast<uint32_t>(511.0f * f + 512.0f); };
-    return bits(d.x) | bits(d.y) << 10 | bits(d.z) << 20;
+// A unit vector in three bytes, and the mesh that it belongs to in one; 0: none. Of two meshes a body can be on opposite sides.
+uint32_t tag_of(uint32_t slot) {
+    return slot % 255u + 1u;
 }
-Vector direction_in(uint32_t packed) {
-    const auto part = [&](uint32_t at) { return static_cast<float>(packed >> at & 1023u) - 511.5f; };
-    return packed == 0 ? Vector{} : 1.0f / 511.5f * Vector{part(0), part(10), part(20)};
+uint32_t packed_floor(Vector up, uint32_t slot) {
+    const auto bits = [](float f) { return static_cast<uint32_t>(127.0f * f + 128.0f); };
+    return bits(up.x) | bits(up.y) << 8 | bits(up.z) << 16 | tag_of(slot) << 24;
+}
+Vector up_in(uint32_t packed, uint32_t slot) {
+    const auto part = [&](uint32_t at) { return static_cast<float>(packed >> at & 255u) - 127.5f; };
+    return packed >> 24 == tag_of(slot) ? 1.0f / 127.5f * Vector{part(0), part(8), part(16)} : Vector{};
 }
 } // namespace
 
@@ -219,7 +222,7 @@ void ContactGroup::find_floors(const ContactSubstep& substep) {
         if (length(b - a) < longest_floor * reach) each_candidate(i, grown({low_of(a, b), high_of(a, b)}, reach), take);
         const bool all = near_count <= most_candidates; // a part tells the side
         near_count = std::min(near_count, most_candidates);
-        const Vector known = arrays_.floor ? direction_in(arrays_.floor[i]) : Vector{};
+        const uint32_t known = arrays_.floor ? arrays_.floor[i] : 0;
         uint32_t kept = 0;
         floor.slot = 0, floor.count = 0, floor.side = 0;
         for (uint32_t k = 0; k < near_count && floor.count == 0 && floor.side == 0;) {
@@ -228,12 +231,12 @@ void ContactGroup::find_floors(const ContactSubstep& substep) {
             const Collider& c = step_->colliders->at(slot);
             const Pose begin = pose_at(c, substep.begin), end = pose_at(c, substep.end);
             floor.slot = slot;
-            floor.up = rotate(inverse(end.rotation), known);
+            floor.up = rotate(inverse(end.rotation), up_in(known, slot));
             find_floor(*step_->shape, arrays_.field[field_scale][i], relative(begin, pose_in(substep.before, i)),
                        relative(end, pose_of(i)), margin_of(i, substep.h), *c.geometry.mesh, near + first, k - first,
                        floor);
             if (!all) floor.count = 0;
-            if (floor.count > 0 || floor.side != 0) kept = packed_direction(rotate(end.rotation, floor.up));
+            if (floor.count > 0 || floor.side != 0) kept = packed_floor(rotate(end.rotation, floor.up), slot);
         }
         if (arrays_.floor) arrays_.floor[i] = kept;
     }
