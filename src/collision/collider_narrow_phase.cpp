@@ -43,9 +43,10 @@ bool add_box_side(ContactPoints& set, const Geometry& box) {
     const Vector nearest = to_float(body.support(-to_double(n)));
     if (gap(nearest) >= set.margin) return true;
     set.add_core(nearest, n, gap(nearest));
-    const Rims rims = rims_of(body, to_double(n));
-    for (uint32_t i = 0; i < rims.count; ++i)
-        if (gap(rims.point[i]) < rim_margin(set, gap(nearest))) set.add(rims.point[i], n, gap(rims.point[i]));
+    add_rims(set, to_double(n), gap(nearest), [&](Vector point, Vector& direction) {
+        direction = n;
+        return static_cast<double>(gap(point));
+    });
     return true;
 }
 

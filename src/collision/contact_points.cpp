@@ -204,12 +204,11 @@ void add_manifold(ContactPoints& set, const PlacedCollider& collider, const Sepa
     const Vector point = to_float(along.has_points ? along.on_body : body.support(-along.normal));
     set.add_core(point, to_float(along.normal), gap);
     if (collider.count == 0 || collider.count > 2) return;
-    const Rims rims = rims_of(body, along.normal);
-    for (uint32_t i = 0; i < rims.count; ++i) {
-        Double3 direction;
-        const double out = distance_from(collider, to_double(rims.point[i]), direction) - collider.radius;
-        if (out < static_cast<double>(rim_margin(set, gap)))
-            set.add(rims.point[i], to_float(direction), static_cast<float>(out));
-    }
+    add_rims(set, along.normal, gap, [&](Vector rim, Vector& direction) {
+        Double3 outwards;
+        const double distance = distance_from(collider, to_double(rim), outwards);
+        direction = to_float(outwards);
+        return distance - collider.radius;
+    });
 }
 } // namespace lr

@@ -53,9 +53,16 @@ struct Rims {
     Vector point[7];
 };
 Rims rims_of(const PlacedBody& body, Double3 normal);
-// Rims closer than this (m) can be pressed in when the nearest point, with this gap, is pushed out.
-inline float rim_margin(const ContactPoints& set, float gap) {
-    return set.margin + 0.1f * set.body.reach + 2.0f * std::max(-gap, 0.0f);
+// Adds those near the collider; farther ones than the margin count too, as they can be pressed in when the nearest point, with this gap, is pushed
+// out. gap_of(point, direction): the gap of a rim (m), and the normal there.
+template <class Gap> void add_rims(ContactPoints& set, Double3 normal, float gap, const Gap& gap_of) {
+    const double wide = static_cast<double>(set.margin + 0.1f * set.body.reach + 2.0f * std::max(-gap, 0.0f));
+    const Rims rims = rims_of(set.body, normal);
+    for (uint32_t i = 0; i < rims.count; ++i) {
+        Vector direction{};
+        const double out = gap_of(rims.point[i], direction);
+        if (out < wide) set.add(rims.point[i], direction, static_cast<float>(out));
+    }
 }
 
 // Adds contacts along a given normal: corners of one over a side of the other, and crossings of their edges. For bodies with corners.

@@ -148,13 +148,13 @@ void add_ellipsoid(ContactPoints& set, const FloorFaces& faces, Vector up) {
         const float gap = face.gap(core);
         if (gap >= set.margin) return;
         set.add(core, face.normal, gap);
-        const Rims rims = rims_of(body, to_double(face.normal));
-        for (uint32_t i = 0; i < rims.count; ++i) {
+        add_rims(set, to_double(face.normal), gap, [&](Vector point, Vector& direction) {
             float height;
-            const FloorFace* const below = faces.under(rims.point[i], height);
-            if (below && below->gap(rims.point[i]) < rim_margin(set, gap))
-                set.add(rims.point[i], below->normal, below->gap(rims.point[i]));
-        }
+            const FloorFace* const below = faces.under(point, height);
+            if (!below) return std::numeric_limits<double>::infinity();
+            direction = below->normal;
+            return static_cast<double>(below->gap(point));
+        });
     };
     const auto towards = [&](Vector normal) { return to_float(body.support(-to_double(normal))); };
     for (uint32_t k = 0; k < faces.count(); ++k)

@@ -189,7 +189,7 @@ TEST_CASE("nothing falls through uneven ground of triangles, and all comes to re
             }
 }
 
-// What a body remembers of a mesh under it must not make it solid on the far side of the next.
+// The mesh that a body lay on must not make the next one solid on its far side.
 TEST_CASE("bodies that left the ground meet a sheet above them from below") {
     const World world = make(world_desc());
     const Asset asset = make(rigid_box(0.06, 0.002, 0.06, 2000.0));
