@@ -331,8 +331,8 @@ MetTriangle first_triangle(const BodyShape& shape, float scale, const Pose& from
 }
 
 bool over_box_side(const BodyShape& shape, float scale, const Pose& from, const Pose& to, const Geometry& box) {
-    const Vector side = box_side(box, from.position, to.position, scale * shape.reach);
-    return dot(side, side) > 0.0f;
+    // Beyond the middle of a thin box, the next substep would take the other side for the body's.
+    return dot(box_side(box, from.position, to.position, scale * shape.reach), to.position) > 0.0f;
 }
 
 float free_fraction(const BodyShape& shape, float scale, const Pose& from, const Pose& to, const Geometry& collider,

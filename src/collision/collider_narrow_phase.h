@@ -32,7 +32,7 @@ uint32_t find_contacts(const BodyShape& shape, float scale, const Pose& at, cons
 float free_fraction(const BodyShape& shape, float scale, const Pose& from, const Pose& to, const Geometry& collider,
                     ColliderPart part);
 
-// Whether a side of the box is a plane for a body on this way, and contacts from its first pose find it wherever it ends.
+// Whether a side of the box is a plane for a body on this way, which ends before the middle of the box: contacts from its first pose find it.
 bool over_box_side(const BodyShape& shape, float scale, const Pose& from, const Pose& to, const Geometry& box);
 
 // The triangle of a mesh's part that leaves the least free fraction, the first of equals; free 1: none. Triangles for which skips(context,
