@@ -23,7 +23,7 @@ struct MeshFloor {
 inline constexpr float longest_floor = 3.0f;
 
 // Whether the mesh is a floor for a body that goes from one pose to the other in the mesh's frame: near its way one surface without a border, nowhere
-// steeper than 78 degrees against its mean normal. parts: `count` of this mesh, near the body. out.up: of the last substep, or zero. A body that is
+// steeper than 57 degrees against its mean normal. parts: `count` of this mesh, near the body. out.up: of the last substep, or zero. A body that is
 // pressed in can be beyond the surface: then only this tells its side.
 void find_floor(const BodyShape& shape, float scale, const Pose& from, const Pose& to, float margin,
                 const MeshGeometry& mesh, const Candidate* parts, uint32_t count, MeshFloor& out);
