@@ -754,7 +754,7 @@ LR_API lr_status lr_world_get_timings(const lr_world* world, lr_timings* timings
  * LR_OK, LR_ERROR_NULL_ARGUMENT. */
 LR_API lr_status lr_world_hash(const lr_world* world, uint64_t* out);
 
-/* Bytes that lr_world_snapshot_save needs at present; 0 for null. With body contact 208 of them for each pair of awake
+/* Bytes that lr_world_snapshot_save needs at present; 0 for null. With body contact 120 of them for each pair of awake
  * bodies that touch or nearly do. */
 LR_API uint64_t lr_world_snapshot_size(const lr_world* world);
 

@@ -43,11 +43,11 @@ void BodyContactStep::enter_contacts(uint32_t at, const WayContact* found) {
         const PairContact& contact = found[k].begin;
         const bool cached = found[k].from < manifold.count;
         to.contact[k] = {contact.arm_a, contact.arm_b, contact.gap,
-                         cached ? h * h * manifold.contact[found[k].from].pressed : 0.0f, found[k].from};
+                         cached ? h * h * manifold.pressed[found[k].from] : 0.0f, found[k].from};
     }
     if (pair.count != 0) to.frame = {found[0].begin.normal, {}, {}, friction, restitution, false, friction_before(at)};
     // Contacts that do not count in this substep have none for the next.
-    for (CachedPair::Contact& contact : manifold.contact) contact.pressed = 0.0f;
+    std::fill_n(manifold.pressed, most_pair_contacts, 0.0f);
     if (pair.count == 0) manifold.drag = {}, manifold.spin = 0.0f;
 }
 
@@ -90,7 +90,7 @@ void BodyContactStep::keep_impulses() {
             for (uint32_t k = 0; k < unit.count; ++k) {
                 if (unit.contact[k].from >= to.count) continue;
                 const float pressed = over * c.solver.path_pressed(unit, k, slow);
-                if (pressed < most) to.contact[unit.contact[k].from].pressed = pressed;
+                if (pressed < most) to.pressed[unit.contact[k].from] = pressed;
             }
         }
     });

@@ -31,14 +31,41 @@ struct Placed {
           turn(inverse(a.from.rotation) * b.from.rotation) {}
 };
 
+// A pair as it was searched.
+struct Searched {
+    Rotation turn;
+    Vector normal; // a's frame
+    explicit Searched(const CachedPair& pair) : turn(pair.turn.unpacked()) {
+        const Vector packed = pair.normal.times(1.0f), n = 1.0f / length(packed) * packed;
+        normal = (pair.sides & CachedPair::face_of_b) != 0 ? rotate(turn, n) : n;
+    }
+};
+
+// Arms are at most sqrt(2) times the reach.
+constexpr float longest_arm = 1.5f;
+
+struct Arms {
+    Vector a, b; // m
+    Arms(const CachedPair& pair, const Searched& then, uint32_t k, const PairBody& of_a, const PairBody& of_b) {
+        const Vector apart = pair.offset + pair.gap[k] * then.normal;
+        if ((pair.sides & CachedPair::arms_of_b) != 0) {
+            b = pair.arm[k].times(longest_arm * of_b.reach());
+            a = rotate(then.turn, b) + apart;
+        } else {
+            a = pair.arm[k].times(longest_arm * of_a.reach());
+            b = rotate(inverse(then.turn), a - apart);
+        }
+    }
+};
+
 // How far points of b have at most moved against a since the manifold was found, m: along the normal, and in all.
 struct Slid {
     float along, across;
-    Slid(const CachedPair& pair, const Placed& now, float reach_b) {
-        const Rotation turned = now.turn * inverse(pair.turn);
-        const float twice = turned.w < 0.0f ? -2.0f : 2.0f;
-        const Vector n = pair.of_b != 0 ? rotate(now.turn, pair.normal) : pair.normal;
-        const Vector way = now.offset - pair.offset, turn = twice * Vector{turned.x, turned.y, turned.z};
+    Slid(const CachedPair& pair, const Searched& then, const Placed& now, float reach_b) {
+        const Rotation turned = now.turn * inverse(then.turn);
+        const bool of_b = (pair.sides & CachedPair::face_of_b) != 0;
+        const Vector n = of_b ? rotate(turned, then.normal) : then.normal;
+        const Vector way = now.offset - pair.offset, turn = chord(turned);
         along = std::abs(dot(n, way)) + reach_b * length(cross(n, turn));
         across = length(way) + reach_b * length(turn);
     }
@@ -54,31 +81,49 @@ float fits_face(const PairHull& hull, Vector normal) {
 }
 
 // After a change of scale, or from a forged snapshot, contacts could be far off the bodies.
-bool arms_fit(const CachedPair& pair, const PairBody& a, const PairBody& b) {
-    const float most_a = 2.0f * a.reach() * a.reach(), most_b = 2.0f * b.reach() * b.reach();
-    return std::all_of(pair.contact, pair.contact + pair.count, [&](const CachedPair::Contact& c) {
-        return dot(c.arm_a, c.arm_a) <= most_a && dot(c.arm_b, c.arm_b) <= most_b;
-    });
+bool fits(Vector arm, const PairBody& body) {
+    return dot(arm, arm) <= 2.0f * body.reach() * body.reach();
 }
 
 // Each contact takes the impulse of the nearest one of the manifold before; friction lasts with the first of them.
-void take_impulses(const CachedPair& from, float reach, CachedPair& to) {
+void take_impulses(const CachedPair& from, const PairBody& a, const PairBody& b, const Manifold& found,
+                   CachedPair& to) {
+    const Searched then(from);
+    const float reach = smaller_reach(a, b);
+    Vector arm[most_pair_contacts];
+    for (uint32_t k = 0; k < from.count; ++k) arm[k] = Arms(from, then, k, a, b).a;
     bool taken[most_pair_contacts] = {};
-    for (CachedPair::Contact& c : std::span(to.contact, to.count)) {
+    for (uint32_t i = 0; i < to.count; ++i) {
         float least = same_place * same_place * reach * reach;
         uint32_t best = most_pair_contacts;
         for (uint32_t k = 0; k < from.count; ++k) {
-            const Vector away = from.contact[k].arm_a - c.arm_a;
+            const Vector away = arm[k] - found.contact[i].arm_a;
             if (taken[k] || !(dot(away, away) < least)) continue;
             least = dot(away, away);
             best = k;
         }
         if (best == most_pair_contacts) continue;
         taken[best] = true;
-        c.pressed = from.contact[best].pressed;
+        to.pressed[i] = from.pressed[best];
         to.drag = from.drag;
         to.spin = from.spin;
     }
+}
+
+// The contacts of a pair where its bodies are now. False if they are far off these.
+bool contacts_of(const CachedPair& pair, const Searched& then, const PairBody& a, const PairBody& b, Manifold& out) {
+    const bool of_b = (pair.sides & CachedPair::face_of_b) != 0;
+    const Vector normal =
+        of_b ? rotate(b.from.rotation, rotate(inverse(then.turn), then.normal)) : rotate(a.from.rotation, then.normal);
+    const Vector apart = a.from.position - b.from.position;
+    out.count = pair.count;
+    for (uint32_t k = 0; k < pair.count; ++k) {
+        const Arms arms(pair, then, k, a, b);
+        if (!fits(arms.a, a) || !fits(arms.b, b)) return false;
+        const Vector on_a = rotate(a.from.rotation, arms.a), on_b = rotate(b.from.rotation, arms.b);
+        out.contact[k] = {arms.a, arms.b, normal, dot(normal, apart + (on_a - on_b))};
+    }
+    return true;
 }
 } // namespace
 
@@ -87,21 +132,14 @@ float kept_way(const PairBody& a, const PairBody& b) {
 }
 
 bool kept_manifold(const CachedPair& cached, const PairBody& a, const PairBody& b, float within, Manifold& out) {
-    const Slid slid(cached, Placed(a, b), b.reach());
+    const Placed now(a, b);
     const float across = (cached.count < face_contacts ? most_across_edge : most_across) * smaller_reach(a, b);
+    if (!(length(now.offset - cached.offset) <= across)) return false; // most
+    const Searched then(cached);
+    const Slid slid(cached, then, now, b.reach());
     // Also false for NaN.
-    if (!(slid.along <= kept_way(a, b) && slid.across <= across && within + slid.along <= cached.within) ||
-        !arms_fit(cached, a, b))
-        return false;
-    out.count = cached.count;
-    const Vector normal = rotate((cached.of_b != 0 ? b : a).from.rotation, cached.normal);
-    const Vector apart = a.from.position - b.from.position;
-    for (uint32_t k = 0; k < cached.count; ++k) {
-        const CachedPair::Contact& c = cached.contact[k];
-        const Vector on_a = rotate(a.from.rotation, c.arm_a), on_b = rotate(b.from.rotation, c.arm_b);
-        out.contact[k] = {c.arm_a, c.arm_b, normal, dot(normal, apart + (on_a - on_b))};
-    }
-    return true;
+    return slid.along <= kept_way(a, b) && slid.across <= across && within + slid.along <= cached.within &&
+           contacts_of(cached, then, a, b, out);
 }
 
 CachedPair cached_pair(uint64_t key_a, uint64_t key_b, const PairBody& a, const PairBody& b, const Manifold& found,
@@ -111,15 +149,22 @@ CachedPair cached_pair(uint64_t key_a, uint64_t key_b, const PairBody& a, const 
     out.a = key_a;
     out.b = key_b;
     out.offset = now.offset;
-    out.turn = now.turn;
+    out.turn = PackedRotation::of(now.turn);
     out.within = within;
-    out.count = static_cast<uint16_t>(found.count);
+    out.count = static_cast<uint8_t>(found.count);
     const Vector normal_a = rotate(inverse(a.from.rotation), found.contact[0].normal);
     const Vector normal_b = rotate(inverse(b.from.rotation), found.contact[0].normal);
-    out.of_b = fits_face(*a.shape, -normal_a) < fits_face(*b.shape, normal_b) ? 1 : 0;
-    out.normal = out.of_b != 0 ? normal_b : normal_a;
-    for (uint32_t k = 0; k < found.count; ++k) out.contact[k] = {found.contact[k].arm_a, found.contact[k].arm_b, 0.0f};
-    if (before) take_impulses(*before, smaller_reach(a, b), out);
+    const bool face_of_b = fits_face(*a.shape, -normal_a) < fits_face(*b.shape, normal_b);
+    const bool arms_of_b = b.reach() < a.reach();
+    out.sides = static_cast<uint8_t>((face_of_b ? CachedPair::face_of_b : 0) | (arms_of_b ? CachedPair::arms_of_b : 0));
+    out.normal = PackedVector::of(face_of_b ? normal_b : normal_a, 1.0f);
+    for (uint32_t k = 0; k < found.count; ++k) {
+        const PairContact& c = found.contact[k];
+        out.arm[k] = arms_of_b ? PackedVector::of(c.arm_b, longest_arm * b.reach())
+                               : PackedVector::of(c.arm_a, longest_arm * a.reach());
+        out.gap[k] = c.gap;
+    }
+    if (before) take_impulses(*before, a, b, found, out);
     return out;
 }
 

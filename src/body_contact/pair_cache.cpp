@@ -14,7 +14,40 @@ constexpr uint32_t most_pairs = 1u << 30; // the table's cells are a power of tw
 uint64_t hash_of(uint64_t a, uint64_t b) {
     return mix64(a + 0x9e3779b97f4a7c15ull * b);
 }
+// Components but the largest are at most sqrt(1/2).
+constexpr float turn_step = 0.70710678f / 524287.0f, steps_per_turn = 524287.0f / 0.70710678f;
+constexpr uint32_t turn_bits = 20;
+constexpr int32_t turn_middle = 1 << (turn_bits - 1);
 } // namespace
+
+PackedRotation PackedRotation::of(Rotation q) {
+    const float parts[4] = {q.x, q.y, q.z, q.w};
+    uint32_t largest = 0;
+    for (uint32_t k = 1; k < 4; ++k)
+        if (std::abs(parts[k]) > std::abs(parts[largest])) largest = k;
+    const float scale = parts[largest] < 0.0f ? -steps_per_turn : steps_per_turn;
+    uint64_t bits = largest;
+    for (uint32_t k = 1; k < 4; ++k) {
+        const float steps = std::clamp(scale * parts[(largest + k) & 3u], -524287.0f, 524287.0f);
+        const auto whole = static_cast<int32_t>(steps + (steps < 0.0f ? -0.5f : 0.5f));
+        bits = bits << turn_bits | static_cast<uint32_t>(whole + turn_middle);
+    }
+    return {bits};
+}
+
+Rotation PackedRotation::unpacked() const {
+    constexpr uint32_t mask = (1u << turn_bits) - 1;
+    float parts[4], squares = 0.0f;
+    const auto largest = static_cast<uint32_t>(bits >> (3 * turn_bits) & 3u);
+    for (uint32_t k = 1; k < 4; ++k) {
+        const auto steps = static_cast<int32_t>(bits >> ((3 - k) * turn_bits) & mask) - turn_middle;
+        const float part = turn_step * static_cast<float>(steps);
+        parts[(largest + k) & 3u] = part;
+        squares += part * part;
+    }
+    parts[largest] = std::sqrt(std::max(1.0f - squares, 0.0f));
+    return {parts[0], parts[1], parts[2], parts[3]};
+}
 
 bool PairCache::reserve(Allocator& allocator, uint32_t count) {
     if (count > most_pairs) return false;
@@ -99,13 +132,14 @@ void PairCache::fill(const unsigned char* from, uint32_t count) {
 bool PairCache::consistent(const unsigned char* from, uint32_t count, uint32_t slots) {
     const auto fine = [](Vector v) { return dot(v, v) < 1e30f; }; // false for NaN
     const auto right = [&](const CachedPair& p) {
-        if (p.a >= p.b || slot_of_key(p.b) >= slots || p.count > most_pair_contacts || p.of_b > 1 || !fine(p.offset))
-            return false;
-        const float turn = dot(p.turn, p.turn), normal = dot(p.normal, p.normal);
-        if (!(std::abs(turn - 1.0f) < 0.01f && std::abs(normal - 1.0f) < 0.01f && p.within >= 0.0f)) return false;
+        if (p.a >= p.b || slot_of_key(p.b) >= slots || p.count > most_pair_contacts || p.sides > 3) return false;
+        const Vector normal = p.normal.times(1.0f);
+        const Rotation turn = p.turn.unpacked();
+        if (!(std::abs(dot(turn, turn) - 1.0f) < 0.01f && std::abs(dot(normal, normal) - 1.0f) < 0.01f)) return false;
+        if (!(p.within >= 0.0f) || !fine(p.offset)) return false;
         if (!fine(p.drag) || !(std::abs(p.spin) < 1e15f)) return false;
-        for (const CachedPair::Contact& c : p.contact)
-            if (!fine(c.arm_a) || !fine(c.arm_b) || !(std::abs(c.pressed) < 1e15f)) return false;
+        for (uint32_t k = 0; k < most_pair_contacts; ++k)
+            if (!(std::abs(p.gap[k]) < 1e15f) || !(std::abs(p.pressed[k]) < 1e15f)) return false;
         return true;
     };
     for (uint32_t i = 0; i < count; ++i) {

@@ -6,6 +6,7 @@
 #include "base/pose.h"
 #include "collision/body_narrow_phase.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <type_traits>
 
@@ -19,24 +20,50 @@ constexpr uint32_t slot_of_key(uint64_t key) {
     return static_cast<uint32_t>(key >> 32);
 }
 
+// To the nearest of 65,535 steps from -1 to 1.
+constexpr int16_t packed_part(float x) {
+    const float steps = 32767.0f * std::clamp(x, -1.0f, 1.0f);
+    return static_cast<int16_t>(static_cast<int32_t>(steps + (steps < 0.0f ? -0.5f : 0.5f)));
+}
+struct PackedVector {
+    int16_t part[3];
+    static constexpr PackedVector of(Vector v, float most) {
+        const float scale = 1.0f / most;
+        return {{packed_part(scale * v.x), packed_part(scale * v.y), packed_part(scale * v.z)}};
+    }
+    constexpr Vector times(float most) const {
+        const float step = most * (1.0f / 32767.0f);
+        return {step * static_cast<float>(part[0]), step * static_cast<float>(part[1]),
+                step * static_cast<float>(part[2])};
+    }
+};
+// A unit quaternion: its largest component, which is made positive, follows from the others.
+struct PackedRotation {
+    uint64_t bits;
+    static PackedRotation of(Rotation q);
+    Rotation unpacked() const;
+};
+
 // Two touching bodies; a has the lower key. Frames: of the bodies themselves.
 struct CachedPair {
-    uint64_t a, b;  // keys
-    Vector offset;  // m, a's frame: from a to b as they were searched
-    Rotation turn;  // of b, in a's frame
-    float within;   // m: all contacts with smaller gaps were found
-    Vector normal;  // from b to a, in the frame of the body whose face it is
-    uint16_t count; // of contacts
-    uint16_t of_b;  // whose face: 0: a's, 1: b's
+    uint64_t a, b;       // keys
+    PackedRotation turn; // of b, in a's frame, as they were searched
+    Vector offset;       // m, a's frame: from a to b
+    float within;        // m: all contacts with smaller gaps were found
+    PackedVector normal; // unit, from b to a, in the frame of the body whose face it is
+    uint8_t count;       // of contacts
+    uint8_t sides;       // bits: whose face and whose arms
     // Impulses of the path projection, over h^2 and the lighter body's mass unit, m/s^2: friction on a, in its frame, and about the normal.
     Vector drag;
     float spin; // over the lighter body's d s
-    struct Contact {
-        Vector arm_a, arm_b; // m
-        float pressed;
-    } contact[most_pair_contacts];
+    float pressed[most_pair_contacts];
+    float gap[most_pair_contacts]; // m
+    PackedVector
+        arm[most_pair_contacts]; // of the smaller body, over its reach; the other's point lies along the normal
+
+    static constexpr uint8_t face_of_b = 1, arms_of_b = 2;
 };
-static_assert(std::is_trivially_copyable_v<CachedPair> && sizeof(CachedPair) % 8 == 0);
+static_assert(std::is_trivially_copyable_v<CachedPair> && sizeof(CachedPair) == 120);
 
 class PairCache {
 public:
@@ -49,11 +76,14 @@ public:
     // Replaces the pairs of batches for which replaces(slot): room for `most` new ones, which are then filled in, then commit(). Until then
     // the former pairs can be read. False when out of memory: the pairs stay as they are.
     template <class Replaces> bool begin(Allocator& allocator, uint32_t most, const Replaces& replaces) {
-        if (!reserve(allocator, most + count_)) return false;
-        next_count_ = 0;
-        for (uint32_t i = 0; i < count_; ++i)
-            if (!replaces(slot_of_key(pairs_[i].a)) || !replaces(slot_of_key(pairs_[i].b)))
-                next_[next_count_++] = pairs_[i];
+        const auto stays = [&](const CachedPair& pair) {
+            return !replaces(slot_of_key(pair.a)) || !replaces(slot_of_key(pair.b));
+        };
+        const CachedPair* from = pairs_.data();
+        const auto kept = std::count_if(from, from + count_, stays);
+        if (!reserve(allocator, most + static_cast<uint32_t>(kept))) return false;
+        from = pairs_.data();
+        next_count_ = static_cast<uint32_t>(std::copy_if(from, from + count_, next_.data(), stays) - next_.data());
         return true;
     }
     CachedPair* next() { return next_.data() + next_count_; }

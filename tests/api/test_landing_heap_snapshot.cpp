@@ -1,4 +1,5 @@
 // Snapshots of a heap while it lands: the pairs of touching bodies are state.
+#include "body_contact/pair_cache.h"
 #include "support/body_contact.h"
 #include "support/random.h"
 #include "support/reseal_snapshot.h"
@@ -33,15 +34,13 @@ struct Heap {
 };
 
 // The world's header has 120 bytes, the last 8 of which count the pairs.
-constexpr size_t count_at = 112, pair_bytes = 192;
-// Two pairs of batch 0 follow each other: their keys are below 2^32, and their rotations of unit length.
+constexpr size_t count_at = 112, pair_bytes = sizeof(lr::CachedPair);
+// Two pairs of batch 0 follow each other: their keys are below 2^32, and their normals of unit length.
 bool pair_at(const std::vector<unsigned char>& bytes, size_t at) {
-    uint64_t keys[2];
-    float turn[4], square = 0.0f;
-    std::memcpy(keys, bytes.data() + at, sizeof keys);
-    std::memcpy(turn, bytes.data() + at + 28, sizeof turn);
-    for (float q : turn) square += q * q;
-    return keys[0] < keys[1] && keys[1] < uint64_t{1} << 32 && std::abs(square - 1.0f) < 1e-4f;
+    lr::CachedPair pair;
+    std::memcpy(&pair, bytes.data() + at, sizeof pair);
+    const float unit = lr::length(pair.normal.times(1.0f));
+    return pair.a < pair.b && pair.b < uint64_t{1} << 32 && std::abs(unit - 1.0f) < 1e-4f;
 }
 size_t first_pair(const std::vector<unsigned char>& bytes) {
     for (size_t at = 752; at + 2 * pair_bytes < bytes.size(); at += 8)
@@ -80,10 +79,10 @@ TEST_CASE("the hash tells heaps apart that differ in kept impulses alone") {
     const uint64_t before = hash_of(heap.world);
     const size_t at = first_pair(bytes);
     REQUIRE(at != 0);
-    float impulse = 0.0f;
-    std::memcpy(&impulse, bytes.data() + at + 80 + 24, sizeof impulse);
-    impulse += 1.0f;
-    std::memcpy(bytes.data() + at + 80 + 24, &impulse, sizeof impulse);
+    lr::CachedPair pair;
+    std::memcpy(&pair, bytes.data() + at, sizeof pair);
+    pair.pressed[0] += 1.0f;
+    std::memcpy(bytes.data() + at, &pair, sizeof pair);
     seal(bytes);
     REQUIRE(heap.restore(bytes) == LR_OK);
     CHECK(hash_of(heap.world) != before);
