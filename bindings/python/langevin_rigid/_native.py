@@ -2290,7 +2290,7 @@ PROTOTYPES = {
         ('world',),
         """uint64_t lr_world_snapshot_size(const lr_world* world)
 
-        Bytes that lr_world_snapshot_save needs at present; 0 for null. With body contact 208 of them for each pair of awake
+        Bytes that lr_world_snapshot_save needs at present; 0 for null. With body contact 120 of them for each pair of awake
         bodies that touch or nearly do.
 
         world: the world

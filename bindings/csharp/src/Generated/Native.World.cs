@@ -394,7 +394,7 @@ namespace LangevinRigid
         public static extern Status lr_world_hash(IntPtr world, ulong* @out);
 
         /// <summary>Bytes that <see cref="Native.lr_world_snapshot_save"/> needs at present; 0 for null. With body
-        /// contact 208 of them for each pair of awake bodies that touch or nearly do.</summary>
+        /// contact 120 of them for each pair of awake bodies that touch or nearly do.</summary>
         /// <param name="world">the world</param>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern ulong lr_world_snapshot_size(IntPtr world);

@@ -1428,7 +1428,7 @@ export interface RawFunctions {
    */
   lr_world_hash(world: number, out: number): number;
   /**
-   * Bytes that lr_world_snapshot_save needs at present; 0 for null. With body contact 208 of them for each pair of awake
+   * Bytes that lr_world_snapshot_save needs at present; 0 for null. With body contact 120 of them for each pair of awake
    * bodies that touch or nearly do.
    */
   lr_world_snapshot_size(world: number): bigint;
