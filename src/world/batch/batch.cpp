@@ -279,9 +279,9 @@ bool Batch::reserve_contact() {
 }
 
 bool Batch::any_contact() const {
-    bool any = columns_.any(column_still_time, count_) || columns_.any(column_stay, count_) ||
-               columns_.any(column_floor, count_);
-    for (size_t k = 0; k < most_touches && !any; ++k) any = columns_.any(column_touching + k, count_);
+    bool any = false;
+    for (size_t i = 0; i < column_count; ++i)
+        any = any || (body_columns[i].part == part_contact && body_columns[i].saved && columns_.any(i, count_));
     return any;
 }
 
