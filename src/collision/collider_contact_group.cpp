@@ -192,17 +192,18 @@ namespace {
 // Share of the reach: a shallower overlap is undone.
 constexpr float shallow = 0.1f;
 
-// A unit vector in three bytes, and the mesh that it belongs to in one; 0: none. Of two meshes a body can be on opposite sides.
+// A unit vector in twelve bits, to 7 degrees, and the mesh that it belongs to in twenty; 0: none. Of two meshes a body can be on opposite sides.
+constexpr uint32_t most_tags = (1u << 20) - 1;
 uint32_t tag_of(uint32_t slot) {
-    return slot % 255u + 1u;
+    return slot % most_tags + 1u;
 }
 uint32_t packed_floor(Vector up, uint32_t slot) {
-    const auto bits = [](float f) { return static_cast<uint32_t>(127.0f * f + 128.0f); };
-    return bits(up.x) | bits(up.y) << 8 | bits(up.z) << 16 | tag_of(slot) << 24;
+    const auto bits = [](float f) { return static_cast<uint32_t>(7.5f * f + 8.0f); };
+    return bits(up.x) | bits(up.y) << 4 | bits(up.z) << 8 | tag_of(slot) << 12;
 }
 Vector up_in(uint32_t packed, uint32_t slot) {
-    const auto part = [&](uint32_t at) { return static_cast<float>(packed >> at & 255u) - 127.5f; };
-    return packed >> 24 == tag_of(slot) ? 1.0f / 127.5f * Vector{part(0), part(8), part(16)} : Vector{};
+    const auto part = [&](uint32_t at) { return static_cast<float>(packed >> at & 15u) - 7.5f; };
+    return packed >> 12 == tag_of(slot) ? 1.0f / 7.5f * Vector{part(0), part(4), part(8)} : Vector{};
 }
 } // namespace
 

@@ -224,15 +224,17 @@ TEST_CASE("bodies that left the ground meet a sheet above them from below") {
 TEST_CASE("bodies between two parallel sheets stay there") {
     struct Case {
         bool one_mesh;
-        float gap, speed; // m, m/s
+        float gap, speed;     // m, m/s
+        uint32_t between = 0; // colliders whose slots are between those of the sheets
     };
     constexpr uint32_t count = 30;
     for (const Case& c : {Case{true, 0.05f, 0.5f}, Case{true, 0.05f, 2.0f}, Case{true, 0.08f, 0.5f},
-                          Case{true, 0.08f, 2.0f}, Case{false, 0.08f, 0.5f}})
+                          Case{true, 0.08f, 2.0f}, Case{false, 0.08f, 0.5f}, Case{false, 0.05f, 0.5f, 254}})
         for (const uint32_t substeps : {1u, 2u}) {
             CAPTURE(c.one_mesh);
             CAPTURE(c.gap);
             CAPTURE(c.speed);
+            CAPTURE(c.between);
             lr_world_desc still = world_desc();
             still.gravity[1] = 0.0f;
             const World world = make(still);
@@ -244,6 +246,9 @@ TEST_CASE("bodies between two parallel sheets stay there") {
                 low.vertices.insert(low.vertices.end(), high.vertices.begin(), high.vertices.end());
             } else
                 add_collider(world, mesh_collider(high));
+            lr_collider_desc far = sphere_collider(0.1f);
+            far.position[1] = 1000.0f;
+            for (uint32_t i = 0; i < c.between; ++i) add_collider(world, far);
             add_collider(world, mesh_collider(low));
             const Asset asset = make(rigid_box(0.06, 0.002, 0.06, 2000.0));
             const lr_batch batch = add_batch(world, asset, count);
