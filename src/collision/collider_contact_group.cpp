@@ -243,19 +243,38 @@ void ContactGroup::find_floors(const ContactSubstep& substep) {
     }
 }
 
-// Sweeps can leave a small body deep in rough ground. Its centre must not stay beyond the surface, or it would count as on the other side.
+namespace {
+
+// For a body that came over a side of the box: the way by which its centre of mass is out of it, zero if it is. All in its frame.
+Vector way_out(const BodyShape& shape, float scale, Vector from, Vector to, const Geometry& box) {
+    const Vector n = box_side(box, from, to, 0.0f);
+    const float depth = std::abs(dot(n, vector_of(box.size))) - dot(n, to);
+    return depth < 0.0f ? Vector{} : (2.0f * clear * scale * shape.thickness + depth) * n;
+}
+} // namespace
+
+// Sweeps can leave a small body deep in rough ground, and bodies are not swept over sides of boxes. Their centres must not stay beyond the surface, or
+// they would count as on the other side.
 void ContactGroup::leave_floors(const ContactSubstep& substep) {
     for (uint32_t i = 0; i < count_; ++i) {
         const MeshFloor& floor = floor_[i];
-        float deepest = 0.0f;
-        for (uint32_t k = 0; k < filled_[i] && floor.count > 0; ++k)
-            deepest = std::max(deepest, -slots_.slot[k].gap[i]);
         const float scale = arrays_.field[field_scale][i];
-        if (!(deepest > shallow * scale * step_->shape->reach)) continue;
-        const Collider& c = step_->colliders->at(floor.slot);
-        const Pose pose = pose_at(c, substep.end), at = pose_of(i);
-        const Vector out = way_out(*step_->shape, scale, relative(pose, at).position, *c.geometry.mesh, floor);
-        put_in(arrays_.field, field_x, i, at.position + rotate(pose.rotation, out));
+        float deepest = 0.0f;
+        for (uint32_t k = 0; k <= filled_[i]; ++k) { // boxes that it touches, then the floor
+            const bool touched = k < filled_[i];
+            const uint32_t slot = touched ? slots_.slot[k].collider[i] : floor.slot;
+            if (touched) deepest = std::max(deepest, -slots_.slot[k].gap[i]);
+            if (touched ? slot == a_body || step_->colliders->at(slot).geometry.kind != ColliderKind::box
+                        : floor.count == 0 || !(deepest > shallow * scale * step_->shape->reach))
+                continue;
+            const Collider& c = step_->colliders->at(slot);
+            const Pose pose = pose_at(c, substep.end), at = pose_of(i);
+            const Vector from = relative(pose_at(c, substep.begin), pose_in(substep.before, i)).position;
+            const Vector to = relative(pose, at).position;
+            const Vector out = touched ? way_out(*step_->shape, scale, from, to, c.geometry)
+                                       : way_out(*step_->shape, scale, to, *c.geometry.mesh, floor);
+            put_in(arrays_.field, field_x, i, at.position + rotate(pose.rotation, out));
+        }
     }
 }
 

@@ -20,17 +20,6 @@ void add_plane(ContactPoints& set) {
     set.add_core(p, up, height + p.y);
 }
 
-// The side of a box that is a plane for a body on a way: outside it at first, and wholly over its inside at both ends. By its normal; zero: none.
-Vector box_side(const Geometry& box, Vector from, Vector to, float far) {
-    uint32_t axis = 3;
-    for (uint32_t i = 0; i < 3; ++i) {
-        if (std::max(std::abs(from[i]), std::abs(to[i])) + far <= box.size[i]) continue;
-        if (axis < 3 || std::abs(from[i]) <= box.size[i]) return {};
-        axis = i;
-    }
-    return axis == 3 ? Vector{} : along_axis(axis, from[axis] < 0.0f ? -1.0f : 1.0f);
-}
-
 bool add_box_side(ContactPoints& set, const Geometry& box) {
     const PlacedBody& body = set.body;
     const Vector at = body.at.position, from = set.before ? set.before->position : at;
@@ -82,6 +71,16 @@ float center_distance(const Geometry& g, Vector p) {
     }
 }
 } // namespace
+
+Vector box_side(const Geometry& box, Vector from, Vector to, float far) {
+    uint32_t axis = 3;
+    for (uint32_t i = 0; i < 3; ++i) {
+        if (std::max(std::abs(from[i]), std::abs(to[i])) + far <= box.size[i]) continue;
+        if (axis < 3 || std::abs(from[i]) <= box.size[i]) return {};
+        axis = i;
+    }
+    return axis == 3 ? Vector{} : along_axis(axis, from[axis] < 0.0f ? -1.0f : 1.0f);
+}
 
 uint32_t find_contacts(const BodyShape& shape, float scale, const Pose& at, const Geometry& collider, ColliderPart part,
                        float margin, Contact* out, const Pose* began) {
@@ -328,11 +327,6 @@ MetTriangle first_triangle(const BodyShape& shape, float scale, const Pose& from
                            const MeshGeometry& mesh, ColliderPart part, SkipTriangle skips, const void* context) {
     const Way way(shape, scale, from, to);
     return sweeps(way) ? sweep_mesh(way, mesh, part, skips, context) : MetTriangle{1.0f, 0};
-}
-
-bool over_box_side(const BodyShape& shape, float scale, const Pose& from, const Pose& to, const Geometry& box) {
-    // Beyond the middle of a thin box, the next substep would take the other side for the body's.
-    return dot(box_side(box, from.position, to.position, scale * shape.reach), to.position) > 0.0f;
 }
 
 float free_fraction(const BodyShape& shape, float scale, const Pose& from, const Pose& to, const Geometry& collider,

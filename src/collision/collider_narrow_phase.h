@@ -32,8 +32,12 @@ uint32_t find_contacts(const BodyShape& shape, float scale, const Pose& at, cons
 float free_fraction(const BodyShape& shape, float scale, const Pose& from, const Pose& to, const Geometry& collider,
                     ColliderPart part);
 
-// Whether a side of the box is a plane for a body on this way, which ends before the middle of the box: contacts from its first pose find it.
-bool over_box_side(const BodyShape& shape, float scale, const Pose& from, const Pose& to, const Geometry& box);
+// The side of a box that is a plane for a body on a way: outside it at first, and over its inside, `far` or more from its edges, at both ends. By its
+// normal; zero: none.
+Vector box_side(const Geometry& box, Vector from, Vector to, float far);
+
+// Share of the thickness: a centre of mass nearer to a surface could be on the wrong side by rounding.
+inline constexpr float clear = 0.125f;
 
 // The triangle of a mesh's part that leaves the least free fraction, the first of equals; free 1: none. Triangles for which skips(context,
 // triangle, index) is true are passed over.

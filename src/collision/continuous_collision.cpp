@@ -94,6 +94,11 @@ bool keep_sides(const BodyShape& s, float scale, const Side* sides, uint32_t cou
         if (room[k] - dot(sides[k].normal, pose.position) > little) return false;
     return true;
 }
+// Whether a side of the box is a plane for a body on this way: contacts from its first pose find it.
+bool over_box_side(const Geometry& box, const Pose& from, const Pose& to, float reach) {
+    // Beyond the middle of a thin box, the next substep would take the other side for the body's.
+    return dot(box_side(box, from.position, to.position, reach), to.position) > 0.0f;
+}
 } // namespace
 
 void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
@@ -112,8 +117,9 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
                     return 1.0f;
             const Pose first = relative(pose_at(c, begin), from), last = relative(pose_at(c, end), target);
             // As over floors of meshes: fast bodies are stopped first. At rest the way is the fall in a substep, which the margin includes.
-            if (c.geometry.kind == ColliderKind::box && over_box_side(*step_->shape, scale, first, last, c.geometry))
-                if (length(last.position - first.position) < scale * step_->shape->reach + margin) return 1.0f;
+            const float reach = scale * step_->shape->reach;
+            if (c.geometry.kind == ColliderKind::box && over_box_side(c.geometry, first, last, reach))
+                if (length(last.position - first.position) < reach + margin) return 1.0f;
             return free_fraction(*step_->shape, scale, first, last, c.geometry, candidate.part);
         };
         // A stopped body slides along the thing up to the next, and along both up to a third.
