@@ -245,26 +245,26 @@ void ContactGroup::find_floors(const ContactSubstep& substep) {
 
 namespace {
 
-// For a body that came over a side of the box: the way by which its centre of mass is out of it, zero if it is. All in its frame.
-Vector way_out(const BodyShape& shape, float scale, Vector from, Vector to, const Geometry& box) {
-    const Vector n = box_side(box, from, to, 0.0f);
-    const float depth = std::abs(dot(n, vector_of(box.size))) - dot(n, to);
-    return depth < 0.0f ? Vector{} : (2.0f * clear * scale * shape.thickness + depth) * n;
+// For a body that came over a side of the solid: the way by which its centre of mass is out of it, zero if it is. All in its frame.
+Vector way_out(const BodyShape& shape, float scale, Vector from, Vector to, const Geometry& solid) {
+    const auto side = flat_side(solid, from, to, 0.0f);
+    const float depth = side ? side->offset - dot(side->normal, to) : -1.0f;
+    return depth < 0.0f ? Vector{} : (2.0f * clear * scale * shape.thickness + depth) * side->normal;
 }
 } // namespace
 
-// Sweeps can leave a small body deep in rough ground, and bodies are not swept over sides of boxes. Their centres must not stay beyond the surface, or
+// Sweeps can leave a small body deep in rough ground, and bodies are not swept over sides of boxes and hulls. Their centres must not stay beyond the surface, or
 // they would count as on the other side.
 void ContactGroup::leave_floors(const ContactSubstep& substep) {
     for (uint32_t i = 0; i < count_; ++i) {
         const MeshFloor& floor = floor_[i];
         const float scale = arrays_.field[field_scale][i];
         float deepest = 0.0f;
-        for (uint32_t k = 0; k <= filled_[i]; ++k) { // boxes that it touches, then the floor
+        for (uint32_t k = 0; k <= filled_[i]; ++k) { // solids that it touches, then the floor
             const bool touched = k < filled_[i];
             const uint32_t slot = touched ? slots_.slot[k].collider[i] : floor.slot;
             if (touched) deepest = std::max(deepest, -slots_.slot[k].gap[i]);
-            if (touched ? slot == a_body || step_->colliders->at(slot).geometry.kind != ColliderKind::box
+            if (touched ? slot == a_body || !has_flat_sides(step_->colliders->at(slot).geometry.kind)
                         : floor.count == 0 || !(deepest > shallow * scale * step_->shape->reach))
                 continue;
             const Collider& c = step_->colliders->at(slot);

@@ -13,6 +13,9 @@ enum class ColliderKind : int32_t { plane = 1, sphere, capsule, box, hull, heigh
 constexpr bool has_data(ColliderKind kind) {
     return kind >= ColliderKind::hull;
 }
+constexpr bool has_flat_sides(ColliderKind kind) {
+    return kind == ColliderKind::box || kind == ColliderKind::hull;
+}
 // Whether it is solid below: a plane, or a heightfield within its outline.
 constexpr bool is_ground(ColliderKind kind) {
     return kind == ColliderKind::plane || kind == ColliderKind::heightfield;

@@ -20,12 +20,13 @@ void add_plane(ContactPoints& set) {
     set.add_core(p, up, height + p.y);
 }
 
-bool add_box_side(ContactPoints& set, const Geometry& box) {
+bool add_flat_side(ContactPoints& set, const Geometry& solid) {
     const PlacedBody& body = set.body;
     const Vector at = body.at.position, from = set.before ? set.before->position : at;
-    const Vector n = box_side(box, from, at, body.reach + body.radius);
-    if (dot(n, n) == 0.0f) return false;
-    const float height = dot(n, at) - std::abs(dot(n, vector_of(box.size)));
+    const auto side = flat_side(solid, from, at, body.reach + body.radius);
+    if (!side) return false;
+    const Vector n = side->normal;
+    const float height = dot(n, at) - side->offset;
     const auto gap = [&](Vector core) { return height + dot(n, core); };
     for (uint32_t i = 0; i < body.count; ++i) set.add_core(body.point(i), n, gap(body.point(i)));
     if (body.count > 0) return true;
@@ -72,14 +73,36 @@ float center_distance(const Geometry& g, Vector p) {
 }
 } // namespace
 
-Vector box_side(const Geometry& box, Vector from, Vector to, float far) {
-    uint32_t axis = 3;
-    for (uint32_t i = 0; i < 3; ++i) {
-        if (std::max(std::abs(from[i]), std::abs(to[i])) + far <= box.size[i]) continue;
-        if (axis < 3 || std::abs(from[i]) <= box.size[i]) return {};
-        axis = i;
+std::optional<FlatSide> flat_side(const Geometry& solid, Vector from, Vector to, float far) {
+    FlatSide side{{}, 0.0f};
+    float most = 0.0f;
+    if (solid.kind == ColliderKind::box) {
+        for (uint32_t i = 0; i < 3; ++i) {
+            if (std::max(std::abs(from[i]), std::abs(to[i])) + far <= solid.size[i]) continue;
+            if (most > 0.0f || std::abs(from[i]) <= solid.size[i]) return {};
+            most = std::abs(from[i]) - solid.size[i];
+            side = {along_axis(i, from[i] < 0.0f ? -1.0f : 1.0f), solid.size[i]};
+        }
+    } else if (const HullGeometry* const hull = solid.hull) {
+        uint32_t face = 0;
+        for (uint32_t f = 0; f < hull->face_count; ++f)
+            if (const float out = dot(hull->normal(f), from) - hull->offset(f); out > most) most = out, face = f;
+        side = {hull->normal(face), hull->offset(face)};
+        for (uint32_t k = 0, count = hull->corner_count(face); most > 0.0f && k < count; ++k) {
+            const Vector corner = hull->corner(face, k), edge = hull->corner(face, (k + 1) % count) - corner;
+            const Vector inward = cross(side.normal, edge);
+            if (std::min(dot(inward, from - corner), dot(inward, to - corner)) < far * length(edge)) return {};
+        }
     }
-    return axis == 3 ? Vector{} : along_axis(axis, from[axis] < 0.0f ? -1.0f : 1.0f);
+    return most > 0.0f ? std::optional(side) : std::nullopt;
+}
+
+float depth_below(const Geometry& solid, const FlatSide& side) {
+    if (!solid.hull) return 2.0f * side.offset;
+    float least = side.offset;
+    for (uint32_t i = 0; i < solid.hull->vertex_count; ++i)
+        least = std::min(least, dot(side.normal, solid.hull->corner(i)));
+    return side.offset - least;
 }
 
 uint32_t find_contacts(const BodyShape& shape, float scale, const Pose& at, const Geometry& collider, ColliderPart part,
@@ -98,7 +121,7 @@ uint32_t find_contacts(const BodyShape& shape, float scale, const Pose& at, cons
         add_mesh(set, *collider.mesh, part);
         break;
     default: {
-        if (collider.kind == ColliderKind::box && add_box_side(set, collider)) break;
+        if (add_flat_side(set, collider)) break;
         const PlacedCollider placed(collider, at.position);
         const double enough = static_cast<double>(margin + set.body.radius) + placed.radius;
         const Separation along = separate(set.body, placed, enough);

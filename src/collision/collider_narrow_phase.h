@@ -5,6 +5,7 @@
 #include "collision/collider_geometry.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace lr {
 
@@ -32,9 +33,15 @@ uint32_t find_contacts(const BodyShape& shape, float scale, const Pose& at, cons
 float free_fraction(const BodyShape& shape, float scale, const Pose& from, const Pose& to, const Geometry& collider,
                     ColliderPart part);
 
-// The side of a box that is a plane for a body on a way: outside it at first, and over its inside, `far` or more from its edges, at both ends. By its
-// normal; zero: none.
-Vector box_side(const Geometry& box, Vector from, Vector to, float far);
+// A side of a box or a hull: n . x = offset, with the solid below.
+struct FlatSide {
+    Vector normal;
+    float offset;
+};
+// The side that is a plane for a body on a way: outside it at first, and over its inside, `far` or more from its edges, at both ends.
+std::optional<FlatSide> flat_side(const Geometry& solid, Vector from, Vector to, float far);
+// m: from the side to the opposite end of the solid.
+float depth_below(const Geometry& solid, const FlatSide& side);
 
 // Share of the thickness: a centre of mass nearer to a surface could be on the wrong side by rounding.
 inline constexpr float clear = 0.125f;

@@ -94,10 +94,11 @@ bool keep_sides(const BodyShape& s, float scale, const Side* sides, uint32_t cou
         if (room[k] - dot(sides[k].normal, pose.position) > little) return false;
     return true;
 }
-// Whether a side of the box is a plane for a body on this way: contacts from its first pose find it.
-bool over_box_side(const Geometry& box, const Pose& from, const Pose& to, float reach) {
-    // Beyond the middle of a thin box, the next substep would take the other side for the body's.
-    return dot(box_side(box, from.position, to.position, reach), to.position) > 0.0f;
+// Whether a side of the solid is a plane for a body on this way: contacts from its first pose find it.
+bool over_flat_side(const Geometry& solid, const Pose& from, const Pose& to, float reach) {
+    const auto side = flat_side(solid, from.position, to.position, reach);
+    // Beyond the middle of a thin solid, the next substep would take the other side for the body's.
+    return side && side->offset - dot(side->normal, to.position) < 0.5f * depth_below(solid, *side);
 }
 } // namespace
 
@@ -118,8 +119,8 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
             const Pose first = relative(pose_at(c, begin), from), last = relative(pose_at(c, end), target);
             // As over floors of meshes: fast bodies are stopped first. At rest the way is the fall in a substep, which the margin includes.
             const float reach = scale * step_->shape->reach;
-            if (c.geometry.kind == ColliderKind::box && over_box_side(c.geometry, first, last, reach))
-                if (length(last.position - first.position) < reach + margin) return 1.0f;
+            if (has_flat_sides(c.geometry.kind) && length(last.position - first.position) < reach + margin)
+                if (over_flat_side(c.geometry, first, last, reach)) return 1.0f;
             return free_fraction(*step_->shape, scale, first, last, c.geometry, candidate.part);
         };
         // A stopped body slides along the thing up to the next, and along both up to a third.

@@ -245,8 +245,10 @@ TEST_CASE("no shot at 20 m/s goes through a thin wall at 60 steps a second" * do
     Triangles quad;
     quad.vertices = {-50.0f, 0.0f, -50.0f, 50.0f, 0.0f, -50.0f, 50.0f, 0.0f, 50.0f, -50.0f, 0.0f, 50.0f};
     quad.indices = {0, 1, 2, 0, 2, 3};
+    const std::vector<float> corners = box_corners(50.0f, 0.01f, 50.0f);
     Random random(1);
-    for (int wall = 0; wall < 2; ++wall) {
+    for (const lr_collider_desc& wall :
+         {box_collider(50.0f, 1e-4f, 50.0f), mesh_collider(quad), hull_collider(corners)}) {
         lr_world_desc wd = world_desc();
         wd.gravity[1] = 0.0f;
         const World world = make(wd);
@@ -256,7 +258,7 @@ TEST_CASE("no shot at 20 m/s goes through a thin wall at 60 steps a second" * do
 #else
         constexpr uint32_t shots = 17000; // of each shape
 #endif
-        add_collider(world, wall == 0 ? box_collider(50.0f, 1e-4f, 50.0f) : mesh_collider(quad));
+        add_collider(world, wall);
         for (size_t b = 0; b < 3; ++b) {
             batches[b] = add_batch(world, unloaded(), assets[b], shots);
             set_contact(world, batches[b], contact_desc(0.3f, 0.0f));
@@ -287,45 +289,49 @@ TEST_CASE("no shot at 20 m/s goes through a thin wall at 60 steps a second" * do
                 if (length(vec(u[i].linear)) < 0.95 * 20.0) ++arrived;
             }
         }
-        CAPTURE(wall);
+        CAPTURE(wall.kind);
         CHECK(through == 0);
         CHECK(arrived > sides.size() / 2);
     }
 }
 
-// Over a side of a box they are not swept: contacts alone keep them out, of which that of a rod on its end only turns it.
-TEST_CASE("no rod or card that flies up to its reach in a substep goes through a box") {
+// Over a side of a box or a hull they are not swept: contacts alone keep them out, of which that of a rod on its end only turns it.
+TEST_CASE("no rod or card that flies up to its reach in a substep goes through a box or a hull") {
     constexpr uint32_t count = 200;
-    for (const auto& [asset, reach] : {std::pair(make(rigid_box(0.3, 0.01, 0.01, 500.0)), 0.1504f),
-                                       std::pair(make(rigid_box(0.1, 3e-4, 0.06, 500.0)), 0.0583f)})
-        for (const float half : {0.05f, 0.2f, 0.5f}) // of the reach
-            for (const float way : {0.3f, 0.6f, 0.8f})
-                for (const uint32_t substeps : {1u, 2u}) {
-                    CAPTURE(reach);
-                    CAPTURE(half);
-                    CAPTURE(way);
-                    CAPTURE(substeps);
-                    const World world = make(world_desc());
-                    add_collider(world, box_collider(30.0f * reach, half * reach, 30.0f * reach));
-                    const lr_batch batch = add_batch(world, asset, count);
-                    Random random(1);
-                    for (uint32_t i = 0; i < count; ++i) {
-                        lr_body_desc d = turned_anyhow(random);
-                        for (const size_t k : {size_t{0}, size_t{2}}) d.position[k] = 5.0f * reach * random.real(-1, 1);
-                        d.position[1] = (half + random.real(1.1f, 3.0f)) * reach;
-                        d.linear_velocity[1] = -way * reach * 60.0f * static_cast<float>(substeps);
-                        for (float& w : d.angular_velocity) w = random.real(-10, 10);
-                        add_body(world, batch, d);
+    for (const bool hull : {false, true})
+        for (const auto& [asset, reach] : {std::pair(make(rigid_box(0.3, 0.01, 0.01, 500.0)), 0.1504f),
+                                           std::pair(make(rigid_box(0.1, 3e-4, 0.06, 500.0)), 0.0583f)})
+            for (const float half : {0.05f, 0.2f, 0.5f}) // of the reach
+                for (const float way : {0.3f, 0.6f, 0.8f})
+                    for (const uint32_t substeps : {1u, 2u}) {
+                        CAPTURE(reach);
+                        CAPTURE(half);
+                        CAPTURE(way);
+                        CAPTURE(substeps);
+                        const World world = make(world_desc());
+                        const std::vector<float> corners = box_corners(30.0f * reach, half * reach, 30.0f * reach);
+                        add_collider(world, hull ? hull_collider(corners)
+                                                 : box_collider(30.0f * reach, half * reach, 30.0f * reach));
+                        const lr_batch batch = add_batch(world, asset, count);
+                        Random random(1);
+                        for (uint32_t i = 0; i < count; ++i) {
+                            lr_body_desc d = turned_anyhow(random);
+                            for (const size_t k : {size_t{0}, size_t{2}})
+                                d.position[k] = 5.0f * reach * random.real(-1, 1);
+                            d.position[1] = (half + random.real(1.1f, 3.0f)) * reach;
+                            d.linear_velocity[1] = -way * reach * 60.0f * static_cast<float>(substeps);
+                            for (float& w : d.angular_velocity) w = random.real(-10, 10);
+                            add_body(world, batch, d);
+                        }
+                        uint32_t through = 0; // counted in each step, before any can have gone round
+                        for (int step = 0; step < 20; ++step) {
+                            steps(world, 1, 1.0f / 60.0f, substeps);
+                            const lr_batch_view v = view_of(world, batch);
+                            for (uint32_t i = 0; i < count; ++i)
+                                if (v.position[1][i] < -half * reach &&
+                                    std::max(std::abs(v.position[0][i]), std::abs(v.position[2][i])) < 25.0f * reach)
+                                    ++through;
+                        }
+                        CHECK(through == 0);
                     }
-                    uint32_t through = 0; // counted in each step, before any can have gone round
-                    for (int step = 0; step < 20; ++step) {
-                        steps(world, 1, 1.0f / 60.0f, substeps);
-                        const lr_batch_view v = view_of(world, batch);
-                        for (uint32_t i = 0; i < count; ++i)
-                            if (v.position[1][i] < -half * reach &&
-                                std::max(std::abs(v.position[0][i]), std::abs(v.position[2][i])) < 25.0f * reach)
-                                ++through;
-                    }
-                    CHECK(through == 0);
-                }
 }

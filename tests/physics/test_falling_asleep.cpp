@@ -63,12 +63,14 @@ Asset petal() {
 } // namespace
 
 // In a fall of a substep all of a shallow bowl can reach the ground: its contacts must be those below its middle, not those at its rim.
-TEST_CASE("petals lie still on their curved sides on planes, boxes and meshes, however coarse the steps") {
+TEST_CASE("petals lie still on their curved sides on planes, boxes, hulls and meshes, however coarse the steps") {
     const Asset asset = petal();
     const Triangles sheet = fine_sheet(40, 0.05f, [](float, float) { return 0.0f; });
     lr_collider_desc table = box_collider(1.0f, 0.1f, 1.0f);
-    table.position[1] = -0.1f;
-    for (const lr_collider_desc& ground : {collider_desc(LR_COLLIDER_PLANE), table, mesh_collider(sheet)})
+    const std::vector<float> corners = box_corners(1.0f, 0.1f, 1.0f);
+    lr_collider_desc slab = hull_collider(corners);
+    table.position[1] = slab.position[1] = -0.1f;
+    for (const lr_collider_desc& ground : {collider_desc(LR_COLLIDER_PLANE), table, slab, mesh_collider(sheet)})
         for (const auto& [rate, substeps] : {std::pair{30, 1}, {60, 1}, {60, 2}, {60, 4}}) {
             CAPTURE(ground.kind);
             CAPTURE(rate);
