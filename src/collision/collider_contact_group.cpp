@@ -189,9 +189,6 @@ void ContactGroup::touch_grounds(const ContactSubstep& substep) {
 
 namespace {
 
-// Share of the reach: a shallower overlap is undone.
-constexpr float shallow = 0.1f;
-
 // A unit vector in twelve bits, to 7 degrees, and the mesh that it belongs to in twenty; 0: none. Of two meshes a body can be on opposite sides.
 constexpr uint32_t most_tags = (1u << 20) - 1;
 uint32_t tag_of(uint32_t slot) {
@@ -240,41 +237,6 @@ void ContactGroup::find_floors(const ContactSubstep& substep) {
             if (floor.count > 0 || floor.side != 0) kept = packed_floor(rotate(end.rotation, floor.up), slot);
         }
         if (arrays_.floor) arrays_.floor[i] = kept;
-    }
-}
-
-namespace {
-
-// For a body that came over a side of the solid: the way by which its centre of mass is out of it, zero if it is. All in its frame.
-Vector way_out(const BodyShape& shape, float scale, Vector from, Vector to, const Geometry& solid) {
-    const auto side = flat_side(solid, from, to, 0.0f);
-    const float depth = side ? side->offset - dot(side->normal, to) : -1.0f;
-    return depth < 0.0f ? Vector{} : (2.0f * clear * scale * shape.thickness + depth) * side->normal;
-}
-} // namespace
-
-// Sweeps can leave a small body deep in rough ground, and bodies are not swept over sides of boxes and hulls. Their centres must not stay beyond the surface, or
-// they would count as on the other side.
-void ContactGroup::leave_floors(const ContactSubstep& substep) {
-    for (uint32_t i = 0; i < count_; ++i) {
-        const MeshFloor& floor = floor_[i];
-        const float scale = arrays_.field[field_scale][i];
-        float deepest = 0.0f;
-        for (uint32_t k = 0; k <= filled_[i]; ++k) { // solids that it touches, then the floor
-            const bool touched = k < filled_[i];
-            const uint32_t slot = touched ? slots_.slot[k].collider[i] : floor.slot;
-            if (touched) deepest = std::max(deepest, -slots_.slot[k].gap[i]);
-            if (touched ? slot == a_body || !has_flat_sides(step_->colliders->at(slot).geometry.kind)
-                        : floor.count == 0 || !(deepest > shallow * scale * step_->shape->reach))
-                continue;
-            const Collider& c = step_->colliders->at(slot);
-            const Pose pose = pose_at(c, substep.end), at = pose_of(i);
-            const Vector from = relative(pose_at(c, substep.begin), pose_in(substep.before, i)).position;
-            const Vector to = relative(pose, at).position;
-            const Vector out = touched ? way_out(*step_->shape, scale, from, to, c.geometry)
-                                       : way_out(*step_->shape, scale, to, *c.geometry.mesh, floor);
-            put_in(arrays_.field, field_x, i, at.position + rotate(pose.rotation, out));
-        }
     }
 }
 

@@ -49,8 +49,9 @@ void add_sphere_points(ContactPoints& set, float radius) {
     }
 }
 
-// A lower bound of the distance of p from the collider's surface, m.
-float center_distance(const Geometry& g, Vector p) {
+} // namespace
+
+float distance_from(const Geometry& g, Vector p) {
     const auto beyond = [](float v, float h) { return std::max(std::abs(v) - h, 0.0f); };
     switch (g.kind) {
     case ColliderKind::plane:
@@ -71,7 +72,6 @@ float center_distance(const Geometry& g, Vector p) {
         return 0.0f;
     }
 }
-} // namespace
 
 std::optional<FlatSide> flat_side(const Geometry& solid, Vector from, Vector to, float far) {
     FlatSide side{{}, 0.0f};
@@ -108,7 +108,7 @@ float depth_below(const Geometry& solid, const FlatSide& side) {
 uint32_t find_contacts(const BodyShape& shape, float scale, const Pose& at, const Geometry& collider, ColliderPart part,
                        float margin, Contact* out, const Pose* began) {
     const float far = scale * shape.reach + margin;
-    if (center_distance(collider, at.position) > far) return 0;
+    if (distance_from(collider, at.position) > far) return 0;
     ContactPoints set(shape, scale, at, margin, began);
     switch (collider.kind) {
     case ColliderKind::plane:

@@ -33,6 +33,9 @@ uint32_t find_contacts(const BodyShape& shape, float scale, const Pose& at, cons
 float free_fraction(const BodyShape& shape, float scale, const Pose& from, const Pose& to, const Geometry& collider,
                     ColliderPart part);
 
+// m: a lower bound of the distance of p from the collider's surface, at most 0 within.
+float distance_from(const Geometry& g, Vector p);
+
 // A side of a box or a hull: n . x = offset, with the solid below.
 struct FlatSide {
     Vector normal;
@@ -42,9 +45,6 @@ struct FlatSide {
 std::optional<FlatSide> flat_side(const Geometry& solid, Vector from, Vector to, float far);
 // m: from the side to the opposite end of the solid.
 float depth_below(const Geometry& solid, const FlatSide& side);
-
-// Share of the thickness: a centre of mass nearer to a surface could be on the wrong side by rounding.
-inline constexpr float clear = 0.125f;
 
 // The triangle of a mesh's part that leaves the least free fraction, the first of equals; free 1: none. Triangles for which skips(context,
 // triangle, index) is true are passed over.

@@ -11,6 +11,7 @@ namespace {
 // Per body and substep; a body stays at its last stop.
 constexpr uint32_t most_stops = 4, most_met = 32;
 constexpr float same_side = 0.9999f; // cosine: parts of one surface
+constexpr float shallow = 0.1f;      // share of the reach: a shallower overlap is undone
 
 // The least n . x of a body.
 float lowest(const BodyShape& s, float scale, const Pose& pose, Vector n) {
@@ -99,6 +100,12 @@ bool over_flat_side(const Geometry& solid, const Pose& from, const Pose& to, flo
     const auto side = flat_side(solid, from.position, to.position, reach);
     // Beyond the middle of a thin solid, the next substep would take the other side for the body's.
     return side && side->offset - dot(side->normal, to.position) < 0.5f * depth_below(solid, *side);
+}
+// For a body that came over a side of the solid and whose centre of mass is in it: the way by which that is `clear` out of it. All in its frame.
+Vector way_out(const Geometry& solid, Vector from, Vector to, float clear) {
+    const auto side = flat_side(solid, from, to, 0.0f);
+    const float out = side ? dot(side->normal, to) - side->offset : 1.0f;
+    return out > 0.0f ? Vector{} : (clear - out) * side->normal;
 }
 } // namespace
 
@@ -194,6 +201,35 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
             const Pose ends = pose_at(c, end);
             const SurfaceMotion motion = motion_of(c, substep);
             for (uint32_t k = 0; k < stops[n].count; ++k) add(i, slot, stops[n].contacts[k], ends, motion);
+        }
+    }
+}
+
+// Sweeps can leave a small body deep in rough ground, and bodies are not swept over sides of boxes and hulls. Their centres must not stay beyond the surface, or
+// they would count as on the other side.
+void ContactGroup::leave_floors(const ContactSubstep& substep) {
+    for (uint32_t i = 0; i < count_; ++i) {
+        const MeshFloor& floor = floor_[i];
+        const float scale = arrays_.field[field_scale][i];
+        float deepest = 0.0f;
+        uint32_t last = a_body;                      // solid
+        for (uint32_t k = 0; k <= filled_[i]; ++k) { // solids that it touches, then the floor
+            const bool touched = k < filled_[i];
+            const uint32_t slot = touched ? slots_.slot[k].collider[i] : floor.slot;
+            if (touched) deepest = std::max(deepest, -slots_.slot[k].gap[i]);
+            if (touched ? slot == last || slot == a_body || !has_flat_sides(step_->colliders->at(slot).geometry.kind)
+                        : floor.count == 0 || !(deepest > shallow * scale * step_->shape->reach))
+                continue;
+            last = slot;
+            const Collider& c = step_->colliders->at(slot);
+            const Pose pose = pose_at(c, substep.end), at = pose_of(i);
+            const Vector to = relative(pose, at).position;
+            if (touched && distance_from(c.geometry, to) > 0.0f) continue;
+            const Vector from = relative(pose_at(c, substep.begin), pose_in(substep.before, i)).position;
+            const float clear = margin_of(i, 0.0f); // little: it can be pressed against another thing
+            const Vector out = touched ? way_out(c.geometry, from, to, clear)
+                                       : way_out(*step_->shape, scale, to, *c.geometry.mesh, floor);
+            put_in(arrays_.field, field_x, i, at.position + rotate(pose.rotation, out));
         }
     }
 }

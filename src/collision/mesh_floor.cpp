@@ -16,6 +16,8 @@ namespace {
 constexpr float steepest = 0.55f, facing = 0.5f;
 // Cosine between normals that differ by 0.2, as over heightfields: a sharper edge has to be met itself.
 constexpr float sharp = 0.98f;
+// Share of the thickness: a centre of mass nearer to the surface could be on the wrong side by rounding.
+constexpr float clear = 0.125f;
 // Times the size of a triangle.
 constexpr float fine = 1.5f;
 // Share of the reach by which points may be outside a triangle, so that none falls between two.
