@@ -2,7 +2,7 @@
 
 add_library(lr_flags INTERFACE)
 
-# Determinism (docs/maintainers/determinism.md): a fused multiply-add differs in the last bit from a product and a sum, and with
+# Determinism (docs/maintainers/numerics.md): a fused multiply-add differs in the last bit from a product and a sum, and with
 # contraction each compiler fuses different expressions. Never use -ffast-math. -fno-math-errno only saves a call in square roots.
 target_compile_options(lr_flags INTERFACE -ffp-contract=off -fno-fast-math -fno-math-errno)
 # GCC 12 at -O3 drops the rounding in double -> float -> double when it packs two such conversions into one vector (seen by

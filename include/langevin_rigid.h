@@ -25,7 +25,7 @@
  *              immutable: any number of worlds and threads may share them. lr_world_desc.checks detects misuse during
  *              development: calls on a world may then also return LR_ERROR_CONCURRENT_USE or LR_ERROR_REENTRANT.
  * Determinism  The same calls on the same library version give the same bits on every processor, with any number of
- *              workers, in any order of bodies in memory. See docs/maintainers/determinism.md.
+ *              workers, in any order of bodies in memory. See docs/maintainers/numerics.md.
  */
 #ifndef LANGEVIN_RIGID_H
 #define LANGEVIN_RIGID_H

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds the runtime with several compilers, optimisation levels, instruction sets and chunk sizes. All builds must give the
 # hashes in tests/determinism/golden.txt, and save and restore the snapshot in tests/snapshot_travel with equal bytes.
-# docs/maintainers/determinism.md has the results.
+# docs/maintainers/numerics.md has the results.
 #   scripts/check_determinism.sh             GCC and clang at -O1, -O2 and -O3
 #   scripts/check_determinism.sh clang-O2    the named builds
 #   scripts/check_determinism.sh arm64       64-bit ARM, run by qemu (scripts/setup.sh arm64)

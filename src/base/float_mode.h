@@ -1,5 +1,5 @@
 // The floating-point mode of a step: IEEE default, round to nearest, gradual underflow, no traps. Flushing denormals could be faster, but processors
-// flush differently and WebAssembly not at all (docs/maintainers/determinism.md).
+// flush differently and WebAssembly not at all (docs/maintainers/numerics.md).
 #pragma once
 
 #include <cstdint>

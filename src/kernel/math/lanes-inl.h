@@ -190,7 +190,7 @@ HWY_INLINE float greatest_lane(VF v) {
 }
 
 // Elementary functions from + - x / sqrt only, so that every target gives the same bits. Polynomials are minimax fits for these ranges, with errors
-// below half an ulp of a float result (docs/maintainers/determinism.md).
+// below half an ulp of a float result (docs/maintainers/numerics.md).
 
 HWY_INLINE VF constant(float x) {
     return hn::Set(DF(), x);
