@@ -10,6 +10,8 @@ namespace {
 constexpr uint8_t all_front = 7;
 // An edge is a ridge if the next triangle falls below this one's plane by more than this share of a cell's width.
 constexpr float ridge = 1e-3f;
+// Cosine between a triangle's normal and the direction of a body beside it.
+constexpr double beside = 0.1;
 
 // Whether the corner or edge farthest along the normal is hidden. Corners that differ by less than 1e-4 of the triangle's size count as equal.
 bool is_hidden(const Triangle& t, Vector n) {
@@ -56,7 +58,9 @@ Double3 side_before(const ContactPoints& set, const Triangle& t) {
     if (!set.before) return {};
     const PlacedBody body(*set.body.shape, set.body.scale, *set.before);
     const PlacedCollider collider(t.corners, set.before->position);
-    return separate(body, collider, std::numeric_limits<double>::infinity()).normal;
+    const Double3 side = separate(body, collider, std::numeric_limits<double>::infinity()).normal;
+    // Of a body beside the triangle, which then slides over it, rounding would tell.
+    return std::abs(dot(side, to_double(t.normal))) < beside ? Double3{} : side;
 }
 
 // Along the triangle's normal, on the given side; on that of less overlap if it is 0.
@@ -100,7 +104,7 @@ void add_triangle(ContactPoints& set, const Triangle& t, bool alone = false) {
     Double3 side = along.has_points ? along.normal : Double3{};
     if (!along.has_points && !t.one_sided) {
         side = side_before(set, t);
-        if (set.before) along = separate(body, collider, enough, {true, side});
+        if (dot(side, side) > 0.0) along = separate(body, collider, enough, {true, side});
     }
     if (!is_hidden(t, to_float(along.normal))) return add_manifold(set, collider, along);
     if (!alone) return add_over_triangle(set, t, collider, along.has_points, side);

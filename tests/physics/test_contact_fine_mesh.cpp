@@ -269,6 +269,34 @@ TEST_CASE("bodies between two parallel sheets stay there") {
         }
 }
 
+// Of a triangle beside a body, over which it slides next, the side must not be left to rounding.
+TEST_CASE("cubes stay on a slab of fine triangles, however thin") {
+    constexpr uint32_t count = 150;
+    constexpr float reach = 0.0433f, half = 0.01f * reach, cell = 0.4f * reach;
+    Triangles slab = fine_sheet(60, cell, [&](float, float) { return half; });
+    const Triangles below = fine_sheet(60, cell, [&](float, float) { return -half; });
+    const auto first = static_cast<uint32_t>(slab.vertices.size() / 3);
+    slab.vertices.insert(slab.vertices.end(), below.vertices.begin(), below.vertices.end());
+    for (size_t i = below.indices.size(); i-- > 0;) slab.indices.push_back(first + below.indices[i]); // turned over
+    const World world = make(world_desc());
+    add_collider(world, mesh_collider(slab));
+    const Asset asset = make(rigid_box(0.05, 0.05, 0.05, 500.0));
+    const lr_batch batch = add_batch(world, asset, count);
+    Random random(5);
+    for (uint32_t i = 0; i < count; ++i) {
+        lr_body_desc d = turned_anyhow(random);
+        d.position[0] = 6.0f * reach * random.real(-1, 1), d.position[2] = 6.0f * reach * random.real(-1, 1);
+        d.position[1] = half + reach * random.real(1.2f, 2.2f);
+        d.linear_velocity[1] = -1.0f;
+        for (float& w : d.angular_velocity) w = random.real(-10, 10);
+        add_body(world, batch, d);
+    }
+    steps(world, 40, 1.0f / 60.0f);
+    const lr_batch_view v = view_of(world, batch);
+    const float* const y = v.position[1];
+    CHECK(std::count_if(y, y + count, [](float height) { return height < 0.5f * reach; }) == 0);
+}
+
 TEST_CASE("no card goes through a groove that is narrower than itself" * doctest::test_suite("long")) {
 #ifdef LR_TEST_QUICK
     constexpr uint32_t count = 10;
