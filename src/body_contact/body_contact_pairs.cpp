@@ -210,7 +210,7 @@ bool BodyContactStep::number_touching() {
     }
     const uint32_t padded = (places + lanes - 1) / lanes * lanes;
     if (padded == 0) return true;
-    if (!grow_all(allocator, padded, c.body_at, c.tile, c.first_held, c.held_count, c.first_unit, c.touches_body) ||
+    if (!grow_all(allocator, padded, c.body_at, c.tile, c.first_held, c.held_count, c.first_unit, c.deepest) ||
         !grow_all(allocator, size_t{contact_slots} * padded, c.held, c.held_frames, c.held_contacts) ||
         !c.solver.reserve_bodies(padded)) {
         std::fill_n(c.place.data(), body_count_, none);

@@ -14,6 +14,12 @@ constexpr auto lanes = static_cast<uint32_t>(contact_lanes);
 
 // In heaps, sweeps leave more motion than a single still body has: the limit for sleep is higher by this factor.
 constexpr float heap_still = 3.0f;
+// So is its place, a tenth of the reach within a second: sweeps that end early keep heaps of more than ten layers trembling by some millimetres.
+constexpr float heap_place = 5.0f;
+// But what is deeper in another than by half its thickness and a fall in a substep has to get out first.
+float place_in_heap(const BodyAfter& body, float least_gap, const BodyShape& shape, float scale, float fall) {
+    return least_gap > -(0.5f * shape.thickness * scale + fall) ? heap_place * body.place : body.place;
+}
 
 // A body in a heap falls through gaps that sweeps leave, is stopped in the next substep, and rocks back: motion that does not last
 // for two substeps and stays below the limit of restitution (2 g h) does not count.
@@ -85,10 +91,16 @@ void BodyContactStep::hold_group(const BodyContactBatch& member, uint32_t first,
     for (uint32_t i = 0; i < count; ++i) {
         if (touches(i) != (which == Held::touching) || is_held(field[field_age_remainder][i])) continue;
         BodyAfter body = body_after(member.run, group, i, first + i, field, i, began_rows);
-        if (std::count(body.now, body.now + most_touches, touching_body) != 0)
+        if (std::count(body.now, body.now + most_touches, touching_body) != 0) {
+            float least = 0.0f;
+            for (uint32_t k = 0; k < group.contacts(i); ++k)
+                if (const SlotContact s = group.contact(i, k); s.collider == ContactGroup::a_body)
+                    least = std::min(least, s.gap);
+            const float fall = member.run.step.gravity * taken.h;
+            body.place = place_in_heap(body, least, *member.run.step.shape, field[field_scale][i], fall * taken.h);
             body.speed = lasting_speed(body, vector_in(began_rows, field_vx, i), vector_in(began_rows, field_wx, i),
-                                       vector_in(field, field_vx, i), vector_in(field, field_wx, i),
-                                       member.run.step.gravity * taken.h);
+                                       vector_in(field, field_vx, i), vector_in(field, field_wx, i), fall);
+        }
         enter_body(member.run.book, body, may_sleep(*member.run.step.settings), taken.h, last(substep),
                    [&](uint32_t collider) { return group.touch_with(i, collider, taken); });
         group.visit_asleep(i, [&](const ContactGroup::Asleep& other) { wake(body, other); });
@@ -140,7 +152,7 @@ uint32_t BodyContactStep::list_units() {
     for (uint32_t place = 0; place < place_count_; ++place) {
         const uint32_t body = c.body_at[place];
         c.first_unit[place] = used;
-        c.touches_body[place] = 0;
+        c.deepest[place] = no_contact;
         if (body == none) continue;
         const BodyContactFrame* const frames = c.held_frames.data() + c.first_held[place];
         const BodyContactPoint* const held = c.held_contacts.data() + c.first_held[place];
@@ -187,7 +199,9 @@ bool BodyContactStep::solve() {
     for (const BodyContactPair& unit : std::span(scene.units, unit_count)) {
         if (unit.b == BodyContactPair::nobody) continue;
         for (uint32_t k = 0; k < unit.count; ++k)
-            if (c.solver.pressed(unit, k) >= 0.0f) c.touches_body[unit.a] = c.touches_body[unit.b] = 1;
+            if (c.solver.pressed(unit, k) >= 0.0f)
+                for (const uint32_t place : {unit.a, unit.b})
+                    c.deepest[place] = std::min(c.deepest[place], unit.contact[k].gap);
     }
     return true;
 }
@@ -230,20 +244,26 @@ void BodyContactStep::put_back(uint32_t place, uint32_t substep) {
         return;
     BodyAfter body = body_moved(index, *member.run.step.shape, from.scale, member.run.still, vector_of(from.v),
                                 vector_of(from.w), lr::began(from), now(from));
-    body.speed = lasting_speed(body, vector_of(from.v0), vector_of(from.w0), vector_of(from.v), vector_of(from.w),
-                               member.run.step.gravity * static_cast<float>(time_.h));
+    const auto h = static_cast<float>(time_.h);
+    const float fall = member.run.step.gravity * h;
+    body.speed =
+        lasting_speed(body, vector_of(from.v0), vector_of(from.w0), vector_of(from.v), vector_of(from.w), fall);
     body.still *= heap_still;
     TouchList touched;
+    float least = c.deepest[place];
     each_held(place, [&](uint32_t k, float impulse) {
         if (!(impulse >= 0.0f)) return;
-        const BodyContactBuffers::Held& held = c.held[c.first_held[place] + k];
-        touched.take(held.collider + 1, impulse);
-        if (held.collider == ContactGroup::a_body) wake(body, held.at_rest);
+        const uint32_t at = c.first_held[place] + k;
+        touched.take(c.held[at].collider + 1, impulse);
+        if (c.held[at].collider != ContactGroup::a_body) return;
+        wake(body, c.held[at].at_rest);
+        least = std::min(least, c.held_contacts[at].gap);
     });
-    if (c.touches_body[place] != 0) touched.take(touching_body, 0.0f);
+    if (least < no_contact) body.place = place_in_heap(body, least, *member.run.step.shape, from.scale, fall * h);
+    if (c.deepest[place] < no_contact) touched.take(touching_body, 0.0f);
     body.touches = touched.id[0] != 0;
     std::copy_n(touched.id, most_touches, body.now);
-    enter_body(member.run.book, body, may_sleep(*member.run.step.settings), static_cast<float>(time_.h), last(substep),
+    enter_body(member.run.book, body, may_sleep(*member.run.step.settings), h, last(substep),
                [&](uint32_t collider) { return touch_with(place, collider); });
 }
 } // namespace lr

@@ -91,7 +91,7 @@ struct BodyContactBuffers {
     Buffer<TiledBody> tiled;
     // By place; padding is UINT32_MAX.
     Buffer<uint32_t> body_at, tile, first_held, held_count, first_unit;
-    Buffer<uint8_t> touches_body;
+    Buffer<float> deepest; // m, by place: the least gap to another awake body that it touches, or no_contact
     Buffer<Held> held;
     Buffer<BodyContactFrame> held_frames; // of each
     Buffer<BodyContactPoint> held_contacts;

@@ -62,13 +62,14 @@ inline float still_speed(float gravity) {
 }
 // A body moves if it is faster than the limit of a still one by this factor.
 inline constexpr float trembling = 10.0f;
-// A trembling body falls asleep after staying in place for this long, within this share of its reach.
+// A trembling body falls asleep after staying in place for this long, within this share of its reach (BodyAfter::place).
 inline constexpr float time_to_stay = 1.0f, stay_way = 0.02f; // s
 
 struct BodyAfter {
     uint32_t index;
     float speed;         // m/s, of its fastest point
     float still, moving; // m/s: below `still` it lies still, above `moving` it moves
+    float place;         // m: it stays in place within this
     bool moved;          // at least one bit of its pose changed
     Vector way, turn;    // m, world frame; rad, body frame: of the substep
     Vector extent;       // m, along its axes
@@ -97,6 +98,7 @@ inline BodyAfter body_moved(uint32_t index, const BodyShape& shape, float scale,
     body.extent = scale * shape.extent;
     body.still = still_speed * std::sqrt(body.reach);
     body.moving = trembling * body.still;
+    body.place = stay_way * body.reach;
     body.speed = fastest(body.extent, v, w);
     body.way = now.position - before.position;
     body.turn = chord(inverse(before.rotation) * now.rotation);
@@ -113,7 +115,7 @@ inline bool stays(const ContactCache& book, const BodyAfter& body, float seconds
     const float far = length(Vector{sum[0], sum[1], sum[2]}) + farthest(body.extent, {sum[3], sum[4], sum[5]});
     const float lasted = book.stay[0][at] + seconds;
     // A time of 0 means that nothing is recorded: a step below the smallest float must therefore record no way either.
-    if (!(far < stay_way * body.reach) || lasted == 0.0f) {
+    if (!(far < body.place) || lasted == 0.0f) {
         for (float* row : book.stay) row[at] = 0.0f;
         return false;
     }
