@@ -181,7 +181,7 @@ TEST_CASE("a body that trembled long enough half-way through a snapshot comes to
 
 // Sweeps end before they converge, and leave high heaps a tremble that kept half of the plates awake for seconds.
 TEST_CASE("a high heap of plates comes to rest within four seconds, and they do not sleep in each other" *
-          doctest::test_suite("long")) {
+          doctest::test_suite("long-exact")) {
     constexpr uint32_t plates = 1100, across = 3, landing = 220;
     const World world = make(world_desc());
     const lr_batch batch = add_batch(world, plate(), plates);
