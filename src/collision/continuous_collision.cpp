@@ -95,12 +95,14 @@ bool keep_sides(const BodyShape& s, float scale, const Side* sides, uint32_t cou
         if (room[k] - dot(sides[k].normal, pose.position) > little) return false;
     return true;
 }
+
 // Whether a side of the solid is a plane for a body on this way: contacts from its first pose find it.
 bool over_flat_side(const Geometry& solid, const Pose& from, const Pose& to, float reach) {
     const auto side = flat_side(solid, from.position, to.position, reach);
     // Beyond the middle of a thin solid, the next substep would take the other side for the body's.
     return side && side->offset - dot(side->normal, to.position) < 0.5f * depth_below(solid, *side);
 }
+
 // For a body that came over a side of the solid and whose centre of mass is in it: the way by which that is `clear` out of it. All in its frame.
 Vector way_out(const Geometry& solid, Vector from, Vector to, float clear) {
     const auto side = flat_side(solid, from, to, 0.0f);
@@ -205,8 +207,8 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
     }
 }
 
-// Sweeps can leave a small body deep in rough ground, and bodies are not swept over sides of boxes and hulls. Their centres must not stay beyond the surface, or
-// they would count as on the other side.
+// Sweeps can leave a small body deep in rough ground, and bodies are not swept over sides of boxes and hulls. Their centres must not stay beyond the
+// surface, or they would count as on the other side.
 void ContactGroup::leave_floors(const ContactSubstep& substep) {
     for (uint32_t i = 0; i < count_; ++i) {
         const MeshFloor& floor = floor_[i];

@@ -84,7 +84,7 @@ TEST_CASE("a restored world has the same ids, the same hash and the same future"
     }
 }
 
-// What they keep from each other is not known until their next turn: this alone is part of the hash and of a snapshot then.
+// The shelter of bodies that have just woken is unknown until their next turn: in between, that mark is their only record of contact.
 TEST_CASE("bodies that have just been woken, and touch nothing, come back with a snapshot") {
     const Asset asset = leaf();
     lr_batch batch{};

@@ -304,6 +304,7 @@ TEST_CASE("no rod or card that flies up to its reach in a substep goes through a
             for (const float half : {0.05f, 0.2f, 0.5f}) // of the reach
                 for (const float way : {0.3f, 0.6f, 0.8f})
                     for (const uint32_t substeps : {1u, 2u}) {
+                        CAPTURE(hull);
                         CAPTURE(reach);
                         CAPTURE(half);
                         CAPTURE(way);
