@@ -4,6 +4,7 @@
 #include "collision/build_collider_geometry.h"
 #include "collision/collider_narrow_phase.h"
 #include "collision/local_pair.h"
+#include "support/box_corners.h"
 #include "support/random.h"
 #include "support/vector.h"
 
@@ -35,13 +36,6 @@ inline lr::AssetData asset_of(const std::vector<float>& vertices) {
     asset.inertia = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     asset.hull.vertices = vertices;
     return asset;
-}
-
-inline std::vector<float> box_corners(float x, float y, float z) {
-    std::vector<float> v;
-    for (uint32_t i = 0; i < 8; ++i)
-        for (const float c : {i & 1u ? x : -x, i & 2u ? y : -y, i & 4u ? z : -z}) v.push_back(c);
-    return v;
 }
 
 // A pointed oval of 2 x 48 corners, `size` long, thickness across.

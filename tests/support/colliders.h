@@ -1,6 +1,7 @@
 // Descs of colliders.
 #pragma once
 
+#include "support/box_corners.h"
 #include "support/random.h"
 #include "support/scene.h"
 
@@ -82,13 +83,6 @@ inline lr_collider_desc hull_collider(const std::vector<float>& vertices) {
     d.vertices = vertices.data();
     d.vertex_count = static_cast<uint32_t>(vertices.size() / 3);
     return d;
-}
-inline std::vector<float> box_corners(float x, float y, float z) { // half extents
-    std::vector<float> corners;
-    for (const float a : {-x, x})
-        for (const float b : {-y, y})
-            for (const float c : {-z, z}) corners.insert(corners.end(), {a, b, c});
-    return corners;
 }
 inline lr_collider_desc heightfield_collider(const std::vector<float>& heights, uint32_t across, float spacing) {
     lr_collider_desc d = collider_desc(LR_COLLIDER_HEIGHTFIELD);
