@@ -20,8 +20,6 @@ endif()
 install(FILES include/langevin_rigid.h include/langevin_rigid.hpp include/langevin_rigid_research.h
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT runtime)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
-# The library contains libccd, so its licence accompanies the library, also in packages of bindings.
-install(FILES "${LR_CCD_SOURCE}/BSD-LICENSE" DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME LICENSE.libccd COMPONENT runtime)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/langevin_rigid)
 install(EXPORT langevin_rigid_targets NAMESPACE langevin_rigid:: DESTINATION ${package_dir} COMPONENT runtime)

@@ -4,7 +4,7 @@
 # links it without a C++ compiler, next to any C++ runtime, and no name can collide with another library's. COFF's linker finds copies of inline
 # functions by name, so there all stay global, in the namespaces lr, hwy and flatbuffers, and programs link libstdc++ themselves.
 set(object "${CMAKE_CURRENT_BINARY_DIR}/langevin_rigid_static${CMAKE_CXX_OUTPUT_EXTENSION}")
-set(objects $<TARGET_OBJECTS:lr_core> $<TARGET_OBJECTS:lr_kernel> $<TARGET_OBJECTS:lr_assets> $<TARGET_FILE:lr_ccd>)
+set(objects $<TARGET_OBJECTS:lr_core> $<TARGET_OBJECTS:lr_kernel> $<TARGET_OBJECTS:lr_assets>)
 set(strip $<$<CONFIG:Release>:--strip-unneeded>)
 set(needs "")
 get_target_property(hwy hwy::hwy TYPE)
@@ -30,7 +30,7 @@ endif()
 add_custom_command(OUTPUT "${object}"
     COMMAND "${CMAKE_CXX_COMPILER}" -r -nostdlib -o "${object}" ${objects} ${absorbed}
     COMMAND ${finish}
-    DEPENDS lr_core lr_kernel lr_assets lr_ccd ${objects} COMMAND_EXPAND_LISTS VERBATIM)
+    DEPENDS lr_core lr_kernel lr_assets ${objects} COMMAND_EXPAND_LISTS VERBATIM)
 add_library(langevin_rigid_static STATIC "${object}")
 set_source_files_properties("${object}" PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
 set_target_properties(langevin_rigid_static PROPERTIES LINKER_LANGUAGE C EXPORT_NAME static)

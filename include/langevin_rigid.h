@@ -638,7 +638,7 @@ typedef struct lr_wave {
 /* The water surface. Water fills everything below it; above it is the fluid of the world or of each batch's asset. */
 typedef struct lr_water_desc {
     uint32_t struct_size;
-    uint32_t wave_count; /* elements of `waves` in use; default 0 */
+    uint32_t wave_count; /* elements of `waves` in use; the others are not kept; default 0 */
     float position[3];   /* m, a point of the plane, each up to 1e9 in magnitude; default 0 */
     float normal[3];     /* upward, any length but 0; default 0, 1, 0 */
     float density;       /* kg/m^3, 1e-3 to 1e6; default 998. A batch whose own fluid is denser keeps its own density */
@@ -652,7 +652,7 @@ LR_API lr_status lr_water_desc_init(lr_water_desc* desc, uint32_t struct_size);
 
 /* Sets the water from the next step on. The struct is copied; null removes the water. Bodies keep their velocities,
  * even if they are now in another fluid. A batch whose mass matrix would be singular in water stays in its own fluid,
- * and a warning is logged. Part of snapshots and of the world's hash.
+ * and a warning is logged. Part of snapshots and of the world's hash. A change wakes sleeping bodies that feel it.
  * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT. */
 LR_API lr_status lr_world_set_water(lr_world* world, const lr_water_desc* desc);
 
@@ -1324,7 +1324,7 @@ typedef struct lr_material {
 
 LR_API lr_status lr_material_init(lr_material* material, uint32_t struct_size);
 
-/* Sets one material for `count` colliders, all or none, from the next step on.
+/* Sets one material for `count` colliders, all or none, from the next step on. A change wakes what sleeps there.
  * LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_COLLIDER, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
  * LR_ERROR_INVALID_ARGUMENT. */
 LR_API lr_status lr_collider_set_material(lr_world* world, const lr_collider* colliders, uint32_t count,

@@ -150,12 +150,35 @@ LR_API lr_status lr_batch_set_turbulence_table(lr_world* world, lr_batch batch, 
 LR_API lr_status lr_batch_get_turbulence_table(const lr_world* world, lr_batch batch, lr_turbulence_table* table,
                                                float* chi, float* epsilon, uint32_t capacity);
 
+/* The loads of the flow on a body and the state of its wake, for inspectors and debug arrows: what AERODYNAMIC loads do
+ * to it now. Weight, buoyancy and added mass are not among them. World frame. */
+typedef struct lr_body_loads {
+    uint32_t struct_size;
+    uint32_t station_count;     /* 1 to 8: 1 where one stream describes the shape; 0: no AERODYNAMIC loads */
+    float stream[3];            /* m/s, velocity of the fluid relative to the body, its own fluctuations included */
+    float wake[3];              /* m/s, the stream that the wake remembers: it follows `stream` */
+    float shedding[3];          /* q of the vortex shedding (lr_aerodynamics), up to 1.4; 0: a steady wake */
+    float force[3];             /* N, sum of all stations */
+    float torque[3];            /* N m, about the centre of mass, with the couples of spin and shed vortices */
+    float station_position[24]; /* m, x y z of each station */
+    float station_force[24];    /* N, x y z of each station's force */
+} lr_body_loads;
+
+LR_API lr_status lr_body_loads_init(lr_body_loads* loads, uint32_t struct_size);
+
+/* Computes the loads on a body from its present state, wind and water; on a sleeping body as if its wake had ended. At the
+ * surface of water those of the fluid that its centre of mass is in; the fluid's own rotation is left out.
+ * loads: initialised, or with struct_size set. A microsecond; calls the wind and water callbacks.
+ * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY, LR_ERROR_STRUCT_SIZE. */
+LR_API lr_status lr_body_get_loads(const lr_world* world, lr_body body, lr_body_loads* loads);
+
 /* Initial values, as in langevin_rigid.h. */
 /* clang-format off */
 #define LR_AERODYNAMICS_INIT {sizeof(lr_aerodynamics), 0, {1, 0, 0, 0, 1, 0, 0, 0, 1}, {0}, {0}, {0}, {0}, {0}, {0}, \
     {0}, {0}, {0}, {0}, 0, 1, 0, {0}, 0, {0}, {0}, {0}, {0}, {0}, {0}, 0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0}
 #define LR_RIGID_DESC_INIT {sizeof(lr_rigid_desc), 0, 0, 0, {0}, {0}, {0}, 1.2, 1.5e-5, {0}, 1, 0}
 #define LR_TURBULENCE_TABLE_INIT {sizeof(lr_turbulence_table), 0, 0, 0, 0, 0, 0, 6.5f, 0, 0}
+#define LR_BODY_LOADS_INIT {sizeof(lr_body_loads), 0, {0}, {0}, {0}, {0}, {0}, {0}, {0}}
 /* clang-format on */
 
 #ifdef __cplusplus

@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: MIT
 #
 # Tests the source kit as a new user: unpacked alone in an empty folder; by its README's one line with GCC, for a platform without a system and
-# without vector extensions; and by CMake with clang, installed and used by another project. Both must give the held hash.
-#   packaging/check_source_kit.sh ARCHIVE [gcc|clang|recipes ...]
+# without vector extensions; by CMake with clang, installed and used by another project; and by CMake with Emscripten, if that is installed. All
+# must give the held hash.
+#   packaging/check_source_kit.sh ARCHIVE [recipes|gcc|clang|emscripten ...]
 set -euo pipefail
 archive=$(realpath "${1:?which archive}")
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -61,6 +62,25 @@ check_clang() {
     diff <(nm -D --defined-only prefix/lib/liblangevin_rigid.so | awk '$2 == "T" { print $3 }' | sort) <(sort "$root/tests/api/exports.txt")
     echo "clang, CMake: held hash, installed and used"
 }
+check_emscripten() { # the archive that a web player links, and Godot's extension in a stand-in for the engine
+    command -v emcmake >/dev/null || { echo "SKIPPED: Emscripten: scripts/setup.sh test emscripten"; return; }
+    build() { # FOLDER SOURCE [OPTION...]
+        { emcmake cmake -S "$2" -B "$1" -G Ninja "${@:3}" && cmake --build "$1" -j "$jobs"; } >emscripten.log 2>&1 || { tail -n 40 emscripten.log; return 1; }
+    }
+    build emscripten "$kit" "-DCMAKE_INSTALL_PREFIX=$work/web" -DCMAKE_INSTALL_LIBDIR=lib
+    cmake --install emscripten >emscripten.log
+    emcc -O2 -DLR_STATIC -I"$kit/include" -c "$kit/samples/hello.c" -o emscripten/hello.o
+    em++ emscripten/hello.o emscripten/liblangevin_rigid_static.a -o emscripten/hello.js
+    # This Emscripten's loader takes fetch() for a browser's.
+    same_hash node --no-experimental-fetch emscripten/hello.js
+    build godot "$root/bindings/godot" "-Dlangevin_rigid_DIR=$work/web/lib/cmake/langevin_rigid" -DLANGEVIN_GODOT_WERROR=ON
+    emcc -O1 -std=gnu99 -D_GNU_SOURCE "$root"/bindings/godot/tests/host/*.c -sMAIN_MODULE=1 -sNODERAWFS=1 -sALLOW_MEMORY_GROWTH -sTOTAL_STACK=1MB \
+        -o godot/host.js 2>emscripten.log || { cat emscripten.log; return 1; }
+    mkdir help
+    LR_HOST_HELP=$work/help node --no-experimental-fetch godot/host.js godot/addons/langevin_rigid/bin/web_wasm32/langevin_rigid_godot.wasm \
+        "$root/tests/abi/0.2/leaf.lrb"
+    echo "Emscripten: held hash in node, and Godot's extension in a stand-in for the engine"
+}
 check_recipes() { # what can be said without vcpkg and Conan: all that they name exists
     local version
     version=$(sed -n 's/^project(langevin_rigid VERSION \([0-9.]*\).*/\1/p' "$kit/CMakeLists.txt")
@@ -113,5 +133,5 @@ CMAKE
     cmake "-DPORT=$kit/vcpkg/langevin-rigid/portfile.cmake" -P port.cmake
     echo "recipes: vcpkg's port and Conan's recipe name what is there ($version)"
 }
-[ $# -gt 0 ] || set -- recipes gcc clang
+[ $# -gt 0 ] || set -- recipes gcc clang emscripten
 for check; do "check_$check"; cd "$work"; done

@@ -4,4 +4,4 @@
 #   packaging/fetch_sources.sh
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-scripts/debian_source.sh build/sources highway libccd assimp draco libpng1.6 zlib
+scripts/debian_source.sh build/sources highway assimp draco libpng1.6 zlib

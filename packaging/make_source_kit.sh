@@ -7,13 +7,13 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 out=${1:?which folder}
-scripts/debian_source.sh build/sources highway libccd >/dev/null
+scripts/debian_source.sh build/sources highway >/dev/null
 version=$(sed -n 's/^project(langevin_rigid VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 description=$(sed -n 's/^ *DESCRIPTION "\(.*\)")/\1/p' CMakeLists.txt)
 name=langevin_rigid-$version-source
 stage=$PWD/build/packaging/source/stage/$name
 rm -rf "${stage%/*}"
-mkdir -p "$stage"/{src,samples,cmake,third_party/{ccd,hwy/ops}}
+mkdir -p "$stage"/{src,samples,cmake,third_party/hwy/ops}
 
 (cd packaging/source_kit && find . -type f) | while read -r file; do
     mkdir -p "$stage/$(dirname "$file")"
@@ -34,9 +34,5 @@ cp -p $hwy/{base,cache_control,detect_compiler_arch,detect_targets,foreach_targe
 cp -p $hwy/ops/*.h "$stage/third_party/hwy/ops/"
 cp -pR /usr/include/flatbuffers "$stage/third_party/"
 (cd "$stage/third_party/flatbuffers" && ls | grep -vxE '(allocator|array|base|buffer|buffer_ref|default_allocator|detached_buffer|flatbuffer_builder|flatbuffers|stl_emulation|string|struct|table|vector|vector_downward|verifier)\.h' | xargs rm -r)
-ccd=build/sources/libccd
-cp -p $ccd/src/{mpr,support,vec3}.c $ccd/src/{dbg,list,simplex,support}.h $ccd/src/ccd/*.h $ccd/BSD-LICENSE "$stage/third_party/ccd/"
-# As in cmake/libccd.cmake.
-printf '#define CCD_STATIC_DEFINE\n#define CCD_DOUBLE\n#define CCD_FMIN(x, y) ((x) < (y) ? (x) : (y))\n' >"$stage/third_party/ccd/config.h"
 python3 packaging/third_party.py --platform source --sources build/sources --out "$stage/third_party"
 [ "${2:-}" = --folder ] || packaging/write_archive.sh "${stage%/*}" "$name" "$out/$name.tar.xz"

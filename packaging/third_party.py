@@ -16,7 +16,6 @@ RUNTIME, BAKER, BOTH = "library", "lr_bake", "library, lr_bake"
 # Name, bundled part and terms, file that contains it, Debian source ("source:") or package.
 CARRIED = [
     ("Highway", "SIMD; Apache-2.0", BOTH, "source:highway"),
-    ("libccd", "overlaps of convex bodies; BSD-3-Clause", RUNTIME, "source:libccd"),
     ("FlatBuffers", "headers of the asset format; Apache-2.0", BOTH, "libflatbuffers-dev"),
     ("assimp", "readers of STL, glTF, FBX and Collada, with pugixml, RapidJSON and openddlparser; BSD-3-Clause, MIT", BAKER,
      "source:assimp"),

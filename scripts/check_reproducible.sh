@@ -17,9 +17,8 @@ trap 'rm -rf "$work"' EXIT
 sources=("$work/a" "$work/another place/with a longer name")
 builds=("$work/a/out" "$work/elsewhere")
 for copy in "${sources[@]}"; do
-    mkdir -p "$copy/build/sources"
+    mkdir -p "$copy"
     cp -r CMakeLists.txt cmake include src packaging LICENSE "$copy/"
-    cp -r build/sources/libccd "$copy/build/sources/"
 done
 find "${sources[1]}" -exec touch -d '2001-02-03 04:05:06' {} +
 

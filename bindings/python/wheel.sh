@@ -48,9 +48,14 @@ else
     esac
     tag=manylinux_2_${floor}_$machine
 fi
-# Licences, also of code that is compiled into the library.
+# Licences, also of code that is compiled into the library or beside it.
 cp "$here/../../LICENSE" "$work"
-if [ -f "$prefix/THIRD_PARTY.md" ]; then cp -r "$prefix/THIRD_PARTY.md" "$prefix/licences" "$lib"; else cp "$prefix"/share/doc/langevin_rigid/LICENSE.* "$lib"; fi
+if [ -f "$prefix/THIRD_PARTY.md" ]; then
+    cp -r "$prefix/THIRD_PARTY.md" "$prefix/licences" "$lib"
+else
+    mkdir "$lib/licences"
+    cp /usr/share/doc/libhwy1/copyright "$lib/licences/highway.txt"
+fi
 find "$work" -type d -exec chmod 755 {} + -o -name 'lr_bake*' -exec chmod 755 {} + -o -exec chmod 644 {} +
 cat >"$work/setup.py" <<PY
 from setuptools import Distribution, setup

@@ -116,9 +116,7 @@ def put_native(prefix, package, licences):
                         licences.update([licence_of(beside, prefix)])
                     except PackageError as error:
                         print(f"package: warning: {error}")
-    for document in (prefix / "share/doc/langevin_rigid").glob("LICENSE.*"): # licenses of code in the library
-        licences[document.suffix[1:]] = document.read_text()
-    for document in (prefix / "licences").glob("*.txt"): # the same in a package
+    for document in (prefix / "licences").glob("*.txt"): # in a package: licences of code in the library
         licences[document.stem] = document.read_text(errors="replace")
     print(f"package: {platform}: {', '.join(copied)}")
     put_tool(prefix, platform, package, licences)

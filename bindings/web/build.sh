@@ -22,7 +22,6 @@ cp src/generated/* "$package/src/generated"
 cp "$wasm/bindings/web/native/langevin_rigid.wasm" "$package"
 # Licenses of linked code.
 cp "$root/LICENSE" "$package/licenses/langevin_rigid"
-cp "$root/build/sources/libccd/BSD-LICENSE" "$package/licenses/libccd"
 for library in libhwy-dev libflatbuffers-dev wasi-libc libc++-14-dev-wasm32; do
     [ ! -e "/usr/share/doc/$library/copyright" ] || cp "/usr/share/doc/$library/copyright" "$package/licenses/$library"
 done

@@ -81,13 +81,7 @@ lr_status lr_batch_create(lr_world* world, const lr_batch_desc* desc, lr_batch* 
         if (const char* why = wrong_in(d)) return invalid(why);
         if (!accepted(w)) return LR_ERROR_OUT_OF_MEMORY;
         BatchSettings settings;
-        settings.loads = d.load_model == LR_LOADS_NONE       ? Loads::none
-                         : d.load_model == LR_LOADS_LANGEVIN ? Loads::langevin
-                                                             : Loads::aerodynamic;
-        settings.clock = d.clock == LR_CLOCK_AGE ? Clock::age : Clock::speed;
-        settings.integrator = d.integrator == LR_INTEGRATOR_RK4 ? Integrator::rk4 : Integrator::splitting;
-        settings.loop = d.table_end == LR_TABLE_LOOP;
-        settings.variation = d.variation;
+        settings.desc = d;
         settings.gains.damping = static_cast<double>(d.damping_gain);
         settings.gains.noise = static_cast<double>(d.noise_gain);
         const AssetData& asset = d.asset->data;

@@ -20,14 +20,11 @@ template <class T> const char* wrong_in(const T& s) {
     return nullptr;
 }
 template <class T> BodyState to_storage(const T& s) {
-    const Rotation given = rotation_of(s.orientation);
-    const double n = std::sqrt(dot(to_double(given), to_double(given)));
-    // A unit quaternion keeps its bits.
-    const Rotation kept = std::abs(n - 1.0) < 1e-7 ? given : unit_of(to_double(given));
-    const Quaternion<double> to_body = 1.0 / n * inverse(to_double(given));
+    const Quaternion<double> given = to_double(rotation_of(s.orientation));
+    const Quaternion<double> to_body = 1.0 / std::sqrt(dot(given, given)) * inverse(given);
     BodyState out{};
     put(vector_of(s.position), out.value + field_x);
-    put(kept, out.value + field_qx);
+    put(unit_rotation(s.orientation), out.value + field_qx);
     put(to_float(rotate(to_body, to_double(vector_of(s.linear_velocity)))), out.value + field_vx);
     put(to_float(rotate(to_body, to_double(vector_of(s.angular_velocity)))), out.value + field_wx);
     out.value[field_scale] = s.scale;
@@ -245,12 +242,19 @@ lr_status lr_body_get_state(const lr_world* world, lr_body body, lr_body_state* 
     return query(world, __func__, args(body, state), get);
 }
 
+lr_status lr_body_get_loads(const lr_world* world, lr_body body, lr_body_loads* loads) {
+    const auto get = [](const lr_world& w, Body at, lr_body_loads& out) { find_loads(w, at.batch, at.index, out); };
+    return query(world, __func__, args(body, loads), get);
+}
+
 lr_status lr_body_set_state(lr_world* world, lr_body body, const lr_body_state* state) {
     const auto set = [](lr_world& w, Body at, const lr_body_state& s) -> Outcome {
         if (const Outcome outcome = check(s); outcome.refused()) return outcome;
         if (s.user != 0 && !at.batch.reserve_users()) return LR_ERROR_OUT_OF_MEMORY;
         const uint32_t index = at.batch.asleep(at.index) ? at.batch.wake(at.index) : at.index;
         w.leave(at.batch, index);
+        // Of all its batch: a pass over the pairs for each of many bodies that grow would be slow.
+        if (s.scale != at.batch.arrays().field[field_scale][index]) w.pair_cache.forget(at.batch.slot());
         at.batch.write(index, to_storage(s));
         at.batch.set_user(index, s.user);
         w.wake_left();

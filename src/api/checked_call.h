@@ -11,7 +11,7 @@
 // Arguments are checked from left to right.
 #pragma once
 
-#include "api/recorded_arguments.h"
+#include "api/recorded_call.h"
 #include "world/world.h"
 
 #include <algorithm>

@@ -194,8 +194,13 @@ lr_status lr_collider_set_material(lr_world* world, const lr_collider* colliders
         uint32_t slot = 0;
         for (uint32_t i = 0; i < all.count; ++i)
             if (!w.colliders.find(all.first[i], slot)) return LR_ERROR_STALE_COLLIDER;
+        const bool sleeping = w.any_asleep();
         for (uint32_t i = 0; i < all.count; ++i) {
             w.colliders.find(all.first[i], slot);
+            const Collider& c = w.colliders.at(slot);
+            // Sleeping bodies may now slide, or fall through it.
+            if (sleeping && (c.friction != s.friction || c.restitution != s.restitution || c.layers != s.layers))
+                w.wake_at(slot);
             w.colliders.set_surface(slot, s.friction, s.restitution, s.layers);
         }
         return {};
@@ -204,12 +209,13 @@ lr_status lr_collider_set_material(lr_world* world, const lr_collider* colliders
 }
 
 lr_status lr_batch_set_contact(lr_world* world, lr_batch batch, const lr_batch_contact* contact) {
-    const auto set = [](lr_world&, Batch& b, const lr_batch_contact* given) -> Outcome {
+    const auto set = [](lr_world& w, Batch& b, const lr_batch_contact* given) -> Outcome {
         const lr_batch_contact& c = given ? *given : initial_contact;
         if (!finite(c.friction, c.restitution, c.rolling_resistance, c.ground_effect, c.min_thickness))
             return LR_ERROR_NOT_FINITE;
         if (const char* why = wrong_in(c)) return invalid(why);
         b.wake_all();
+        if (c.min_thickness != b.contact().min_thickness) w.pair_cache.forget(b.slot()); // gaps of the former shape
         b.set_contact(c);
         return {};
     };

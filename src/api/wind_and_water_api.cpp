@@ -133,12 +133,14 @@ lr_status lr_world_sample_wind(const lr_world* world, const float* positions, ui
 
 lr_status lr_world_set_water(lr_world* world, const lr_water_desc* desc) {
     const auto set = [](lr_world& w, const lr_water_desc* d) -> Outcome {
-        if (!d) {
+        if (d)
+            if (const Outcome outcome = check_water(*d); outcome.refused()) return outcome;
+        const Water::Record before = w.surface.record();
+        if (d)
+            w.surface.set(*d, w.gravity);
+        else
             w.surface.clear();
-            return {};
-        }
-        if (const Outcome outcome = check_water(*d); outcome.refused()) return outcome;
-        w.surface.set(*d, w.gravity);
+        w.wake_in_water(before);
         return {};
     };
     return change(world, __func__, args(desc), set);

@@ -49,24 +49,6 @@ template <class... A> bool set_up(recording::Recorder& recorder, const char* fun
     return call.arguments([&](Call& c) { (tell(c, given), ...); });
 }
 
-lr_batch_desc desc_of(const Batch& batch) {
-    const BatchSettings& s = batch.settings();
-    lr_batch_desc d{};
-    d.struct_size = sizeof d;
-    d.asset = &batch.asset();
-    d.capacity = batch.capacity();
-    d.load_model = s.loads == Loads::none       ? LR_LOADS_NONE
-                   : s.loads == Loads::langevin ? LR_LOADS_LANGEVIN
-                                                : LR_LOADS_AERODYNAMIC;
-    d.clock = s.clock == Clock::age ? LR_CLOCK_AGE : LR_CLOCK_SPEED;
-    d.table_end = s.loop ? LR_TABLE_LOOP : LR_TABLE_CLAMP;
-    d.integrator = s.integrator == Integrator::rk4 ? LR_INTEGRATOR_RK4 : LR_INTEGRATOR_SPLITTING;
-    d.damping_gain = static_cast<float>(s.gains.damping);
-    d.noise_gain = static_cast<float>(s.gains.noise);
-    d.variation = s.variation;
-    return d;
-}
-
 // Samples of wind grids, and the arrays of hulls, heightfields and meshes: snapshots contain only their hashes.
 bool set_up_geometry(recording::Recorder& recorder, const lr_world& world) {
     bool enough = true;
@@ -90,10 +72,9 @@ lr_status begin_recording(recording::Recorder& recorder, lr_world& world) {
     recorder.begin(world);
     for (uint32_t i = 0; i < world.batch_slots; ++i) {
         const Batch* const batch = world.batches[i].batch;
-        const lr_batch_desc desc = batch ? desc_of(*batch) : lr_batch_desc{};
         if (!batch)
             recorder.whole(recording::Kind::hole);
-        else if (!set_up(recorder, "lr_batch_create", &desc))
+        else if (!set_up(recorder, "lr_batch_create", &batch->settings().desc))
             return LR_ERROR_OUT_OF_MEMORY;
     }
     Buffer<unsigned char> snapshot;

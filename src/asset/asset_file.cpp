@@ -68,14 +68,13 @@ private:
     bool ok_ = true;
 };
 
+#define LR_NUMBER(name, ...) out.name = from.name();
 void decode(const format::Aerodynamics& from, AerodynamicData& out, Decoder& read) {
     read.array(from.axes(), out.axes, "aerodynamics.axes");
 #define LR_VECTOR(name, ...) read.vector3(from.name(), out.name, "aerodynamics." #name);
     LR_AERODYNAMIC_VECTORS(LR_VECTOR)
 #undef LR_VECTOR
-#define LR_NUMBER(name, ...) out.name = from.name();
     LR_AERODYNAMIC_NUMBERS(LR_NUMBER)
-#undef LR_NUMBER
 }
 
 void decode(const format::Station& from, StationData& out, Decoder& read) {
@@ -83,9 +82,7 @@ void decode(const format::Station& from, StationData& out, Decoder& read) {
 #define LR_VECTOR(name, ...) read.vector3(from.name(), out.name, "stations." #name);
     LR_STATION_VECTORS(LR_VECTOR)
 #undef LR_VECTOR
-#define LR_NUMBER(name, ...) out.name = from.name();
     LR_STATION_NUMBERS(LR_NUMBER)
-#undef LR_NUMBER
 }
 
 void decode(const format::Turbulence& from, TurbulenceData& out, Decoder& read) {
@@ -93,10 +90,9 @@ void decode(const format::Turbulence& from, TurbulenceData& out, Decoder& read) 
     read.vector(from.epsilon(), out.epsilon, "turbulence.epsilon");
     read.array(from.cells(), out.cells, "turbulence.cells");
     read.array(from.domain(), out.domain, "turbulence.domain");
-#define LR_NUMBER(name, ...) out.name = from.name();
     LR_TURBULENCE_NUMBERS(LR_NUMBER)
-#undef LR_NUMBER
 }
+#undef LR_NUMBER
 
 bool decode(const format::Asset& a, AssetData& out, Faults& faults) {
     Decoder read(faults);
@@ -136,50 +132,42 @@ bool decode(const format::Asset& a, AssetData& out, Faults& faults) {
     return read.ok();
 }
 
-flatbuffers::Offset<format::Aerodynamics> encode(const AerodynamicData& a, flatbuffers::FlatBufferBuilder& b) {
-    const auto axes = b.CreateVector(a.axes.data(), a.axes.size());
+#define LR_VECTOR(name, ...)                                                                                           \
+    const format::Vec3 name(from.name[0], from.name[1], from.name[2]);                                                 \
+    to.add_##name(&name);
+#define LR_NUMBER(name, ...) to.add_##name(from.name);
+flatbuffers::Offset<format::Aerodynamics> encode(const AerodynamicData& from, flatbuffers::FlatBufferBuilder& b) {
+    const auto axes = b.CreateVector(from.axes.data(), from.axes.size());
     format::AerodynamicsBuilder to(b);
     to.add_axes(axes);
-#define LR_VECTOR(name, ...)                                                                                           \
-    const format::Vec3 name(a.name[0], a.name[1], a.name[2]);                                                          \
-    to.add_##name(&name);
     LR_AERODYNAMIC_VECTORS(LR_VECTOR)
-#undef LR_VECTOR
-#define LR_NUMBER(name, ...) to.add_##name(a.name);
     LR_AERODYNAMIC_NUMBERS(LR_NUMBER)
-#undef LR_NUMBER
     return to.Finish();
 }
 
-flatbuffers::Offset<format::Station> encode(const StationData& s, flatbuffers::FlatBufferBuilder& b) {
-    const auto axes = b.CreateVector(s.axes.data(), s.axes.size());
+flatbuffers::Offset<format::Station> encode(const StationData& from, flatbuffers::FlatBufferBuilder& b) {
+    const auto axes = b.CreateVector(from.axes.data(), from.axes.size());
     format::StationBuilder to(b);
     to.add_axes(axes);
-#define LR_VECTOR(name, ...)                                                                                           \
-    const format::Vec3 name(s.name[0], s.name[1], s.name[2]);                                                          \
-    to.add_##name(&name);
     LR_STATION_VECTORS(LR_VECTOR)
-#undef LR_VECTOR
-#define LR_NUMBER(name, ...) to.add_##name(s.name);
     LR_STATION_NUMBERS(LR_NUMBER)
-#undef LR_NUMBER
     return to.Finish();
 }
 
-flatbuffers::Offset<format::Turbulence> encode(const TurbulenceData& t, flatbuffers::FlatBufferBuilder& b) {
-    const auto chi = b.CreateVector(t.chi), epsilon = b.CreateVector(t.epsilon);
-    const auto cells = b.CreateVector(t.cells.data(), t.cells.size());
-    const auto domain = b.CreateVector(t.domain.data(), t.domain.size());
+flatbuffers::Offset<format::Turbulence> encode(const TurbulenceData& from, flatbuffers::FlatBufferBuilder& b) {
+    const auto chi = b.CreateVector(from.chi), epsilon = b.CreateVector(from.epsilon);
+    const auto cells = b.CreateVector(from.cells.data(), from.cells.size());
+    const auto domain = b.CreateVector(from.domain.data(), from.domain.size());
     format::TurbulenceBuilder to(b);
     to.add_chi(chi);
     to.add_epsilon(epsilon);
     to.add_cells(cells);
     to.add_domain(domain);
-#define LR_NUMBER(name, ...) to.add_##name(t.name);
     LR_TURBULENCE_NUMBERS(LR_NUMBER)
-#undef LR_NUMBER
     return to.Finish();
 }
+#undef LR_VECTOR
+#undef LR_NUMBER
 } // namespace
 
 std::vector<uint8_t> write_asset(const AssetData& d) {

@@ -1,10 +1,11 @@
 #include "asset/asset_file.h"
 #include "asset/closed_forms/ellipsoid_asset.h"
+#include "base/bit_cast.h"
 #include "base/fnv1a.h"
 #include "base/matrix6.h"
+#include "base/pose.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <type_traits>
 
@@ -122,18 +123,6 @@ void check_table(const TurbulenceData& t, Checker& check) {
 #undef LR_NUMBER
 }
 
-using Vec = std::array<double, 3>;
-
-Vec minus(const Vec& a, const Vec& b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-Vec cross(const Vec& a, const Vec& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double dot(const Vec& a, const Vec& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 // From one vertex to another, along a triangle, with its third vertex.
 struct Edge {
     uint32_t from, to, opposite;
@@ -152,10 +141,7 @@ std::optional<HullFlaw> find_hull_flaw(const HullData& hull, double length) {
         return flaw(triangle, FaultId::asset_open_hull,
                     "An edge does not have exactly two triangles, one on each side.");
     };
-    const auto vertex = [&](uint32_t i) {
-        const float* const v = hull.vertices.data() + 3 * size_t{i};
-        return Vec{static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
-    };
+    const auto vertex = [&](uint32_t i) { return to_double(vector_of(hull.vertices.data() + 3 * size_t{i})); };
     std::vector<Edge> edges;
     edges.reserve(hull.triangles.size());
     double volume = 0.0; // six times
@@ -178,9 +164,9 @@ std::optional<HullFlaw> find_hull_flaw(const HullData& hull, double length) {
     for (const Edge& edge : edges) {
         const auto found = std::lower_bound(edges.begin(), edges.end(), Edge{edge.to, edge.from, 0, 0}, before);
         // Slivers have no meaningful normal.
-        const Vec a = vertex(edge.from), normal = cross(minus(vertex(edge.to), a), minus(vertex(edge.opposite), a));
-        const double size = std::sqrt(dot(normal, normal));
-        if (size > 1e-6 * length * length && dot(normal, minus(vertex(found->opposite), a)) > 1e-4 * length * size)
+        const Double3 a = vertex(edge.from), normal = cross(vertex(edge.to) - a, vertex(edge.opposite) - a);
+        const double size = lr::length(normal);
+        if (size > 1e-6 * length * length && dot(normal, vertex(found->opposite) - a) > 1e-4 * length * size)
             return flaw(edge.triangle, FaultId::asset_hull_not_convex, "The hull is not convex here.");
     }
     return {};
@@ -375,7 +361,7 @@ bool check_plausible(const AssetData& d, Faults& faults) {
 
 uint64_t content_hash(const AssetData& d) {
     Fnv1a hash;
-    const auto number = [&](double v) { hash.add_u64(std::bit_cast<uint64_t>(v)); };
+    const auto number = [&](double v) { hash.add_u64(bit_cast<uint64_t>(v)); };
     const auto all = [&](const auto& values) {
         hash.add_u64(values.size());
         for (auto v : values) number(static_cast<double>(v));
@@ -427,31 +413,20 @@ size_t widest_axis(const AerodynamicData& loads) {
 std::array<double, 36> mirror_odd(const std::array<double, 36>& matrix, const AerodynamicData& loads) {
     const double* const n = loads.axes.data() + 3 * widest_axis(loads);
     // Half of M less S M S; S reflects velocities, 1 - 2 n n^T, and spins with the other sign.
-    double s[36] = {};
+    Matrix6 s{}, odd;
     for (size_t i = 0; i < 3; ++i)
         for (size_t j = 0; j < 3; ++j) {
             s[i * 6 + j] = (i == j ? 1.0 : 0.0) - 2.0 * n[i] * n[j];
             s[(i + 3) * 6 + j + 3] = -s[i * 6 + j];
         }
-    std::array<double, 36> half{}, odd{};
-    for (size_t i = 0; i < 36; ++i)
-        for (size_t k = 0; k < 6; ++k) half[i] += s[i / 6 * 6 + k] * matrix[k * 6 + i % 6];
-    for (size_t i = 0; i < 36; ++i) {
-        double mirrored = 0.0;
-        for (size_t k = 0; k < 6; ++k) mirrored += half[i / 6 * 6 + k] * s[k * 6 + i % 6];
-        odd[i] = 0.5 * (matrix[i] - mirrored);
-    }
+    const Matrix6 mirrored = product(product(s, matrix), s);
+    for (size_t i = 0; i < 36; ++i) odd[i] = 0.5 * (matrix[i] - mirrored[i]);
     return odd;
 }
 
 double mirror_coupling(const AssetData& a, const AerodynamicData& loads) {
-    std::array<double, 36> mass;
-    for (size_t i = 0; i < 36; ++i) {
-        const size_t row = i / 6, column = i % 6;
-        mass[i] = a.fluid_density * a.added_mass[i];
-        if (row == column && row < 3) mass[i] += a.mass;
-        if (row >= 3 && column >= 3) mass[i] += a.inertia[(row - 3) * 3 + column - 3];
-    }
+    Matrix6 mass = rigid_mass_matrix(a.mass, a.inertia);
+    for (size_t i = 0; i < 36; ++i) mass[i] += a.fluid_density * a.added_mass[i];
     const std::array<double, 36> odd = mirror_odd(mass, loads);
     double largest = 0.0, buoyancy = 0.0, center = 0.0;
     for (size_t i = 0; i < 36; ++i)

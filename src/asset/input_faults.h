@@ -1,8 +1,10 @@
 // Numbered faults of a mesh, an asset file or a parameter: the place, the problem and the remedy.
 #pragma once
 
-#include <charconv>
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <string>
 #include <vector>
 
@@ -81,9 +83,20 @@ struct Fault {
 
 using Faults = std::vector<Fault>;
 
-// The shortest decimal that reads back as the same number, whatever the locale.
+// The fewest digits that read back as the same number, whatever the locale. std::to_chars() of doubles came late to the libraries of Apple's
+// systems and Emscripten.
 inline std::string shortest(double value) {
-    char buffer[32];
-    return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
+    char buffer[32] = {};
+    for (int digits : {15, 16, 17}) {
+        std::snprintf(buffer, sizeof buffer, "%.*g", digits, value);
+        if (std::strtod(buffer, nullptr) == value) break;
+    }
+    std::string text;
+    for (const char* c = buffer; *c != 0; ++c) // the locale's decimal point, of one or more bytes
+        if (std::strchr("+-0123456789einfa", *c))
+            text += *c;
+        else if (text.back() != '.')
+            text += '.';
+    return text;
 }
 } // namespace lr

@@ -9,13 +9,12 @@ namespace {
 
 // Quickhull (Barber, Dobkin and Huhdanpaa 1996) on points rounded to an integer grid, where every orientation is
 // exact: no tolerance decides topology, so flat, thin and regular input cannot break it.
-constexpr int grid_bits = 24;
 // A point at most this many grid steps outside counts as on the hull: rounding must not turn flat faces into bumps.
 constexpr double usual_skin = 4.0;
 constexpr int max_passes = 8;
 constexpr uint32_t none = UINT32_MAX;
 
-using Point = std::array<int64_t, 3>;
+using Point = GridPoint;
 
 Point subtract(const Point& a, const Point& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
@@ -387,25 +386,8 @@ HullOutcome convex_hull(const std::vector<HullPoint>& points, ConvexHull& out, s
     return HullOutcome::done;
 }
 
-HullOutcome exact_hull(std::vector<HullPoint>& points, ConvexHull& out) {
+HullOutcome exact_hull(const std::vector<Point>& grid, ConvexHull& out) {
     out = {};
-    double largest = 0.0;
-    for (const HullPoint& p : points)
-        for (const double x : p) {
-            if (!std::isfinite(x)) return HullOutcome::not_finite;
-            largest = std::max(largest, std::abs(x));
-        }
-    if (points.size() < 3 || points.size() >= none) return HullOutcome::too_few;
-    if (!(largest > 0.0)) return HullOutcome::one_point;
-    int exponent = 0;
-    std::frexp(largest, &exponent);
-    const double step = std::ldexp(1.0, exponent - grid_bits); // multiples of it up to `largest` are floats
-    std::vector<Point> grid(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i)
-        for (std::size_t k = 0; k < 3; ++k) {
-            grid[i][k] = std::llround(points[i][k] / step);
-            points[i][k] = static_cast<double>(grid[i][k]) * step;
-        }
     Quickhull hull(grid, 0.0);
     const int dimension = hull.find_simplex();
     if (dimension < 2) return HullOutcome::one_line;
@@ -413,7 +395,7 @@ HullOutcome exact_hull(std::vector<HullPoint>& points, ConvexHull& out) {
     out.triangles = dimension == 3 ? hull.result() : flat_hull(grid, hull.plane_normal(), 0.0);
     out.flat = dimension == 2;
     if (out.triangles.empty()) return HullOutcome::one_line;
-    number_corners(points.size(), out);
+    number_corners(grid.size(), out);
     return HullOutcome::done;
 }
 } // namespace lr::shape

@@ -21,8 +21,8 @@ enum class HullOutcome { done, not_finite, too_few, one_point, one_line, not_clo
 // Around a flat round side the time grows as the square of its corners: `too_dear` after `most_faces` faces were made.
 HullOutcome convex_hull(const std::vector<HullPoint>& points, ConvexHull& out, std::size_t most_faces = SIZE_MAX);
 
-// Rounds the points to floats of one spacing, a half unit in the last place of the largest coordinate at most, and takes the hull of the rounded
-// points, convex without a tolerance: the rounding of stored corners tilts slivers, which can make them concave. Rounding also turns flat faces
-// into bumps, so the points should be corners.
-HullOutcome exact_hull(std::vector<HullPoint>& points, ConvexHull& out);
+// The same, without a tolerance, for points that are whole numbers below 2^grid_bits.
+using GridPoint = std::array<int64_t, 3>;
+inline constexpr int grid_bits = 24;
+HullOutcome exact_hull(const std::vector<GridPoint>& points, ConvexHull& out);
 } // namespace lr::shape

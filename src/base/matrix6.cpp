@@ -98,6 +98,13 @@ Matrix6 rigid_mass_matrix(double mass, const std::array<double, 9>& inertia) {
     return m;
 }
 
+Matrix6 product(const Matrix6& a, const Matrix6& b) {
+    Matrix6 c{};
+    for (size_t i = 0; i < 36; ++i)
+        for (size_t k = 0; k < 6; ++k) c[i] += a[i / 6 * 6 + k] * b[k * 6 + i % 6];
+    return c;
+}
+
 void scale_to_unit(Matrix6& m, double mass, double length) {
     for (size_t i = 0; i < 6; ++i)
         for (size_t j = 0; j < 6; ++j) m[i * 6 + j] /= mass * (i < 3 ? 1.0 : length) * (j < 3 ? 1.0 : length);
@@ -121,12 +128,8 @@ bool find_modes(const Matrix6& mass, const Matrix6& damping, Modes& out) {
     const Matrix6 vectors = diagonalise(reduced);
     out.from = solve_lower_transposed(c, vectors);
     // from^-1 = vectors^T c^T
-    out.to = {};
-    for (size_t i = 0; i < 6; ++i) {
-        out.rate[i] = std::max(0.0, reduced[i * 7]);
-        for (size_t j = 0; j < 6; ++j)
-            for (size_t k = 0; k < 6; ++k) out.to[i * 6 + j] += vectors[k * 6 + i] * c[j * 6 + k];
-    }
+    out.to = product(transposed(vectors), transposed(c));
+    for (size_t i = 0; i < 6; ++i) out.rate[i] = std::max(0.0, reduced[i * 7]);
     return true;
 }
 
@@ -141,15 +144,7 @@ void shift_added_mass(Matrix6& m, const std::array<double, 3>& to) {
     t[0 * 6 + 4] = -to[2], t[0 * 6 + 5] = to[1];
     t[1 * 6 + 3] = to[2], t[1 * 6 + 5] = -to[0];
     t[2 * 6 + 3] = -to[1], t[2 * 6 + 4] = to[0];
-    const auto product = [](const Matrix6& a, const Matrix6& b, bool transpose_a) {
-        Matrix6 c{};
-        for (size_t i = 0; i < 6; ++i)
-            for (size_t j = 0; j < 6; ++j)
-                for (size_t k = 0; k < 6; ++k)
-                    c[i * 6 + j] += (transpose_a ? a[k * 6 + i] : a[i * 6 + k]) * b[k * 6 + j];
-        return c;
-    };
-    m = product(t, product(m, t, false), true);
+    m = product(transposed(t), product(m, t));
     make_symmetric(m);
 }
 

@@ -10,6 +10,8 @@ using Matrix6 = std::array<double, 36>; // row-major
 // diag(m, m, m, J0)
 Matrix6 rigid_mass_matrix(double mass, const std::array<double, 9>& inertia);
 
+Matrix6 product(const Matrix6& a, const Matrix6& b);
+
 // Makes a mass matrix dimensionless: blocks divided by mass, mass * length and mass * length^2.
 void scale_to_unit(Matrix6& m, double mass, double length);
 

@@ -1,6 +1,7 @@
 #include "base/portable_math.h"
 
-#include <bit>
+#include "base/bit_cast.h"
+
 #include <cmath>
 #include <cstdint>
 
@@ -13,9 +14,9 @@ constexpr double ln2_high = 0.693147180369123816490, ln2_low = 1.908214929270587
 
 double portable_log(double x) {
     // As in portable_pow, with the exponent taken from the bits and the coefficients ready: this runs in every cell.
-    const uint64_t bits = std::bit_cast<uint64_t>(x);
+    const uint64_t bits = bit_cast<uint64_t>(x);
     int e = static_cast<int>(bits >> 52) - 1022;
-    double m = std::bit_cast<double>((bits & 0x000fffffffffffffu) | 0x3fe0000000000000u);
+    double m = bit_cast<double>((bits & 0x000fffffffffffffu) | 0x3fe0000000000000u);
     if (m < 0.70710678118654752440) m *= 2.0, --e;
     const double t = (m - 1.0) / (m + 1.0), t2 = t * t;
     constexpr double c[] = {1.0 / 3,  1.0 / 5,  1.0 / 7,  1.0 / 9,  1.0 / 11,
@@ -36,7 +37,7 @@ double portable_exp(double x) {
         1.0 / 5040, 1.0 / 40320, 1.0 / 362880, 1.0 / 3628800, 1.0 / 39916800, 1.0 / 479001600, 1.0 / 6227020800};
     double sum = c[13];
     for (int k = 12; k >= 0; --k) sum = sum * r + c[k];
-    return sum * std::bit_cast<double>(static_cast<uint64_t>(static_cast<int64_t>(n) + 1023) << 52);
+    return sum * bit_cast<double>(static_cast<uint64_t>(static_cast<int64_t>(n) + 1023) << 52);
 }
 
 double portable_pow(double x, double y) {

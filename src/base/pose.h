@@ -155,6 +155,11 @@ inline Rotation unit_of(Quaternion<double> q) {
     return {static_cast<float>(q.x / n), static_cast<float>(q.y / n), static_cast<float>(q.z / n),
             static_cast<float>(q.w / n)};
 }
+// The same for a caller's numbers: a unit quaternion keeps its bits.
+inline Rotation unit_rotation(const float* q) {
+    const Quaternion<double> exact = to_double(rotation_of(q));
+    return std::abs(std::sqrt(dot(exact, exact)) - 1.0) < 1e-7 ? rotation_of(q) : unit_of(exact);
+}
 // Twice the sine of half of the angle, about the axis.
 constexpr Vector chord(Rotation q) {
     return (q.w < 0.0f ? -2.0f : 2.0f) * Vector{q.x, q.y, q.z};

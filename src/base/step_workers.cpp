@@ -1,7 +1,5 @@
 #include "base/step_workers.h"
 
-#include <algorithm>
-
 namespace lr {
 namespace {
 

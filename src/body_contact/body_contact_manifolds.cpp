@@ -80,7 +80,8 @@ void BodyContactStep::keep_impulses() {
             const bool ordered = in_order(pair);
             if (to.count == 0) continue;
             const Rotation back = inverse(c.moved[ordered ? pair.a : pair.b].body.from.rotation);
-            const float over = 1.0f / square;
+            const SolverBody* const bodies = c.solver.bodies();
+            const float over = std::min(bodies[unit.a].share, bodies[unit.b].share) / square;
             const PathFriction friction = c.solver.path_friction(unit);
             const Vector drag = (ordered ? over : -over) * rotate(back, friction.drag);
             const float spin = over * friction.spin;

@@ -29,6 +29,12 @@ float lasting_speed(const BodyAfter& body, Vector v0, Vector w0, Vector v, Vecto
     return std::min({before, now, fastest(body.extent, 0.5f * (v0 + v), 0.5f * (w0 + w))});
 }
 
+// The velocity of a body that falls as soon as it has woken, else 0. It has lost its support, and so has a body that it falls away from, which is
+// out of reach a substep later.
+Vector fall_from_rest(const ContactCache& book, const BodyAfter& body, Vector v0, Vector w0, Vector v) {
+    return book.stay[0][body.index] == 0.0f && dot(v0, v0) + dot(w0, w0) == 0.0f ? v : Vector{};
+}
+
 Pose began(const SolverBody& b) {
     return {vector_of(b.x0), {b.q0[0], b.q0[1], b.q0[2], b.q0[3]}};
 }
@@ -43,8 +49,8 @@ bool one_frame(const BodyContactFrame& a, const BodyContactFrame& b) {
 }
 } // namespace
 
-void BodyContactStep::wake(const BodyAfter& body, const ContactGroup::Asleep& at_rest) const {
-    if (body.speed > body.moving) world_->batches[at_rest.batch].batch->note_sleep(at_rest.index);
+void BodyContactStep::wake(const ContactGroup::Asleep& at_rest) const {
+    world_->batches[at_rest.batch].batch->note_sleep(at_rest.index);
 }
 
 void BodyContactStep::hold(uint32_t substep, Held which) {
@@ -91,19 +97,23 @@ void BodyContactStep::hold_group(const BodyContactBatch& member, uint32_t first,
     for (uint32_t i = 0; i < count; ++i) {
         if (touches(i) != (which == Held::touching) || is_held(field[field_age_remainder][i])) continue;
         BodyAfter body = body_after(member.run, group, i, first + i, field, i, began_rows);
+        const float fall = member.run.step.gravity * taken.h;
+        const Vector v0 = vector_in(began_rows, field_vx, i), w0 = vector_in(began_rows, field_wx, i);
+        const Vector v = vector_in(field, field_vx, i), w = vector_in(field, field_wx, i);
         if (std::count(body.now, body.now + most_touches, touching_body) != 0) {
             float least = 0.0f;
             for (uint32_t k = 0; k < group.contacts(i); ++k)
                 if (const SlotContact s = group.contact(i, k); s.collider == ContactGroup::a_body)
                     least = std::min(least, s.gap);
-            const float fall = member.run.step.gravity * taken.h;
             body.place = place_in_heap(body, least, *member.run.step.shape, field[field_scale][i], fall * taken.h);
-            body.speed = lasting_speed(body, vector_in(began_rows, field_vx, i), vector_in(began_rows, field_wx, i),
-                                       vector_in(field, field_vx, i), vector_in(field, field_wx, i), fall);
+            body.speed = lasting_speed(body, v0, w0, v, w, fall);
         }
+        const Vector falls = fall_from_rest(member.run.book, body, v0, w0, v);
         enter_body(member.run.book, body, may_sleep(*member.run.step.settings), taken.h, last(substep),
                    [&](uint32_t collider) { return group.touch_with(i, collider, taken); });
-        group.visit_asleep(i, [&](const ContactGroup::Asleep& other) { wake(body, other); });
+        group.visit_asleep(i, [&](const ContactGroup::Asleep& other, const SlotContact& s, bool touched) {
+            if (dot(s.normal, falls) > 0.5f * fall || (touched && body.speed > body.moving)) wake(other);
+        });
     }
 }
 
@@ -232,7 +242,7 @@ void BodyContactStep::put_back(uint32_t place, uint32_t substep) {
     const BodyContactBatch& member = member_of(index_in_step);
     const uint32_t index = index_in_step - member.first;
     const BatchArrays& a = member.item.batch->arrays();
-    const SolverBody& from = buffers_->solver.bodies()[place];
+    SolverBody& from = buffers_->solver.bodies()[place];
     const auto give = [&](size_t field, const float* values, size_t count) {
         for (size_t k = 0; k < count; ++k) a.field[field + k][index] = values[k];
     };
@@ -242,21 +252,30 @@ void BodyContactStep::put_back(uint32_t place, uint32_t substep) {
     give(field_wx, from.w, 3);
     if (hold_if_insane(a, index, member.item.batch->step.faults, [&](size_t f) { return *before(index_in_step, f); }))
         return;
+    // Others press bodies into and through thin things. Beyond a surface a centre of mass would count as on the other side.
+    const Vector x = vector_of(from.x);
+    const Vector back = way_back(member.run.step, from.scale, a.floor[index], nullptr, vector_of(from.x0), x,
+                                 contact_substep(time_, substep, nullptr));
+    lr::put(x + back, from.x);
+    give(field_x, from.x, 3);
     BodyAfter body = body_moved(index, *member.run.step.shape, from.scale, member.run.still, vector_of(from.v),
                                 vector_of(from.w), lr::began(from), now(from));
     const auto h = static_cast<float>(time_.h);
     const float fall = member.run.step.gravity * h;
-    body.speed =
-        lasting_speed(body, vector_of(from.v0), vector_of(from.w0), vector_of(from.v), vector_of(from.w), fall);
+    const Vector v0 = vector_of(from.v0), w0 = vector_of(from.w0), v = vector_of(from.v);
+    body.speed = lasting_speed(body, v0, w0, v, vector_of(from.w), fall);
+    const Vector falls = fall_from_rest(member.run.book, body, v0, w0, v);
     body.still *= heap_still;
     TouchList touched;
     float least = c.deepest[place];
     each_held(place, [&](uint32_t k, float impulse) {
-        if (!(impulse >= 0.0f)) return;
         const uint32_t at = c.first_held[place] + k;
+        const bool asleep = c.held[at].collider == ContactGroup::a_body;
+        const bool touches = impulse >= 0.0f, leaves = dot(c.held_frames[at].normal, falls) > 0.5f * fall;
+        if (asleep && (leaves || (touches && body.speed > body.moving))) wake(c.held[at].at_rest);
+        if (!touches) return;
         touched.take(c.held[at].collider + 1, impulse);
-        if (c.held[at].collider != ContactGroup::a_body) return;
-        wake(body, c.held[at].at_rest);
+        if (!asleep) return;
         least = std::min(least, c.held_contacts[at].gap);
     });
     if (least < no_contact) body.place = place_in_heap(body, least, *member.run.step.shape, from.scale, fall * h);

@@ -1,5 +1,7 @@
 #include "body_contact/contact_tiles.h"
 
+#include "base/bit_cast.h"
+
 #include <algorithm>
 #include <bit>
 #include <span>
@@ -13,7 +15,7 @@ constexpr uint32_t least_bodies = 192, most_levels = 10;
 
 // In the order of the numbers, and a total order with NaN and both zeros too, which sorting needs.
 uint32_t ordered(float x) {
-    const auto bits = std::bit_cast<uint32_t>(x);
+    const auto bits = bit_cast<uint32_t>(x);
     return bits >> 31 != 0 ? ~bits : bits | 1u << 31;
 }
 

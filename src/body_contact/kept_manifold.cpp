@@ -80,7 +80,7 @@ float fits_face(const PairHull& hull, Vector normal) {
     return greatest(best);
 }
 
-// After a change of scale, or from a forged snapshot, contacts could be far off the bodies.
+// From a forged snapshot, or of a former body with the same noise seed, contacts could be far off the bodies.
 bool fits(Vector arm, const PairBody& body) {
     return dot(arm, arm) <= 2.0f * body.reach() * body.reach();
 }

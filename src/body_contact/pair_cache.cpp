@@ -108,7 +108,9 @@ void PairCache::clear() {
 void PairCache::forget(uint32_t slot) {
     const auto of_slot = [slot](const CachedPair& p) { return slot_of_key(p.a) == slot || slot_of_key(p.b) == slot; };
     CachedPair* const data = pairs_.data();
-    count_ = static_cast<uint32_t>(std::remove_if(data, data + count_, of_slot) - data);
+    const auto left = static_cast<uint32_t>(std::remove_if(data, data + count_, of_slot) - data);
+    if (left == count_) return;
+    count_ = left;
     index();
 }
 

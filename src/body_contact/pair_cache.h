@@ -89,7 +89,7 @@ public:
     CachedPair* next() { return next_.data() + next_count_; }
     void commit(uint32_t most); // new ones without contacts are dropped
     void clear();
-    void forget(uint32_t slot); // a batch that ends
+    void forget(uint32_t slot); // of a batch that ends, or whose bodies have changed their shape
 
     uint64_t hash() const; // of the pairs in any order; 0 without pairs
 

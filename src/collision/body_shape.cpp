@@ -1,6 +1,5 @@
 #include "collision/body_shape.h"
 
-#include "base/convex_hull.h"
 #include "collision/build_collider_geometry.h"
 #include "collision/local_pair.h"
 
@@ -9,7 +8,6 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
-#include <vector>
 
 namespace lr {
 namespace {

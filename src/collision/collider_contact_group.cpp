@@ -1,11 +1,8 @@
 #include "collision/collider_contact_group.h"
 
-#include "collision/colliders.h"
 #include "collision/triangle_contact.h"
 #include "kernel/divergence.h"
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace lr {
@@ -198,11 +195,12 @@ uint32_t packed_floor(Vector up, uint32_t slot) {
     const auto bits = [](float f) { return static_cast<uint32_t>(7.5f * f + 8.0f); };
     return bits(up.x) | bits(up.y) << 4 | bits(up.z) << 8 | tag_of(slot) << 12;
 }
-Vector up_in(uint32_t packed, uint32_t slot) {
+} // namespace
+
+Vector floor_side(uint32_t packed, uint32_t slot) {
     const auto part = [&](uint32_t at) { return static_cast<float>(packed >> at & 15u) - 7.5f; };
     return packed >> 12 == tag_of(slot) ? 1.0f / 7.5f * Vector{part(0), part(4), part(8)} : Vector{};
 }
-} // namespace
 
 void ContactGroup::find_floors(const ContactSubstep& substep) {
     for (uint32_t i = 0; i < count_; ++i) {
@@ -229,7 +227,7 @@ void ContactGroup::find_floors(const ContactSubstep& substep) {
             const Collider& c = step_->colliders->at(slot);
             const Pose begin = pose_at(c, substep.begin), end = pose_at(c, substep.end);
             floor.slot = slot;
-            floor.up = rotate(inverse(end.rotation), up_in(known, slot));
+            floor.up = rotate(inverse(end.rotation), floor_side(known, slot));
             find_floor(*step_->shape, arrays_.field[field_scale][i], relative(begin, pose_in(substep.before, i)),
                        relative(end, pose_of(i)), margin_of(i, substep.h), *c.geometry.mesh, near + first, k - first,
                        floor);
@@ -325,6 +323,7 @@ void ContactGroup::solve(const ContactSubstep& substep) {
     if (slots_.used == 0) return;
     step_->target->resolve(bodies(substep), slots_);
     leave_floors(substep);
+    stay_in_front(substep);
     for (uint32_t i = 0; i < count_; ++i)
         for (uint32_t k = 0; k < filled_[i]; ++k) touches_[i] = touches_[i] || slots_.slot[k].impulse[i] >= 0.0f;
 }

@@ -140,6 +140,15 @@ struct TouchList {
     void take(uint32_t one, float impulse);
 };
 
+// The side of a mesh on which a body is, world frame; zero: unknown. packed: of column_floor.
+Vector floor_side(uint32_t packed, uint32_t slot);
+
+// For a centre of mass that went this way in a substep (m, world): the way by which it is in front of what it went into or through, zero if there is
+// nothing. Planes and heightfields are solid below and do not count. floor: of column_floor. alone: the floor of a body that no other presses; moving things,
+// which push it, and this floor then do not count. Null in heaps.
+Vector way_back(const ContactStep& step, float scale, uint32_t floor, const MeshFloor* alone, Vector from, Vector to,
+                const ContactSubstep& substep);
+
 // Takes up to contact_lanes bodies that can touch something through a step.
 class ContactGroup {
 public:
@@ -159,11 +168,11 @@ public:
     };
     static constexpr uint32_t a_body = UINT32_MAX - 1;
     Asleep at_rest(uint32_t lane, uint32_t k) const { return at_rest_[k][lane]; }
-    // Visits the sleeping bodies that the body touched in the last substep.
+    // Calls function(sleeping body, contact, whether they touched) for those that it touched or nearly touched in the last substep.
     template <class Function> void visit_asleep(uint32_t lane, Function&& function) const {
-        for (uint32_t k = 0; k < filled_[lane] && touches_[lane]; ++k)
-            if (slots_.slot[k].collider[lane] == a_body && slots_.slot[k].impulse[lane] >= 0.0f)
-                function(at_rest_[k][lane]);
+        for (uint32_t k = 0; k < filled_[lane]; ++k)
+            if (slots_.slot[k].collider[lane] == a_body)
+                function(at_rest_[k][lane], contact(lane, k), slots_.slot[k].impulse[lane] >= 0.0f);
     }
 
     // The colliders of a body's strongest contacts in the last substep: slot + 1 each, strongest first, 0 after the last.
@@ -185,6 +194,7 @@ private:
     void ground_effect(const ContactSubstep& substep);
     void find_floors(const ContactSubstep& substep);
     void leave_floors(const ContactSubstep& substep);
+    void stay_in_front(const ContactSubstep& substep);
     void stop_before_passing_through(const ContactSubstep& substep);
     void touch_grounds(const ContactSubstep& substep);
     void touch_others(uint32_t lane, const ContactSubstep& substep);

@@ -13,13 +13,6 @@ namespace {
 
 constexpr uint64_t least_active = 1024; // room in the grid that is rebuilt in each step
 
-Rotation unit(const float (&q)[4]) {
-    const Rotation given{q[0], q[1], q[2], q[3]};
-    const Quaternion<double> exact = to_double(given);
-    // A unit quaternion keeps its bits.
-    return std::abs(std::sqrt(dot(exact, exact)) - 1.0) < 1e-7 ? given : unit_of(exact);
-}
-
 uint64_t grown(uint64_t from, uint64_t to) {
     return to <= from ? from : std::max(to, from + from / 2);
 }
@@ -96,7 +89,7 @@ lr_status Colliders::create(const lr_collider_desc& desc) {
     }
     const uint32_t slot = next_slot(staging_);
     if (slot >= used_) slots_[slot] = {nullptr, 1, none, Where::free, false, false};
-    const Pose pose{vector_of(desc.position), unit(desc.orientation)};
+    const Pose pose{vector_of(desc.position), unit_rotation(desc.orientation)};
     const Geometry geometry{kind, {desc.size[0], desc.size[1], desc.size[2]}, nullptr, nullptr, nullptr};
     colliders_[slot] = {geometry, pose, pose, desc.friction, desc.restitution, desc.layers, false};
     set_shared(slot, shared);
@@ -222,7 +215,7 @@ void Colliders::move(uint32_t slot, const lr_collider_motion& motion) {
     const uint32_t proxies = proxies_of(slot);
     if (moving(slot)) mover_proxies_ -= proxies;
     const Pose pose =
-        motion.mode == LR_MOVE_VELOCITY ? c.begin : Pose{vector_of(motion.position), unit(motion.orientation)};
+        motion.mode == LR_MOVE_VELOCITY ? c.begin : Pose{vector_of(motion.position), unit_rotation(motion.orientation)};
     if (motion.mode == LR_MOVE_TO) {
         c.end = {pose.position, nearer_to(c.begin.rotation, pose.rotation)};
         m.linear = m.angular = {0.0f, 0.0f, 0.0f};

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "base/handles.h"
-#include "base/lane_arrays.h"
 #include "collision/body_shape.h"
 #include "collision/collider_contact_group.h"
 #include "langevin_rigid.h"
@@ -138,12 +137,12 @@ void note_touches(const ContactCache& book, const BodyAfter& body, const TouchWi
     for (const uint32_t collider : body.now) {
         if (!is_collider(collider) || (!book.notes.all && holds(was, collider))) continue;
         changed = true;
-        for (Touch& touch : book.notes.met[slot].touch) {
-            if (touch.collider == collider) break;
-            if (touch.collider != 0) continue;
-            touch = touch_with(collider - 1);
-            break;
-        }
+        // If there are more than fit, contacts that have ended again make room: those that last have a place.
+        Touch(&met)[most_touches] = book.notes.met[slot].touch;
+        const auto first = [&](const auto& is) { return std::find_if(std::begin(met), std::end(met), is); };
+        Touch* at = first([&](const Touch& t) { return t.collider == collider || t.collider == 0; });
+        if (at == std::end(met)) at = first([&](const Touch& t) { return !holds(body.now, t.collider); });
+        if (at != std::end(met) && at->collider != collider) *at = touch_with(collider - 1);
     }
     if (changed) book.notes.noted[slot] |= noted_touch;
 }

@@ -2,7 +2,6 @@
 
 #include "base/float4.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace lr {

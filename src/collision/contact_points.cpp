@@ -14,13 +14,79 @@ constexpr float same = 1e-3f;
 // Parallel lanes of the search: one long chain of maxima is slow.
 constexpr uint32_t lanes = 4;
 static_assert(most_found % lanes == 0);
+
+float greatest_of(const float* values, uint32_t padded) {
+    float most[lanes] = {};
+    for (uint32_t i = 0; i < padded; i += lanes)
+        for (uint32_t lane = 0; lane < lanes; ++lane) most[lane] = std::max(most[lane], values[i + lane]);
+    return std::max({most[0], most[1], most[2], most[3]});
+}
+
+// 1 for points that hold the body once it is pushed out, or that miss it by a tenth of the depth; less for others.
+// Each step moves a point that has about the farthest to go (Southwell's relaxation), hull corners first. With the mass of a disc: it decides
+// between points, not how they push.
+void weigh(const Contact* found, uint32_t count, float reach, float margin, float* weight) {
+    constexpr uint32_t most_steps = 32;
+    constexpr float about = 0.7f, done = 0.01f, misses = 0.1f;
+    const float per_turn = 2.0f / reach;
+    const uint32_t padded = (count + lanes - 1) / lanes * lanes;
+    float columns[6][most_found] = {}, gap[most_found] = {}, inverse[most_found] = {}, pressed[most_found] = {};
+    float change[most_found] = {}, size[most_found] = {}, depth = 0.0f;
+    for (uint32_t i = 0; i < count; ++i) {
+        const Vector n = found[i].normal, turn = per_turn * cross(found[i].arm, n);
+        const float of[6] = {n.x, n.y, n.z, turn.x, turn.y, turn.z};
+        for (uint32_t k = 0; k < 6; ++k) columns[k][i] = of[k];
+        inverse[i] = 1.0f / (dot(n, n) + dot(turn, turn));
+        gap[i] = found[i].gap;
+        depth = std::max(depth, -gap[i]);
+    }
+    for (uint32_t step = 0; step < most_steps; ++step) {
+        for (uint32_t i = 0; i < padded; ++i) {
+            change[i] = std::max(-gap[i] * inverse[i], -pressed[i]);
+            size[i] = std::abs(change[i]);
+        }
+        const float most = greatest_of(size, padded);
+        if (!(most > done * depth)) break;
+        uint32_t at = 0;
+        while (at + 1 < count && !(size[at] > about * most)) ++at;
+        pressed[at] += change[at];
+        for (uint32_t i = 0; i < padded; ++i) {
+            float along = 0.0f;
+            for (uint32_t k = 0; k < 6; ++k) along += columns[k][i] * columns[k][at];
+            gap[i] += change[at] * along;
+        }
+    }
+    const float wide = 0.1f * reach + margin + 2.0f * depth;
+    for (uint32_t i = 0; i < count; ++i) {
+        const bool holds = pressed[i] > (gap[i] - misses * depth) * inverse[i];
+        weight[i] = holds ? 1.0f : std::max(0.2f * (1.0f - gap[i] / wide), 0.05f);
+    }
+}
+
+// Twice the area, along the first one's normal, that a point adds to the two or three that are kept; 0 if it is hardly outside.
+float area_beyond(const Contact* kept, uint32_t count, Vector point, float apart) {
+    const Vector n = kept[0].normal;
+    const auto beside = [&](uint32_t from, uint32_t to, Vector p, float& least) {
+        const Vector across = cross(n, kept[to].arm - kept[from].arm);
+        least = apart * length(across);
+        return dot(across, p - kept[from].arm);
+    };
+    float least = 0.0f, most = 0.0f;
+    const float inside = beside(0, 1, count == 2 ? point : kept[2].arm, least);
+    if (count == 2) return std::abs(inside) > least ? std::abs(inside) : 0.0f;
+    for (uint32_t edge = 0; edge < 3; ++edge) {
+        const float along = beside(edge, (edge + 1) % 3, point, least), area = inside < 0.0f ? along : -along;
+        if (area > least) most = std::max(most, area);
+    }
+    return most;
+}
 } // namespace
 
 void ContactPoints::add(Vector point, Vector normal, float gap) {
     if (!(dot(normal, normal) > 0.5f) || !(std::abs(gap) < std::numeric_limits<float>::max())) return;
     if (count_ == most_found) {
         Contact kept[most_contacts];
-        count_ = choose(kept, false);
+        count_ = choose(kept, true);
         std::copy_n(kept, count_, found_);
     }
     found_[count_++] = {point, normal, gap};
@@ -32,7 +98,7 @@ float ContactPoints::least_gap(uint32_t from) const {
     return least;
 }
 
-uint32_t ContactPoints::choose(Contact* out, bool touching_first) const {
+uint32_t ContactPoints::choose(Contact* out, bool loaded_first) const {
     if (count_ == 0) return 0;
     const float reach = body.reach + body.radius, square = reach * reach;
     // Place and direction of each as one point in six dimensions, directions times the reach; in columns, so that compilers vectorise.
@@ -45,9 +111,9 @@ uint32_t ContactPoints::choose(Contact* out, bool touching_first) const {
         apart[i] = std::numeric_limits<float>::infinity();
         if (c.gap < found_[next].gap) next = i;
     }
-    // Points that touch once the deepest one is pushed out hold the body, as over ground (touch_ground).
-    const float touching = std::min(found_[next].gap, 0.0f) + std::min(margin, 0.03f * reach);
-    for (uint32_t i = 0; i < count_; ++i) weight[i] = !touching_first || found_[i].gap < touching ? 1.0f : 0.05f;
+    std::fill_n(weight, count_, 1.0f);
+    const bool weighs = loaded_first && count_ > most_contacts;
+    if (weighs) weigh(found_, count_, reach, margin, weight);
     const uint32_t padded = (count_ + lanes - 1) / lanes * lanes;
     for (uint32_t i = count_; i < padded; ++i) {
         apart[i] = weight[i] = 0.0f;
@@ -67,22 +133,23 @@ uint32_t ContactPoints::choose(Contact* out, bool touching_first) const {
             }
             apart[i] = sum < apart[i] ? sum : apart[i];
         }
-        float most[lanes] = {};
-        for (uint32_t i = 0; i < padded; i += lanes)
-            for (uint32_t lane = 0; lane < lanes; ++lane)
-                most[lane] = std::max(most[lane], weight[i + lane] * apart[i + lane]);
-        const float far = std::max({most[0], most[1], most[2], most[3]});
+        float value[most_found] = {};
+        const bool by_area = weighs && (kept == 2 || kept == 3);
+        for (uint32_t i = 0; i < count_ && by_area; ++i)
+            value[i] = weight[i] * area_beyond(out, kept, found_[i].arm, 0.02f * reach);
+        if (!by_area || !(greatest_of(value, padded) > 0.0f))
+            for (uint32_t i = 0; i < padded; ++i) value[i] = weight[i] * apart[i];
+        const float far = greatest_of(value, padded);
         if (!(far > same * same * square)) break;
-        uint32_t farthest = 0;
-        while (farthest < count_ && weight[farthest] * apart[farthest] != far) ++farthest;
-        if (farthest == count_) break;
-        next = farthest;
+        next = 0;
+        while (next < count_ && value[next] != far) ++next;
+        if (next == count_) break;
     }
     return kept;
 }
 
-uint32_t ContactPoints::keep(Contact* out, bool touching_first) {
-    const uint32_t kept = choose(out, touching_first);
+uint32_t ContactPoints::keep(Contact* out, bool loaded_first) {
+    const uint32_t kept = choose(out, loaded_first);
     for (uint32_t i = 0; i < kept; ++i) out[i].arm = rotate(inverse(body.at.rotation), out[i].arm);
     return kept;
 }

@@ -35,12 +35,12 @@ public:
     uint32_t count() const { return count_; }
     // Least gap of those found since `from`; infinite if there are none.
     float least_gap(uint32_t from) const;
-    // Keeps at most most_contacts: the deepest, then repeatedly the one farthest from those kept, in place and direction. touching_first: those
-    // that touch once the deepest is pushed out before others.
-    uint32_t keep(Contact* out, bool touching_first = false);
+    // Keeps at most most_contacts: the deepest, then repeatedly the one farthest from those kept, in place and direction. loaded_first: those
+    // that hold the body once it is pushed out before others; the first four about the largest quadrilateral.
+    uint32_t keep(Contact* out, bool loaded_first = false);
 
 private:
-    uint32_t choose(Contact* out, bool touching_first) const;
+    uint32_t choose(Contact* out, bool loaded_first) const;
 
     uint32_t count_ = 0;
     Contact found_[most_found]; // arms along the collider's axes

@@ -1,6 +1,7 @@
 // Stops bodies that would pass through something within a substep.
 #include "collision/collider_contact_group.h"
 
+#include "collision/ray_cast.h"
 #include "collision/triangle_contact.h"
 
 #include <algorithm>
@@ -234,5 +235,69 @@ void ContactGroup::leave_floors(const ContactSubstep& substep) {
             put_in(arrays_.field, field_x, i, at.position + rotate(pose.rotation, out));
         }
     }
+}
+
+// Contacts can press a body into another thing after its swept test. leave_floors() is for the floor.
+void ContactGroup::stay_in_front(const ContactSubstep& substep) {
+    for (uint32_t i = 0; i < count_; ++i) {
+        const auto presses = [&](const ContactSlots::Slot& slot) {
+            const uint32_t c = slot.collider[i];
+            return c == a_body || !is_ground(step_->colliders->at(c).geometry.kind);
+        };
+        if (!std::any_of(slots_.slot, slots_.slot + filled_[i], presses)) continue;
+        const Vector at = pose_of(i).position, from = pose_in(substep.before, i).position;
+        const Vector back = way_back(*step_, arrays_.field[field_scale][i], arrays_.floor ? arrays_.floor[i] : 0,
+                                     &floor_[i], from, at, substep);
+        put_in(arrays_.field, field_x, i, at + back);
+    }
+}
+
+Vector way_back(const ContactStep& step, float scale, uint32_t floor, const MeshFloor* alone, Vector from, Vector to,
+                const ContactSubstep& substep) {
+    struct Passed {
+        float part = 1.0f; // of the way
+        Candidate candidate{};
+        Vector out; // world frame
+    };
+    // Out of one thing it can go into another. Between a moving and a still one, as under a foot, the still one holds.
+    constexpr uint32_t most_rounds = 6, rounds_of_all = 3;
+    // Little, so that what is pressed between two things does not jump to and fro, and of a thin body less than it rests at.
+    const float clear = scale * std::min(0.005f * step.shape->reach, 0.125f * step.shape->thickness) +
+                        contact_margin(0.0f, to, 0.0f, 0.0f);
+    Vector at = to;
+    for (uint32_t round = 0; round < most_rounds; ++round) {
+        if (const float way = length(at - from); !(way > 0.0f && way < 1e10f)) break; // diverged bodies are held later
+        Passed first;
+        bool any = false;
+        step.colliders->visit(
+            {low_of(from, at), high_of(from, at)}, step.settings->layers, [&](const Candidate& candidate) {
+                const Collider& c = step.colliders->at(candidate.slot);
+                const Geometry& g = c.geometry;
+                if (is_ground(g.kind) || (c.moves && (alone || round >= rounds_of_all))) return;
+                if (alone && alone->count > 0 && candidate.slot == alone->slot) return;
+                const Pose begin = pose_at(c, substep.begin), end = pose_at(c, substep.end);
+                const Vector a = to_inner(begin, from), b = to_inner(end, at);
+                const float far = length(b - a);
+                if (!(far > 0.0f) || (!g.mesh && distance_from(g, a) <= 0.0f)) return; // it began within
+                const Ray ray{to_double(a), 1.0 / static_cast<double>(far) * to_double(b - a)};
+                RayHit hit{};
+                if (!(g.mesh ? ray_hits_part(*g.mesh, candidate.part, ray, static_cast<double>(far), hit)
+                             : ray_hits_collider(g, nullptr, ray, static_cast<double>(far), hit)))
+                    return;
+                const Vector normal = rotate(end.rotation, to_float(hit.normal));
+                const float over =
+                    static_cast<float>(dot(hit.normal, (hit.distance - static_cast<double>(far)) * ray.direction));
+                if (g.mesh && dot(normal, floor_side(floor, candidate.slot)) < 0.0f)
+                    return; // it comes out of what it was pressed into
+                const float part = static_cast<float>(hit.distance) / far;
+                if (any && (part > first.part || (part == first.part && comes_before(first.candidate, candidate))))
+                    return;
+                first = {part, candidate, (clear + over) * normal};
+                any = true;
+            });
+        if (!any) break;
+        at = at + first.out;
+    }
+    return at - to;
 }
 } // namespace lr

@@ -4,7 +4,6 @@
 
 #include "kernel/contact/gjk-inl.h"
 
-#include <ccd/ccd.h>
 #include <limits>
 
 namespace lr {
@@ -25,38 +24,6 @@ Double3 between(const PlacedBody& body, const PlacedCollider& collider) {
     const double size = length(out);
     return size > 0.0 ? 1.0 / size * out : Double3{0.0, 1.0, 0.0};
 }
-
-static_assert(sizeof(ccd_real_t) == sizeof(double), "libccd has to be built for double precision");
-
-// Refinement stops at libccd's own limit, but its search for a portal has none: past this many supports all points are equal, which ends it.
-constexpr uint32_t most_supports = 400;
-
-struct Side {
-    const PlacedBody* body;
-    const PlacedCollider* collider;
-    Double3 middle;
-    double inverse_size; // libccd's tolerances are absolute: scales the pair to a size of about 1
-    uint32_t* calls;
-};
-
-void set(ccd_vec3_t* to, const Side& side, Double3 p) {
-    const Double3 q = side.inverse_size * p;
-    ccdVec3Set(to, q.x, q.y, q.z);
-}
-
-void support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* out) {
-    const Side& side = *static_cast<const Side*>(object);
-    if (++*side.calls > most_supports) return set(out, side, side.middle);
-    const Double3 d{ccdVec3X(direction), ccdVec3Y(direction), ccdVec3Z(direction)};
-    const double square = dot(d, d);
-    if (!(square > 0.0)) return set(out, side, side.middle);
-    set(out, side, side.body ? side.body->support(1.0 / std::sqrt(square) * d) : side.collider->support(d));
-}
-
-void middle(const void* object, ccd_vec3_t* out) {
-    const Side& side = *static_cast<const Side*>(object);
-    set(out, side, side.middle);
-}
 } // namespace
 
 HWY_ATTR Nearest nearest_points(const PlacedBody& body, const PlacedCollider& collider, double enough) {
@@ -71,33 +38,8 @@ HWY_ATTR Nearest nearest_points(const PlacedBody& body, const PlacedCollider& co
     return {overlap, found.distance, found.lower, found.normal, found.on_a, found.on_a - found.v};
 }
 
-bool ccd_direction(const PlacedBody& body, const PlacedCollider& collider, Double3& direction) {
-    uint32_t calls = 0;
-    const double size = static_cast<double>(body.reach > 0.0f ? body.reach : 1.0f);
-    const Side one{&body, nullptr, to_double(body.center), 1.0 / size, &calls};
-    const Side other{nullptr, &collider, collider.middle(), 1.0 / size, &calls};
-    ccd_t ccd{}; // CCD_INIT would link libccd's other algorithm
-    ccd.support1 = ccd.support2 = support;
-    ccd.center1 = ccd.center2 = middle;
-    ccd.max_iterations = 50;
-    ccd.mpr_tolerance = 1e-5;
-    ccd_real_t depth = 0.0;
-    ccd_vec3_t out, at;
-    ccdVec3Set(&out, 0.0, 0.0, 0.0);
-    ccdVec3Set(&at, 0.0, 0.0, 0.0);
-    // Moves the second out of the first, along `out`.
-    if (ccdMPRPenetration(&other, &one, &ccd, &depth, &out, &at) != 0 || calls > most_supports) return false;
-    const Double3 d{ccdVec3X(&out), ccdVec3Y(&out), ccdVec3Z(&out)};
-    const double square = dot(d, d);
-    if (!(square > 0.25 && square < 4.0)) return false;
-    direction = 1.0 / std::sqrt(square) * d;
-    return true;
-}
-
 namespace {
 
-// libccd's direction must be better by this share of the depth: otherwise closed forms decide.
-constexpr double ccd_advantage = 0.01;
 constexpr uint32_t most_refinements = 3;
 constexpr double step_out = 1e-3; // share of the body's reach beyond touching, when a direction is refined
 
@@ -223,19 +165,18 @@ Separation separate(const PlacedBody& body, const PlacedCollider& collider, doub
     const bool has_body = search.any;
     if (has_collider) search.offer(of_collider.normal, of_collider.distance);
     if (!search.any) search.offer(sides.one ? sides.front : Double3{0.0, 1.0, 0.0});
-    Double3 direction;
     // For a sphere's centre in a hull the best direction is one of the faces.
-    if (!(collider.count == 1 && body.count > 0)) {
-        // Each leads to a local minimum of the depth.
-        if (has_collider) refine(search, of_collider);
-        if (has_body) refine(search, of_body);
-        if (!has_collider && !has_body) refine(search, search.best);
-        if (ccd_direction(body, collider, direction) && search.allowed(direction)) {
-            Search other = search;
-            other.best = {direction, separation_along(body, collider, direction), false, {}, {}};
-            refine(other, other.best);
-            if (other.best.distance > search.best.distance * (1.0 - ccd_advantage)) search.best = other.best;
-        }
+    if (collider.count == 1 && body.count > 0) return search.best;
+    // Each leads to a local minimum of the depth.
+    if (has_collider) refine(search, of_collider);
+    if (has_body) refine(search, of_body);
+    if (!has_collider && !has_body) refine(search, search.best);
+    if (collider.count == 1) return search.best; // the way between the middles was the collider's own
+    const Double3 apart = to_double(body.center) - collider.middle();
+    const double size = length(apart);
+    if (size > 0.0 && search.allowed(apart)) {
+        const Double3 n = 1.0 / size * apart;
+        refine(search, {n, separation_along(body, collider, n), false, {}, {}});
     }
     return search.best;
 }

@@ -21,10 +21,6 @@ inline double separation_along(const PlacedBody& body, const PlacedCollider& col
     return dot(normal, body.support(-normal) - collider.support(normal));
 }
 
-// For overlapping cores, by libccd's portal refinement: a unit direction that moves the body out of the collider, not always that of
-// least depth. False if libccd did not end or reports no overlap. Needs no memory, unlike libccd's other algorithm.
-bool ccd_direction(const PlacedBody& body, const PlacedCollider& collider, Double3& direction);
-
 struct Separation {
     Double3 normal;  // unit, from the collider to the body
     double distance; // m, of the cores along it; negative: depth of the overlap

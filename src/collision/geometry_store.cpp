@@ -2,7 +2,6 @@
 
 #include "collision/build_collider_geometry.h"
 
-#include <algorithm>
 #include <cstring>
 #include <new>
 #include <vector>

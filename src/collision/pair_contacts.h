@@ -5,7 +5,6 @@
 #include "base/float4.h"
 #include "collision/body_narrow_phase.h"
 #include "kernel/contact/gjk_pairs.h"
-#include "kernel/contact/near_boxes.h"
 
 #include <cstdint>
 

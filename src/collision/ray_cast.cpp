@@ -221,18 +221,24 @@ bool reaches_box(const Box& box, const Ray& ray, double most) {
     return first <= last;
 }
 
-bool hits_mesh(const MeshGeometry& mesh, const SharedGeometry& shared, const Ray& ray, double most, RayHit& hit) {
+// The first hit of a ray with things [begin, end), the first thing of equals. hits(i, hit): the hit within `most`, which shrinks to the nearest so far.
+template <class Hits> bool hits_first(size_t begin, size_t end, double& most, RayHit& hit, const Hits& hits) {
     bool any = false;
-    for (size_t p = 0; p < shared.parts.size(); ++p) {
-        const MeshPart& part = shared.parts[p];
+    for (size_t i = begin; i < end; ++i) {
         RayHit other{};
-        if (!reaches_box(part.box, ray, most) || !ray_hits_part(mesh, part.part, ray, most, other)) continue;
-        if (any && !(other.distance < hit.distance)) continue;
+        if (!hits(i, other) || (any && !(other.distance < hit.distance))) continue;
         hit = other;
         most = other.distance;
         any = true;
     }
     return any;
+}
+
+bool hits_mesh(const MeshGeometry& mesh, const SharedGeometry& shared, const Ray& ray, double most, RayHit& hit) {
+    return hits_first(0, shared.parts.size(), most, hit, [&](size_t p, RayHit& other) {
+        const MeshPart& part = shared.parts[p];
+        return reaches_box(part.box, ray, most) && ray_hits_part(mesh, part.part, ray, most, other);
+    });
 }
 
 // The ground under a place of the outline.
@@ -289,16 +295,9 @@ bool hits_heightfield(const HeightfieldGeometry& field, const Ray& ray, double m
 } // namespace
 
 bool ray_hits_part(const MeshGeometry& mesh, const ColliderPart& part, const Ray& ray, double most, RayHit& hit) {
-    bool any = false;
-    for (uint32_t i = part.first; i < part.first + part.count; ++i) {
-        RayHit other{};
-        if (!hits_triangle(mesh_triangle(mesh, i).corners, ray, most, true, other)) continue;
-        if (any && !(other.distance < hit.distance)) continue;
-        hit = other;
-        most = other.distance;
-        any = true;
-    }
-    return any;
+    return hits_first(part.first, size_t{part.first} + part.count, most, hit, [&](size_t i, RayHit& other) {
+        return hits_triangle(mesh_triangle(mesh, static_cast<uint32_t>(i)).corners, ray, most, true, other);
+    });
 }
 
 bool ray_hits_collider(const Geometry& g, const SharedGeometry* shared, const Ray& ray, double most, RayHit& hit) {

@@ -11,13 +11,13 @@ bool SleepingGrid::create(Allocator& allocator, uint32_t capacity, double reach)
     mask_ = buckets - 1;
     reach_ = reach;
     double width = 2.0 * reach * 1e-3; // of bodies of the least scale
-    for (float& w : width_) w = static_cast<float>(width * 1.000001), width *= 4.0;
+    for (float& w : width_) w = static_cast<float>(width * (1.000001 + room)), width *= 4.0;
     clear();
     return true;
 }
 
 uint32_t SleepingGrid::level_of(float scale) const {
-    const double width = 2.0 * reach_ * static_cast<double>(scale);
+    const double width = 2.0 * reach_ * (1.0 + room) * static_cast<double>(scale);
     uint32_t level = 0;
     while (level + 1 < level_count && wide(width_[level]) < width) ++level;
     return level;

@@ -12,6 +12,8 @@ class SleepingGrid {
 public:
     // Each level's cells are four times as wide as those of the previous one: enough for all scales.
     static constexpr uint32_t level_count = 11;
+    // A search also finds bodies whose boxes, larger by this share of the reach, overlap its own.
+    static constexpr double room = 0.02;
 
     // reach: m, of a body of scale 1 from its centre of mass. False when out of memory.
     bool create(Allocator& allocator, uint32_t capacity, double reach);

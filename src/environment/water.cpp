@@ -71,6 +71,7 @@ void Water::set(const lr_water_desc& desc, const float gravity[3]) {
     record_ = Record{};
     record_.present = 1;
     record_.desc = desc;
+    std::fill(record_.desc.waves + desc.wave_count, record_.desc.waves + LR_MAX_WAVES, lr_wave{}); // part of the hash
     for (uint32_t i = 0; i < desc.wave_count; ++i)
         record_.frequency[i] = frequency_of(desc.waves[i], to_double(vector_of(gravity)));
 }
@@ -103,10 +104,39 @@ SurfaceInstant Water::at(double time) const {
     return out;
 }
 
-float Water::highest() const {
-    float sum = callback() ? record_.desc.reach : 0.0f;
-    for (uint32_t i = 0; i < record_.desc.wave_count; ++i) sum += record_.desc.waves[i].amplitude;
+namespace {
+
+float highest_of(const lr_water_desc& desc, bool called_back) {
+    float sum = called_back ? desc.reach : 0.0f;
+    for (uint32_t i = 0; i < desc.wave_count; ++i) sum += desc.waves[i].amplitude;
     return sum;
+}
+
+enum class Depth { dry, touches, under };
+
+Depth depth_of(const Water::Record& water, bool called_back, const Box& box) {
+    if (water.present == 0) return Depth::dry;
+    const Double3 low = to_double(box.low), high = to_double(box.high), half = 0.5 * (high - low);
+    Double3 up = to_double(vector_of(water.desc.normal));
+    normalise(up);
+    const double height = dot(0.5 * (low + high) - to_double(vector_of(water.desc.position)), up);
+    const double extent = std::abs(up.x) * half.x + std::abs(up.y) * half.y + std::abs(up.z) * half.z;
+    const double reach = wide(highest_of(water.desc, called_back));
+    return height - extent > reach ? Depth::dry : height + extent < -reach ? Depth::under : Depth::touches;
+}
+} // namespace
+
+float Water::highest() const {
+    return highest_of(record_.desc, callback() != nullptr);
+}
+
+bool Water::changes(const Record& before, const Box& box) const {
+    const bool called_back = callback() != nullptr;
+    const Depth was = depth_of(before, called_back, box), is = depth_of(record_, called_back, box);
+    if (was != is || is == Depth::touches) return true;
+    const lr_water_desc &a = before.desc, &b = record_.desc;
+    return is == Depth::under &&
+           (a.density != b.density || a.viscosity != b.viscosity || !std::equal(a.current, a.current + 3, b.current));
 }
 
 uint64_t Water::hash() const {

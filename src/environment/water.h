@@ -1,6 +1,7 @@
 // The water surface: its description, its waves in time, and the caller's callback. docs/reference/wind_and_water.md.
 #pragma once
 
+#include "base/pose.h"
 #include "environment/field_callback.h"
 #include "kernel/limits.h"
 #include "kernel/water/water_loads.h"
@@ -33,6 +34,8 @@ public:
 
     SurfaceInstant at(double time) const;
     float highest() const; // m above the plane
+    // Whether a body in this box, at rest until now, feels that the water is no longer as it was in `before`.
+    bool changes(const Record& before, const Box& box) const;
     uint64_t hash() const; // 0 without water
 
     // Calls the callback for the first `count` bodies of a block, which is preset to the values of plane and waves. Any worker.

@@ -1,7 +1,8 @@
 #include "environment/wind_field.h"
 
+#include "base/bit_cast.h"
+
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <new>
@@ -209,11 +210,11 @@ void WindField::end_step(float dt) {
 
 uint64_t WindField::hash(double time) const {
     if (used_ == 0) return 0;
-    uint64_t hash = random_bits(std::bit_cast<uint64_t>(time), 0);
+    uint64_t hash = random_bits(bit_cast<uint64_t>(time), 0);
     const auto take = [&](uint64_t word) { hash = random_bits(hash ^ word, 1); };
     for (size_t k = 0; k < 3; ++k) {
-        take(std::bit_cast<uint32_t>(uniform.wind[k]) | uint64_t{std::bit_cast<uint32_t>(uniform.before[k])} << 32);
-        take(std::bit_cast<uint64_t>(uniform.drift[k]));
+        take(bit_cast<uint32_t>(uniform.wind[k]) | uint64_t{bit_cast<uint32_t>(uniform.before[k])} << 32);
+        take(bit_cast<uint64_t>(uniform.drift[k]));
     }
     for (const Slot& slot : slots_) {
         take(slot.source != nullptr);
@@ -221,7 +222,7 @@ uint64_t WindField::hash(double time) const {
         uint32_t words[source_bytes / 4];
         std::memcpy(words, &slot.source->desc, source_bytes);
         for (size_t i = 1; i < source_bytes / 4; ++i) take(words[i]); // all but struct_size
-        take(std::bit_cast<uint64_t>(slot.source->since));
+        take(bit_cast<uint64_t>(slot.source->since));
         if (slot.source->grid) take(slot.source->grid->hash);
     }
     return hash;

@@ -1,11 +1,10 @@
 #include "environment/wind_source.h"
 
+#include "base/bit_cast.h"
 #include "base/portable_math.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstring>
 
 namespace lr {
 
@@ -156,7 +155,7 @@ uint64_t sample_count(const SourceDesc& d) {
 uint64_t hash_samples(const SourceDesc& d, const float* samples) {
     uint64_t hash = random_bits(d.counts[0] + (uint64_t{d.counts[1]} << 32), d.counts[2] + (uint64_t{d.frames} << 32));
     const uint64_t count = sample_count(d);
-    for (uint64_t i = 0; i < count; ++i) hash = random_bits(hash ^ std::bit_cast<uint32_t>(samples[i]), 0);
+    for (uint64_t i = 0; i < count; ++i) hash = random_bits(hash ^ bit_cast<uint32_t>(samples[i]), 0);
     return hash;
 }
 

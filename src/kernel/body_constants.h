@@ -2,12 +2,33 @@
 #pragma once
 
 #include "asset/asset_data.h"
-#include "kernel/loads/station_constants.h"
 
 #include <cstddef>
 #include <cstdint>
 
 namespace lr {
+
+// A station of a body in kernel units, without the fluid's density: AerodynamicConstantsOf::fluid has that.
+struct StationConstants {
+    float along[3][6]; // velocities along chord, span and normal by the body's velocity and spin
+    float axes[9], place[3];
+    float spread[6];   // |r|^2 - r r^T, r: the place; upper triangle
+    float outer[3][6]; // upper triangles of e e^T, e: the axes
+    float drag[3], drag_blunt[3], drag_layer[3], drag_stokes[3];
+    float spin_lift[3], spin_drag[3], spin_drag_stream[3], spin_drag_stokes[3], spin_weight[3];
+    float lift[2], vortex[2], stall[2]; // along chord and span; stall: the inverse
+    float plate_drag, start_drag;
+    float lift_arm[2], separated_shedding;
+    float camber;
+};
+
+struct StationSet {
+    StationConstants station[most_stations];
+    uint32_t count = 0;
+};
+
+// None if `loads` are not the asset's own: others replace its stations.
+void make_stations(const AssetData& asset, const AerodynamicData& loads, StationSet& out);
 
 enum class Loads : int32_t { none, langevin, aerodynamic };
 // Turbulence follows the body's present speed, or a table by its age (docs/maintainers/physics.md).
@@ -15,25 +36,34 @@ enum class Clock : int32_t { speed, age };
 enum class Integrator : int32_t { splitting, rk4 };
 
 // Quasi-steady loads (AerodynamicData) in kernel units, along the load axes, of which the last is the normal of a plate: the asset's axes in cyclic
-// order. T: float, or a vector for bodies in two fluids.
-template <class T> struct AerodynamicConstantsOf {
-    T viscosity; // nu, m^2/s
+// order. T: float, or a vector for bodies in two fluids. First the numbers that scale with the fluid's density.
+template <class T> struct FluidLoadsOf {
     T drag[3], drag_blunt[3], drag_layer[3], drag_stokes[3];
-    T lift[3], lift_layer[3], lift_stokes[3], spin_lift[3], broadside[3];
+    T lift[3], lift_layer[3], lift_stokes[3], spin_lift[3];
     T spin_drag[3], spin_drag_stream[3], spin_drag_stokes[3];
-    T spin_weight[3]; // spin_drag over its largest
-    // A plate.
-    T normal[3], normal_arm[3]; // body axes; arm x normal
     T plate_lift[2], plate_vortex[2], plate_drag, start_drag;
-    T plate_stall[2];                                                    // the inverse
-    T separated_shed, most_shed;                                         // of the added mass along the normal
-    T wake_rate, wake_share;                                             // over d: 1/(wake_lag wake_length)
-    T shedding_rate, shedding_growth, shedding_reynolds, shedding_noise; // rate: 2 pi strouhal/wake_length
+    T separated_shed, most_shed; // of the added mass along the normal
     T shedding_moment, shedding_rate_moment;
     // Of stations: the fluid's density over the mass unit, with the gains of drag, lift and spin drag, and alone.
     T fluid[4];
+};
+// These do not depend on the fluid.
+template <class T> struct ShapeLoadsOf {
+    T broadside[3];
+    T spin_weight[3];                                                    // spin_drag over its largest
+    T normal[3], normal_arm[3];                                          // of a plate: body axes; arm x normal
+    T plate_stall[2];                                                    // the inverse
+    T wake_rate, wake_share;                                             // over d: 1/(wake_lag wake_length)
+    T shedding_rate, shedding_growth, shedding_reynolds, shedding_noise; // rate: 2 pi strouhal/wake_length
     // Q: from body axes to load axes. P = Q (1, -[r]x): velocity of the load centre.
-    T axes[9], arm[3];       // Q; r: from the centre of mass to the load centre, over d
+    T axes[9], arm[3]; // Q; r: from the centre of mass to the load centre, over d
+    // Gusts with the SPEED clock: correlation rate per speed, variance per square of the speed.
+    T rate_of_gusts, variance_of_gusts;
+    T wake_reynolds;
+    T gust_gain; // multiplies the variance with the AGE clock
+};
+template <class T> struct AerodynamicConstantsOf : FluidLoadsOf<T>, ShapeLoadsOf<T> {
+    T viscosity;             // nu, m^2/s
     T centre_mass[6];        // (P M^-1 P^T)^-1, upper triangle
     T spin_of_force[9];      // spin per change of velocity by an impulse at the load centre
     T spin_mobility[6];      // Q (M^-1)_22 Q^T
@@ -41,10 +71,6 @@ template <class T> struct AerodynamicConstantsOf {
     T velocity_of_couple[9]; // velocity of the load centre per change of spin by a couple
     // Responses of the load centre's velocity and of the spin, 6x3: to a force at the centre of mass along body axes, and to gravity in a uniform wind.
     T push[18], fall[18];
-    // Gusts with the SPEED clock: correlation rate per speed, variance per square of the speed.
-    T rate_of_gusts, variance_of_gusts;
-    T wake_reynolds;
-    T gust_gain; // multiplies the variance with the AGE clock
 };
 
 // Mass unit U = m + rho V, length unit d times the body's scale s. Spin is stored as u = d s w, a velocity: every entry below is of order one for

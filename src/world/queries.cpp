@@ -1,9 +1,10 @@
-// Ray casts and overlap tests.
+// Ray casts, overlap tests, and the flow's loads on a body.
 #include "world/world.h"
 
 #include "base/pose.h"
 #include "collision/convex_separation.h"
 #include "collision/ray_cast.h"
+#include "kernel/body_copies.h"
 
 #include <algorithm>
 #include <cmath>
@@ -192,5 +193,34 @@ uint32_t find_overlaps(const lr_world& world, const lr_overlap_desc& desc, const
         });
     });
     return count;
+}
+
+void find_loads(const lr_world& world, Batch& batch, uint32_t i, lr_body_loads& out) {
+    if (batch.step.loads != Loads::aerodynamic) return;
+    BodyCopies<lane_block> copy;
+    copy.take(batch.arrays(), 1, [&](uint32_t) { return i; });
+    if (batch.asleep(i)) // the arrays have the wind withstood there
+        for (size_t f = field_gust_x; f < field_count; ++f) std::fill_n(copy.field[f], copy.padded, 0.0f);
+    StepInput in = batch.step;
+    in.seed = world.seed;
+    float fluid[3];
+    put(vector_in(copy.field, field_x, 0), fluid);
+    SurfaceBlock block;
+    const BodyConstants* body = &in.body;
+    bool failed = false;
+    if (const WaterBody* const water =
+            world.surface.present() ? batch.water_body(world.surface.desc(), failed) : nullptr) {
+        for (size_t k = 0; k < 3; ++k) std::fill_n(block.position[k], copy.padded, fluid[k]);
+        const SurfaceInstant plane = world.surface.at(world.time);
+        world.target->surface.surface(plane, copy.padded, block);
+        if (world.surface.callback()) world.surface.ask(world.time, world.handle(batch.slot()), 1, plane, block);
+        const Vector from = vector_in(copy.field, field_x, 0) - vector_of(plane.point);
+        if (dot(vector_of(plane.up), from) < block.height[0]) body = &water->water;
+    }
+    if (body != &in.body)
+        for (size_t k = 0; k < 3; ++k) fluid[k] = block.velocity[k][0];
+    else
+        world.sample_wind(fluid, 1, fluid);
+    loads_on_body(in, *body, copy.arrays(), fluid, out);
 }
 } // namespace lr

@@ -1,5 +1,6 @@
 #include "world/world.h"
 
+#include "base/bit_cast.h"
 #include "base/counter_random.h"
 #include "base/last_error.h"
 #include "world/batch/lifecycle.h"
@@ -9,7 +10,6 @@
 #include "world/step/step_in_wind.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdio>
 
@@ -215,14 +215,14 @@ uint32_t lr_world::wake_box(const Box& box) {
 void lr_world::leave(const Batch& batch, uint32_t index) {
     const uint32_t slot = unpack(batch.ids()[index]).batch;
     if (!pairs.has_contact(slot)) return;
-    const double reach = 1.01 * batch.reach() * static_cast<double>(batch.arrays().field[field_scale][index]);
+    const double reach = batch.reach() * static_cast<double>(batch.arrays().field[field_scale][index]);
     const Double3 x = to_double(vector_in(batch.arrays().field, field_x, index)), half{reach, reach, reach};
     left[left_count++] = {slot, {to_float(x - half), to_float(x + half)}};
 }
 
 void lr_world::wake_left() {
     for (uint32_t i = 0; i < left_count; ++i)
-        pairs.visit_partners(left[i].slot, [&](uint32_t other) { batches[other].batch->wake_in(left[i].box); });
+        pairs.visit_partners(left[i].slot, [&](uint32_t other) { batches[other].batch->wake_on(left[i].box); });
     left_count = 0;
 }
 
@@ -354,13 +354,13 @@ bool lr_world::step(float dt, uint32_t substeps, const FloatMode& mode) {
     substep_count += substeps;
     time += static_cast<double>(dt);
     finish_batches(static_cast<double>(dt));
+    wake_left(); // before events, which tell of it in this step
     if (events.on()) lap(timings.emit_and_rules);
     each_batch([&](Batch& batch, uint32_t slot) {
         const int32_t ended = batch.lifecycle() ? batch.lifecycle()->ended_kind() : LR_EVENT_KILLED;
         if (batch.events())
             batch.events()->tell(batch, handle(slot), colliders, batch.pace.granted() != 0, ended, events);
     });
-    wake_left();
     lap(events.on() ? timings.events : timings.emit_and_rules);
     // The phases' sum, which rounds, is never more.
     timings.total = (lapped - began) * (1.0 + 1e-12);
@@ -428,7 +428,18 @@ float lr_world::contact_reach(float dt) const {
 }
 
 void lr_world::wake_at(uint32_t collider) {
-    wake_box(colliders.box_of(collider));
+    const Box box = colliders.box_of(collider);
+    each_batch([&](Batch& batch, uint32_t) { batch.wake_on(box); });
+}
+
+void lr_world::wake_in_water(const Water::Record& before) {
+    if (same(before, surface.record())) return;
+    const FloatMode mode;
+    each_batch([&](Batch& batch, uint32_t) {
+        // A body that wakes swaps places with one that was already visited.
+        for (uint32_t i = batch.awake(); i < batch.count(); ++i)
+            if (surface.changes(before, batch.sleeping()->box(unpack(batch.ids()[i]).slot))) batch.wake(i);
+    });
 }
 
 bool lr_world::any_asleep() const {
@@ -491,21 +502,22 @@ uint64_t lr_world::hash() const {
         if (const lr_batch_contact& c = batch.contact(); !same(c, initial_contact)) {
             mix(c.layers);
             for (float v : {c.friction, c.restitution, c.rolling_resistance, c.ground_effect})
-                mix(std::bit_cast<uint32_t>(v));
+                mix(bit_cast<uint32_t>(v));
             mix(may_sleep(c));
+            if (c.min_thickness != 0.0f) mix(bit_cast<uint32_t>(c.min_thickness));
         }
         lr::hash(batch.options, mix);
         if (batch.awake() < batch.count()) {
             const SleepingBodies::State& sleep = batch.sleeping()->state();
-            mix(std::bit_cast<uint64_t>(sleep.clock));
+            mix(bit_cast<uint64_t>(sleep.clock));
             mix(sleep.steps | uint64_t{sleep.unjudged} << 32);
         }
         batch.pace.hash(mix);
         paced = paced || !batch.pace.plain();
         if (batch.lifecycle() && batch.lifecycle()->has_emitter()) {
             mix(next_noise_seed);
-            mix(std::bit_cast<uint64_t>(batch.lifecycle()->state().due));
-            mix(std::bit_cast<uint64_t>(batch.lifecycle()->state().burst_clock));
+            mix(bit_cast<uint64_t>(batch.lifecycle()->state().due));
+            mix(bit_cast<uint64_t>(batch.lifecycle()->state().burst_clock));
         }
     });
     // The step's number decides which bodies try the wind.

@@ -103,6 +103,7 @@ struct lr_world {
 
     // Wakes sleeping bodies along a collider's way in the step.
     void wake_at(uint32_t collider);
+    void wake_in_water(const lr::Water::Record& before); // the water has changed
     bool any_asleep() const;
     // capacity 0 disables them.
     lr_status set_events(uint32_t capacity, uint32_t kinds);
@@ -128,7 +129,7 @@ struct lr_world {
     const lr::KernelTarget* narrow = nullptr; // for the last few bodies of a batch; null: no special case
     uint64_t seed = 0;
     mutable lr::WindField wind{allocator}; // sampling prepares an instant
-    lr::Water surface;
+    mutable lr::Water surface;             // asking counts what the callback did wrong
     lr::Colliders colliders{allocator};
     lr::BatchPairs pairs;
     lr::PairCache pair_cache;
@@ -203,4 +204,7 @@ lr_ray_hit cast_ray(const lr_world& world, const lr_ray& ray, const Batch* only)
 // Returns how many bodies overlap; writes up to `capacity` ids, sorted if there is room for all.
 uint32_t find_overlaps(const lr_world& world, const lr_overlap_desc& desc, const Batch* only, lr_body* bodies,
                        uint32_t capacity);
+
+// The flow's loads on body `i` now. Writes all but `struct_size`.
+void find_loads(const lr_world& world, Batch& batch, uint32_t i, lr_body_loads& out);
 } // namespace lr

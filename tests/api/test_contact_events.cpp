@@ -88,6 +88,34 @@ TEST_CASE("a contact that begins and ends within a step is reported in it") {
     CHECK((events[1].kind == LR_EVENT_LIFTED && events[1].collider == plane));
 }
 
+TEST_CASE("a ball that slides over more planks in a step than it can touch at once hits each with a normal") {
+    const Asset asset = ball();
+    const World world = make(world_desc());
+    const lr_batch batch = add_batch(world, asset, 1);
+    lr_collider_desc plank = box_collider(0.001f, 0.01f, 1.0f);
+    plank.position[1] = -0.01f;
+    for (int i = 0; i < 400; ++i) {
+        plank.position[0] = 0.002f * static_cast<float>(i);
+        add_collider(world, plank);
+    }
+    keep_events(world);
+    lr_body_desc d = at(0.02f, 0.01f, 0.0f);
+    d.linear_velocity[0] = 1.5f;
+    add_body(world, batch, d);
+    size_t most = 0;
+    for (int i = 0; i < 20; ++i) {
+        steps(world, 1, 1.0f / 60.0f, 32);
+        const std::vector<lr_event> all = events_of(world);
+        most = std::max(most, count_of(all, LR_EVENT_HIT));
+        for (const lr_event& e : all) {
+            if (e.kind != LR_EVENT_HIT) continue;
+            CHECK(length(vec(e.normal)) == doctest::Approx(1.0));
+            CHECK(wide(e.position[1]) == doctest::Approx(0.0).epsilon(0.001));
+        }
+    }
+    CHECK(most >= 4);
+}
+
 TEST_CASE("a collider that comes wakes what lies there, and one that goes ends its contacts under its own id") {
     const Asset asset = ball();
     const World world = make(world_desc());
@@ -210,6 +238,31 @@ TEST_CASE("bodies that rules end are told as killed, once, and nothing of those 
         steps(world, 1, 1.0f / 60.0f, 4);
         CHECK(events_of(world).empty());
     }
+}
+
+TEST_CASE("a body that wakes because what it lay on was killed is told to wake in the step that shows it awake") {
+    const Asset asset = ball();
+    const World world = make(world_desc());
+    const lr_batch batch = add_batch(world, asset, 2);
+    REQUIRE(lr_batch_set_body_contact(world.get(), batch, batch, 1) == LR_OK);
+    lr_batch_rules r = initialised(lr_batch_rules_init);
+    r.max_age = 1.0f;
+    REQUIRE(lr_batch_set_rules(world.get(), batch, &r) == LR_OK);
+    keep_events(world);
+    lr_body_desc d = at(0.0f, 0.01f, 0.0f);
+    d.age = 0.9f;
+    const lr_body below = add_body(world, batch, d);
+    d = at(0.0f, 0.03f, 0.0f);
+    const lr_body above = add_body(world, batch, d);
+    const lr_body both[2] = {below, above};
+    REQUIRE(lr_body_set_sleep(world.get(), both, 2, LR_SLEEP_ASLEEP) == LR_OK);
+    const std::vector<lr_event> all = step_until(world, LR_EVENT_KILLED, 60, 1.0f / 60.0f, 1);
+    REQUIRE(count_of(all, LR_EVENT_KILLED) == 1);
+    REQUIRE(view_of(world, batch).awake_count == 1);
+    REQUIRE(count_of(all, LR_EVENT_WOKE) == 1);
+    CHECK(all.back().body == above);
+    steps(world, 1, 1.0f / 60.0f, 1);
+    CHECK(count_of(events_of(world), LR_EVENT_WOKE) == 0);
 }
 
 namespace {

@@ -80,6 +80,10 @@ TEST_CASE("contact is part of the hash and of snapshots, and a damaged one is re
     c.layers = 0x1234567u;
     set_contact(a, batch, c);
     CHECK(hash_of(a) != plain);
+    const uint64_t as_thick = hash_of(a);
+    c.min_thickness = 0.001f;
+    set_contact(a, batch, c);
+    CHECK(hash_of(a) != as_thick);
     const std::vector<unsigned char> good = snapshot_of(a);
     REQUIRE(lr_world_snapshot_restore(b.get(), good.data(), good.size()) == LR_OK);
     CHECK(equal(contact_of(b, batch), c));
@@ -131,6 +135,39 @@ TEST_CASE("layers: bodies fall through what they share none with") {
             steps(world, 90, 1.0f / 60.0f, 2);
             CHECK((state_of(world, id).position[1] > 0.0f) == ((layers & 4) != 0));
         }
+}
+
+TEST_CASE("another material of a collider wakes what sleeps on it, the same again does not") {
+    const Asset asset = leaf();
+    const World world = make(world_desc());
+    const lr_batch batch = add_batch(world, asset, 2);
+    lr_collider_desc floor = box_collider(0.2f, 0.01f, 0.2f);
+    const lr_collider here = add_collider(world, floor);
+    floor.position[0] = 1.0f;
+    add_collider(world, floor);
+    lr_body_desc d = body_desc();
+    d.position[1] = 0.0101f;
+    const lr_body body = add_body(world, batch, d);
+    d.position[0] = 1.0f;
+    const lr_body other = add_body(world, batch, d);
+    const auto asleep = [&](lr_body b) { return state_of(world, b).sleep_state == LR_SLEEP_ASLEEP; };
+    const auto set = [&](float friction, uint32_t layers) {
+        lr_material m = initialised(lr_material_init);
+        m.friction = friction, m.layers = layers;
+        REQUIRE(lr_collider_set_material(world.get(), &here, 1, &m) == LR_OK);
+    };
+    steps(world, 120, 1.0f / 60.0f);
+    REQUIRE((asleep(body) && asleep(other)));
+    set(0.5f, 1);
+    CHECK(asleep(body));
+    set(0.4f, 1);
+    CHECK(!asleep(body));
+    steps(world, 120, 1.0f / 60.0f);
+    REQUIRE(asleep(body));
+    set(0.4f, 0);
+    CHECK(asleep(other));
+    steps(world, 60, 1.0f / 60.0f);
+    CHECK(state_of(world, body).position[1] < -0.1f); // not in the air where the floor was
 }
 
 TEST_CASE("a snapshot taken after a collider was placed wakes what lies there, as if it had not been taken") {

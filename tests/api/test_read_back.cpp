@@ -254,6 +254,19 @@ TEST_CASE("rays and events name the user of a body, respawned bodies keep it, sp
     CHECK((event_list(world).capacity == 10 && event_list(world).kinds == LR_EVENTS_SPAWNED));
 }
 
+TEST_CASE("bounds contain the corners of a box of given extents") {
+    const World world = make(world_desc());
+    const lr_batch batch = add_batch(world, make(rigid_box(0.06, 0.03, 0.05, 300.0)), 1);
+    add_body(world, batch, body_desc());
+    const double corner = 0.5 * std::sqrt(0.06 * 0.06 + 0.03 * 0.03 + 0.05 * 0.05);
+    const Bounds box = bounds_of(world, batch);
+    for (size_t k = 0; k < 3; ++k) {
+        CHECK(wide(box.low[k]) <= -corner);
+        CHECK(wide(box.high[k]) >= corner);
+        CHECK(wide(box.high[k]) < 1.01 * corner);
+    }
+}
+
 TEST_CASE("bounds contain all that is drawn, asleep, large, far away or behind, and little more") {
     const Asset asset = make(ellipsoid(0.05, 0.02, 0.01, 700.0));
     for (const uint32_t count : {1u, 15u, 16u, 17u, 500u}) {

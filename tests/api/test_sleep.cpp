@@ -1,4 +1,5 @@
 // Sleeping bodies: they stay, cost nothing, age, end by rules, and wake when a call acts on them.
+#include "support/body_contact.h"
 #include "support/lifecycle.h"
 #include "support/random.h"
 #include "support/water.h"
@@ -230,6 +231,93 @@ TEST_CASE("a change of what acts on all of them wakes them, the same again does 
     CHECK(awake() == 0);
     REQUIRE(lr_batch_set_force(w, crowd.batch, nullptr) == LR_OK);
     CHECK(awake() == 20);
+}
+
+TEST_CASE("a change of the water wakes the bodies at rest that feel it, and no others") {
+    const Asset asset = make(ellipsoid(0.1, 0.1, 0.1, 500.0));
+    const World world = make(world_desc());
+    const lr_batch batch = add_batch(world, asset, 4);
+    // In the air, at the first surface, at the second, under both.
+    const float heights[4] = {2.0f, 1.0f, 0.5f, -1.0f};
+    lr_body ids[4];
+    for (size_t i = 0; i < 4; ++i) {
+        lr_body_desc d = body_desc();
+        d.position[1] = heights[i];
+        ids[i] = add_body(world, batch, d);
+    }
+    lr_water_desc first = water_desc(), second = water_desc(), stream = water_desc();
+    first.position[1] = stream.position[1] = 1.0f, second.position[1] = 0.5f;
+    stream.current[0] = 1.0f;
+    struct Change {
+        const lr_water_desc *from, *to;
+        const char* wakes; // 1: that body
+    };
+    const Change changes[] = {{nullptr, nullptr, "0000"}, {&first, &first, "0000"},  {nullptr, &first, "0111"},
+                              {&first, nullptr, "0111"},  {&first, &second, "0110"}, {&second, &first, "0110"},
+                              {&first, &stream, "0111"}};
+    for (const Change& c : changes) {
+        REQUIRE(lr_world_set_water(world.get(), c.from) == LR_OK);
+        REQUIRE(lr_body_set_sleep(world.get(), ids, 4, LR_SLEEP_ASLEEP) == LR_OK);
+        REQUIRE(lr_world_set_water(world.get(), c.to) == LR_OK);
+        for (size_t i = 0; i < 4; ++i) {
+            CAPTURE(i);
+            CHECK((state_of(world, ids[i]).sleep_state == LR_SLEEP_AWAKE) == (c.wakes[i] == '1'));
+        }
+    }
+    // Waves beyond wave_count are no part of the water.
+    stream.waves[3].length = 5.0f;
+    const uint64_t hash = hash_of(world);
+    set_water(world, stream);
+    CHECK(hash_of(world) == hash);
+}
+
+// A body at rest is apart from what carries it by up to a thousandth of its reach, and a ball or a corner reaches no deeper.
+TEST_CASE("a ball, and a box on its corner, wake when what they lie on goes") {
+    const Triangles sheet{{-1.0f, 0.0f, -1.0f, 1.0f, 0.0f, -1.0f, 0.0f, 0.0f, 1.0f}, {0, 1, 2}};
+    lr_collider_desc table = box_collider(1.0f, 0.1f, 1.0f);
+    table.position[1] = -0.1f;
+    const Asset assets[] = {make(ellipsoid(0.03, 0.03, 0.03, 300.0)), make(rigid_box(0.06, 0.03, 0.05, 300.0))};
+    const double corner = 0.5 * std::sqrt(0.06 * 0.06 + 0.03 * 0.03 + 0.05 * 0.05);
+    for (const lr_collider_desc& ground : {table, mesh_collider(sheet)})
+        for (size_t a = 0; a < 2; ++a)
+            for (const double gap : {0.0, 0.9e-3})
+                for (const double x : {0.0, 3e4})
+                    for (int how = 0; how < 5; ++how) {
+                        CAPTURE(a);
+                        CAPTURE(gap);
+                        CAPTURE(x);
+                        CAPTURE(how);
+                        const World world = make(world_desc());
+                        lr_collider_desc below = ground;
+                        below.position[0] = narrow(x);
+                        const lr_collider under = add_collider(world, below);
+                        steps(world, 1, 1.0f / 60.0f); // in which a new collider wakes bodies
+                        const lr_batch batch = add_batch(world, assets[a], 2);
+                        const double reach = a == 0 ? 0.03 : corner, height = reach * (1.0 + gap) + 1e-6 * x;
+                        const lr_body near = add_body(world, batch, at_rest_at({x, height, 0.0}));
+                        const lr_body far = add_body(world, batch, at_rest_at({x, 0.2, 0.0}));
+                        const lr_body both[] = {near, far};
+                        REQUIRE(lr_body_set_sleep(world.get(), both, 2, LR_SLEEP_ASLEEP) == LR_OK);
+                        steps(world, 1, 1.0f / 60.0f, 2);
+                        REQUIRE(state_of(world, near).sleep_state == LR_SLEEP_ASLEEP);
+                        lr_collider_motion m = initialised(lr_collider_motion_init);
+                        m.collider = under;
+                        std::copy_n(below.position, 3, m.position);
+                        lr_material other = initialised(lr_material_init);
+                        other.layers = 2;
+                        m.linear_velocity[1] = -0.01f;
+                        m.position[1] -= 0.01f;
+                        m.mode = how == 1 ? LR_MOVE_TO : how == 2 ? LR_MOVE_PLACE : LR_MOVE_VELOCITY;
+                        if (how == 0)
+                            REQUIRE(lr_collider_destroy(world.get(), &under, 1) == LR_OK);
+                        else if (how == 4)
+                            REQUIRE(lr_collider_set_material(world.get(), &under, 1, &other) == LR_OK);
+                        else
+                            REQUIRE(lr_collider_move(world.get(), &m, 1) == LR_OK);
+                        steps(world, 1, 1.0f / 60.0f, 2);
+                        CHECK(state_of(world, near).sleep_state == LR_SLEEP_AWAKE);
+                        CHECK(state_of(world, far).sleep_state == LR_SLEEP_ASLEEP);
+                    }
 }
 
 TEST_CASE("a force on a body that is put to rest is gone, and its velocities are") {

@@ -93,6 +93,39 @@ TEST_CASE("a body that lies on another goes with it when a force pulls that away
     CHECK(wide(state_of(t.world, t.above).position[0]) > 0.1);
 }
 
+TEST_CASE("a tower goes down with its ground, however fast that goes and whatever its bodies are") {
+    const Asset assets[] = {make(rigid_box(0.1, 0.1, 0.1, 300.0)), make(ellipsoid(0.05, 0.05, 0.05, 300.0))};
+    for (const Asset& upper : assets)
+        for (const float way : {0.001f, 0.03f, 0.3f}) // m, in a frame
+            for (const uint32_t substeps : {1u, 2u, 4u}) {
+                CAPTURE(way);
+                CAPTURE(substeps);
+                const World world = make(world_desc());
+                lr_collider_desc table = box_collider(1.0f, 0.1f, 1.0f);
+                table.position[1] = -0.1f;
+                const lr_collider under = add_collider(world, table);
+                const lr_batch low = add_batch(world, unloaded(), assets[0], 4);
+                const lr_batch high = add_batch(world, unloaded(), upper, 1);
+                for (lr_batch b : {low, high}) set_contact(world, b, resting_contact());
+                set_pair(world, low, low), set_pair(world, low, high);
+                std::vector<lr_body> bodies;
+                for (int i = 0; i < 4; ++i)
+                    bodies.push_back(add_body(world, i < 3 ? low : high, at_rest_at({0.0, 0.05 + 0.1 * i, 0.0})));
+                steps(world, 120, frame, substeps);
+                for (const lr_body b : bodies) REQUIRE(rests(world, b));
+                lr_collider_motion m = initialised(lr_collider_motion_init);
+                m.collider = under;
+                m.position[1] = table.position[1] - way;
+                REQUIRE(lr_collider_move(world.get(), &m, 1) == LR_OK);
+                steps(world, 60, frame, substeps);
+                for (size_t i = 0; i < bodies.size(); ++i) {
+                    CAPTURE(i);
+                    CHECK(wide(state_of(world, bodies[i]).position[1]) ==
+                          doctest::Approx(0.05 + 0.1 * static_cast<double>(i) - wide(way)).epsilon(0.01));
+                }
+            }
+}
+
 TEST_CASE("a hit wakes what is hit, and not what is far") {
     Tower t;
     lr_body_desc d = at_rest_at({-0.5, 0.22, 0.0});

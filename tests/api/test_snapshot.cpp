@@ -1,3 +1,4 @@
+#include "support/lifecycle.h"
 #include "support/random.h"
 #include "support/scene.h"
 
@@ -150,6 +151,25 @@ TEST_CASE("tables, gravity, wind and seed come back with a snapshot") {
     steps(one, 20, 0.01f);
     steps(two, 20, 0.01f);
     CHECK(same_bits(state_of(one, body), state_of(two, body)));
+}
+
+TEST_CASE("totals of a batch whose emitter is gone come back with a snapshot, whatever they count") {
+    const Asset a = leaf();
+    const World one = make(world_desc()), two = make(world_desc());
+    const lr_batch batch = add_batch(one, a, 1);
+    add_batch(two, a, 1);
+    add_body(one, batch, body_desc());
+    lr_emitter_desc e = emitter_desc();
+    e.rate = 1000.0f;
+    set_emitter(one, batch, e);
+    steps(one, 3, 0.01f); // there is no room
+    const uint64_t missed = counts_of(one, batch).total_missed;
+    REQUIRE(missed > 0);
+    REQUIRE(lr_batch_set_emitter(one.get(), batch, nullptr) == LR_OK);
+    const std::vector<unsigned char> snapshot = snapshot_of(one);
+    REQUIRE(lr_world_snapshot_restore(two.get(), snapshot.data(), snapshot.size()) == LR_OK);
+    CHECK(counts_of(two, batch).total_missed == missed);
+    CHECK(snapshot_of(two) == snapshot);
 }
 
 TEST_CASE("a buffer too small is refused and not touched, a larger one is filled in part") {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <functional>
 #include <limits>
 #include <string>
@@ -382,4 +383,13 @@ TEST_CASE("a file that was changed and sealed again is refused or holds possible
     }
     CHECK(read > 100);
     CHECK(refused > 100);
+}
+
+TEST_CASE("numbers in messages have the fewest digits that read back the same") {
+    CHECK(shortest(0.1) == "0.1");
+    CHECK(shortest(-0.125) == "-0.125");
+    CHECK(shortest(1e-5) == "1e-05");
+    CHECK(shortest(2000000.0) == "2000000");
+    for (double value : {1.0 / 3.0, 0.1 + 0.2, 1e300 / 7.0, 5e-324, -1e22})
+        CHECK(std::strtod(shortest(value).c_str(), nullptr) == value);
 }

@@ -1,19 +1,19 @@
-// Bodies and colliders of all kinds in random poses, and libccd's expanding polytope as the reference.
+// Bodies and colliders of all kinds in random poses.
 #pragma once
 
 #include "collision/build_collider_geometry.h"
 #include "collision/collider_narrow_phase.h"
+#include "collision/convex_separation.h"
 #include "collision/local_pair.h"
 #include "support/box_corners.h"
 #include "support/random.h"
 #include "support/vector.h"
 
-#include <ccd/ccd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace test {
@@ -172,37 +172,33 @@ inline lr::PlacedCollider place(const Solid& solid, lr::Vector at) {
     return {corners, at};
 }
 
-// The distance between the cores by libccd's expanding polytope, of the pair with a ball around one of them.
-struct Reference {
-    const lr::PlacedBody* body;
-    const lr::PlacedCollider* collider;
-    double ball, inverse_size;
-
-    static void support(const void* object, const ccd_vec3_t* direction, ccd_vec3_t* out) {
-        const auto& r = *static_cast<const Reference*>(object);
-        const lr::Double3 d{ccdVec3X(direction), ccdVec3Y(direction), ccdVec3Z(direction)};
-        lr::Double3 p = r.body ? r.body->support(d) : r.collider->support(d);
-        const double size = lr::length(d);
-        if (r.ball > 0.0 && size > 0.0) p = p + r.ball / size * d;
-        ccdVec3Set(out, r.inverse_size * p.x, r.inverse_size * p.y, r.inverse_size * p.z);
+// The largest separation of the cores along any direction, negative where they overlap: the best of directions all around, and of steps
+// from the four best that lead to a better one. No more than the true value.
+inline double sampled_separation(const lr::PlacedBody& body, const lr::PlacedCollider& collider, Random& random) {
+    constexpr uint32_t count = 1000, starts = 4, tries = 12;
+    std::vector<std::pair<double, lr::Double3>> found;
+    found.reserve(count);
+    for (uint32_t i = 0; i < count; ++i) { // a spiral of equal areas
+        const double z = 1.0 - (2.0 * i + 1.0) / count, r = std::sqrt(1.0 - z * z);
+        const double angle = std::numbers::pi * (3.0 - std::sqrt(5.0)) * i;
+        const lr::Double3 n{r * std::cos(angle), r * std::sin(angle), z};
+        found.emplace_back(separation_along(body, collider, n), n);
     }
-};
-// False if they do not overlap with the ball around one of them, or if libccd fails.
-inline bool reference_distance(const lr::PlacedBody& body, const lr::PlacedCollider& collider, double ball,
-                               double& distance, lr::Double3& normal) {
-    const double size = static_cast<double>(body.reach);
-    const Reference one{nullptr, &collider, 0.0, 1.0 / size}, other{&body, nullptr, ball, 1.0 / size};
-    ccd_t ccd;
-    CCD_INIT(&ccd);
-    ccd.support1 = ccd.support2 = Reference::support;
-    ccd.max_iterations = 300;
-    ccd.epa_tolerance = 1e-7;
-    ccd_real_t depth = 0.0;
-    ccd_vec3_t out, at;
-    if (ccdGJKPenetration(&one, &other, &ccd, &depth, &out, &at) != 0) return false;
-    distance = ball - size * depth;
-    normal = {ccdVec3X(&out), ccdVec3Y(&out), ccdVec3Z(&out)};
-    return true;
+    const auto greater = [](const auto& a, const auto& b) { return a.first > b.first; };
+    std::partial_sort(found.begin(), found.begin() + starts, found.end(), greater);
+    double best = found[0].first;
+    for (uint32_t k = 0; k < starts; ++k) {
+        auto [here, n] = found[k];
+        for (double step = 0.1; step > 1e-4; step *= 0.5)
+            for (uint32_t i = 0; i < tries; ++i) {
+                const lr::Double3 near = n + step * lr::to_double(any_direction(random));
+                const lr::Double3 to = 1.0 / lr::length(near) * near;
+                const double there = separation_along(body, collider, to);
+                if (there > here) here = there, n = to;
+            }
+        best = std::max(best, here);
+    }
+    return best;
 }
 
 } // namespace test

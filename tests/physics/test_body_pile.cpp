@@ -90,3 +90,67 @@ TEST_CASE("a pile in a bin loses energy, hardly overlaps, and nothing is outside
         CHECK(awake <= kind.awake);
     }
 }
+
+// In a short substep nearly all of the correction undoes older overlap: none of that may become velocity, in that substep or in the next long one.
+TEST_CASE("a heap stays at rest in slow motion, and when time goes on") {
+    for (const Asset& asset : {make(ellipsoid(0.03, 0.03, 0.03, 200.0)), make(rigid_box(0.06, 0.03, 0.05, 300.0))}) {
+        Random random(4);
+        const World world = make(world_desc());
+        const lr_batch batch = add_batch(world, unloaded(), asset, dropped);
+        set_contact(world, batch, contact_desc(0.5f, 0.1f, 0.05f)); // bodies do not fall asleep
+        set_pair(world, batch, batch);
+        add_bin(world, 0.12f, 1.0f);
+        for (uint32_t i = 0; i < dropped; ++i)
+            add_body(world, batch,
+                     turned_anyhow(random, {random.real(-0.05, 0.05), 0.1 + 0.03 * i, random.real(-0.05, 0.05)}));
+        steps(world, 600, 1.0f / 60.0f, 2);
+        const auto fastest = [&] {
+            double most = 0.0;
+            for (const Velocity& u : velocities_of(world, batch)) most = std::max(most, length(vec(u.linear)));
+            return most;
+        };
+        REQUIRE(fastest() < 0.1);
+        for (int round = 0; round < 10; ++round)
+            for (const float dt : {1e-6f, 1e-9f, 1e-4f, 1.0f / 60.0f, 1e-5f, 1e-3f}) {
+                CAPTURE(round);
+                CAPTURE(dt);
+                for (int k = 0; k < 4; ++k) {
+                    steps(world, 1, dt, 2);
+                    REQUIRE(fastest() < 0.2);
+                }
+            }
+    }
+}
+
+TEST_CASE("a heap presses none of its bodies through a thin shelf") {
+    constexpr uint32_t count = 60;
+    constexpr double high = 0.2; // m, the shelf
+    const std::vector<float> corners = box_corners(0.5f, 2.5e-3f, 0.5f);
+    const Triangles fine = fine_sheet(120, 0.005f, [](float, float) { return 0.0f; });
+    const Triangles coarse = fine_sheet(12, 0.05f, [](float, float) { return 0.0f; });
+    const lr_collider_desc shelves[] = {box_collider(0.5f, 2.5e-3f, 0.5f), hull_collider(corners), mesh_collider(fine),
+                                        mesh_collider(coarse)};
+    const Asset kinds[] = {make(rigid_box(0.06, 4e-4, 0.04, 700.0)), make(rigid_box(0.06, 0.003, 0.002, 400.0))};
+    for (lr_collider_desc shelf : shelves)
+        for (const Asset& kind : kinds) {
+            CAPTURE(shelf.kind);
+            CAPTURE(shelf.triangle_count);
+            const World world = make(world_desc());
+            add_collider(world, collider_desc(LR_COLLIDER_PLANE));
+            shelf.position[1] = narrow(high);
+            add_collider(world, shelf);
+            const lr_batch batch = add_batch(world, unloaded(), kind, count);
+            set_pair(world, batch, batch);
+            Random random(7);
+            std::vector<lr_body> bodies;
+            for (uint32_t i = 0; i < count; ++i) {
+                lr_body_desc d = turned_anyhow(
+                    random, {random.uniform(-0.07, 0.07), high + 0.08 + 0.006 * i, random.uniform(-0.07, 0.07)});
+                d.linear_velocity[1] = -1.0f;
+                bodies.push_back(add_body(world, batch, d));
+            }
+            steps(world, 90, 1.0f / 60.0f);
+            // None is far enough from the middle to fall off.
+            for (lr_body body : bodies) CHECK(wide(state_of(world, body).position[1]) > high - 2.5e-3);
+        }
+}

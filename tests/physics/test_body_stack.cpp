@@ -203,3 +203,39 @@ TEST_CASE("thin sheets lie on each other as far apart as min_thickness says, thi
     CHECK(std::abs(pitch(4e-4, -1.0f) - 4e-4) < slack);
     CHECK(std::abs(pitch(3e-3, 0.0f) - 3e-3) < slack);
 }
+
+TEST_CASE("bodies that touch are met at once as a new scale or min_thickness makes them") {
+    // Sheets that fly side by side: their pair is kept from substep to substep, and no static lock holds them.
+    const auto pitch = [](const auto& change) {
+        const World world = weightless();
+        const lr_batch batch = add_batch(world, unloaded(), make(vacuum_box(0.06, 2e-3, 0.04, 700.0)), 2);
+        lr_batch_contact c = contact_desc(0.5f, 0.0f, 0.0f);
+        c.min_thickness = -1.0f;
+        set_contact(world, batch, c);
+        set_pair(world, batch, batch);
+        lr_body bodies[2];
+        for (uint32_t i = 0; i < 2; ++i) {
+            lr_body_desc d = at_rest_at({0.0, 2e-3 * i, 0.0});
+            d.linear_velocity[0] = 1.0f;
+            bodies[i] = add_body(world, batch, d);
+        }
+        steps(world, 10, frame, 2);
+        change(world, batch, bodies[1]);
+        steps(world, 30, frame, 2);
+        return wide(state_of(world, bodies[1]).position[1] - state_of(world, bodies[0]).position[1]);
+    };
+    const auto thicken = [](const World& world, lr_batch batch, lr_body) {
+        lr_batch_contact c = contact_desc(0.5f, 0.0f, 0.0f);
+        c.min_thickness = 3e-3f;
+        set_contact(world, batch, c);
+    };
+    const auto grow = [](const World& world, lr_batch, lr_body body) {
+        lr_body_state s = state_of(world, body);
+        s.scale = 1.5f;
+        REQUIRE(lr_body_set_state(world.get(), body, &s) == LR_OK);
+    };
+    const double slack = 1e-4;
+    CHECK(std::abs(pitch([](const World&, lr_batch, lr_body) {}) - 2e-3) < slack);
+    CHECK(std::abs(pitch(thicken) - 3e-3) < slack);
+    CHECK(std::abs(pitch(grow) - 2.5e-3) < slack);
+}

@@ -371,3 +371,45 @@ TEST_CASE(
     for (const double turn : turns) sum += overlap_of_a_walk(turn);
     CHECK(sum < 5e-3 * turns.size());
 }
+
+TEST_CASE("a roller that leaves no room presses nothing through a thin floor") {
+    constexpr uint32_t count = 16;
+    constexpr double high = 1.0; // m, the floor
+    const std::vector<float> corners = box_corners(0.5f, 2.5e-4f, 0.5f);
+    const Triangles fine = fine_sheet(75, 0.008f, [](float, float) { return 0.0f; });
+    const lr_collider_desc floors[] = {box_collider(0.5f, 2.5e-4f, 0.5f), hull_collider(corners), mesh_collider(fine)};
+    const Asset kinds[] = {make(ellipsoid(0.03, 0.02, 5e-4, 400.0)), make(rigid_box(0.06, 0.003, 0.002, 400.0))};
+    for (lr_collider_desc floor : floors)
+        for (const Asset& kind : kinds) {
+            CAPTURE(floor.kind);
+            const World world = make(world_desc());
+            floor.position[1] = narrow(high);
+            add_collider(world, floor);
+            lr_collider_desc roller = collider_desc(LR_COLLIDER_CAPSULE); // along z, a millimetre deep in the floor
+            roller.size[0] = 0.05f, roller.size[1] = 0.3f;
+            roller.orientation[0] = roller.orientation[3] = 1.0f;
+            roller.position[0] = -0.25f, roller.position[1] = narrow(high) + 0.049f;
+            const lr_collider id = add_collider(world, roller);
+            const lr_batch batch = add_batch(world, unloaded(), kind, count);
+            Random random(7);
+            std::vector<lr_body> bodies;
+            for (uint32_t i = 0; i < count; ++i)
+                bodies.push_back(add_body(
+                    world, batch,
+                    turned_anyhow(random, {random.uniform(-0.1, 0.1), high + 0.05, random.uniform(-0.1, 0.1)})));
+            steps(world, 30, 1.0f / 60.0f);
+            lr_collider_motion m = motion_of(id, LR_MOVE_VELOCITY);
+            for (const float speed : {1.0f, -1.5f}) {
+                m.linear_velocity[0] = speed;
+                m.angular_velocity[2] = 2.0f;
+                REQUIRE(lr_collider_move(world.get(), &m, 1) == LR_OK);
+                steps(world, 24, 1.0f / 60.0f);
+            }
+            // Bodies that roll off at the sides do not count.
+            for (lr_body body : bodies) {
+                const lr_body_state s = state_of(world, body);
+                const bool over = std::abs(s.position[0]) < 0.25f && std::abs(s.position[2]) < 0.25f;
+                CHECK((!over || wide(s.position[1]) > high - 1e-3));
+            }
+        }
+}

@@ -1,4 +1,5 @@
 // Two fluids with a surface between them, against closed forms: docs/reference/wind_and_water.md.
+#include "support/colliders.h"
 #include "support/random.h"
 #include "support/vector.h"
 #include "support/water.h"
@@ -316,6 +317,33 @@ TEST_CASE("a leaf comes to lie flat on the water") {
     const double up = 2.0 * (wide(q[1]) * wide(q[2]) - wide(q[0]) * wide(q[3])); // of its normal
     CHECK(std::abs(up) > 0.99);
     CHECK(std::abs(s.position[1]) < 0.002f);
+}
+
+TEST_CASE("thin leaves on the ground under water rise, one alone and one on another, and heavy ones lie") {
+    for (const double density : {400.0, 800.0, 1100.0}) {
+        for (const uint32_t leaves : {1u, 2u}) {
+            CAPTURE(density);
+            CAPTURE(leaves);
+            const Asset asset = make(ellipsoid(0.04, 0.02, 0.0001, density));
+            const World world = make(world_desc());
+            const lr_batch batch = add_batch(world, asset, 2);
+            REQUIRE(lr_batch_set_body_contact(world.get(), batch, batch, 1) == LR_OK);
+            add_collider(world, collider_desc(LR_COLLIDER_PLANE));
+            lr_water_desc water = water_desc();
+            water.position[1] = 1.0f;
+            set_water(world, water);
+            for (uint32_t i = 0; i < leaves; ++i) {
+                lr_body_desc d = body_desc();
+                d.orientation[0] = -1.0f, d.orientation[3] = 1.0f; // lies flat
+                d.position[1] = 0.0001f + 0.0015f * static_cast<float>(i);
+                add_body(world, batch, d);
+            }
+            steps(world, 360, 1.0f / 60.0f, 2);
+            const lr_batch_view view = view_of(world, batch);
+            for (uint32_t i = 0; i < leaves; ++i) CHECK((view.position[1][i] > 0.02f) == (density < water_density));
+            if (density > water_density) CHECK(view.awake_count == 0);
+        }
+    }
 }
 
 TEST_CASE("floats of every kind come to rest at the step of a game") {

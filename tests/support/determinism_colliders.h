@@ -10,7 +10,7 @@ namespace test {
 
 enum class Solids {
     none,
-    terrain, // a heightfield and a plane: libccd is never used
+    terrain, // a heightfield and a plane
     ground,  // also a sphere, a moving capsule, a box
     edges,   // a heightfield, hulls (one of them turning), and a mesh
 };
@@ -20,7 +20,7 @@ public:
     explicit PlayedColliders(Solids which) : which_(which) {
         if (which == Solids::none) return;
         Random random(7);
-        // Of one slope: several at a time are queries for libccd.
+        // Of one slope: over several at a time bodies take the narrow phase.
         for (float& h : heights_) h = which == Solids::terrain ? 0.05f : random.real(-0.05, 0.25);
         sheet_ = bumpy_sheet(6, 3);
         corners_.resize(3 * size_t{12});

@@ -954,6 +954,23 @@ class lr_turbulence_table(ctypes.Structure):
     ]
 
 
+class lr_body_loads(ctypes.Structure):
+    """The loads of the flow on a body and the state of its wake, for inspectors and debug arrows: what AERODYNAMIC loads do
+    to it now. Weight, buoyancy and added mass are not among them. World frame.
+    """
+    _fields_ = [
+        ('struct_size', ctypes.c_uint32),
+        ('station_count', ctypes.c_uint32),
+        ('stream', ctypes.c_float * 3),
+        ('wake', ctypes.c_float * 3),
+        ('shedding', ctypes.c_float * 3),
+        ('force', ctypes.c_float * 3),
+        ('torque', ctypes.c_float * 3),
+        ('station_position', ctypes.c_float * 24),
+        ('station_force', ctypes.c_float * 24),
+    ]
+
+
 # Texts of fields, by struct.
 FIELD_DOCS = {
     'lr_allocator': {
@@ -1094,7 +1111,7 @@ FIELD_DOCS = {
         'phase': 'rad, up to 1e6 in magnitude; 0 puts a crest at `position` at world time 0',
     },
     'lr_water_desc': {
-        'wave_count': 'elements of `waves` in use; default 0',
+        'wave_count': 'elements of `waves` in use; the others are not kept; default 0',
         'position': 'm, a point of the plane, each up to 1e9 in magnitude; default 0',
         'normal': 'upward, any length but 0; default 0, 1, 0',
         'density': 'kg/m^3, 1e-3 to 1e6; default 998. A batch whose own fluid is denser keeps its own density',
@@ -1423,6 +1440,16 @@ FIELD_DOCS = {
         'c0': 'Kolmogorov constant, > 0; default 6.5, its limit at high Reynolds number',
         'stationary': 'the sample that `TurbulenceClock.SPEED` uses, < count; default 0',
     },
+    'lr_body_loads': {
+        'station_count': '1 to 8: 1 where one stream describes the shape; 0: no AERODYNAMIC loads',
+        'stream': 'm/s, velocity of the fluid relative to the body, its own fluctuations included',
+        'wake': 'm/s, the stream that the wake remembers: it follows `stream`',
+        'shedding': 'q of the vortex shedding (lr_aerodynamics), up to 1.4; 0: a steady wake',
+        'force': 'N, sum of all stations',
+        'torque': 'N m, about the centre of mass, with the couples of spin and shed vortices',
+        'station_position': 'm, x y z of each station',
+        'station_force': "N, x y z of each station's force",
+    },
 }
 
 # The `_init` function of each struct that has one.
@@ -1464,6 +1491,7 @@ INITS = {
     'lr_aerodynamics': 'lr_aerodynamics_init',
     'lr_rigid_desc': 'lr_rigid_desc_init',
     'lr_turbulence_table': 'lr_turbulence_table_init',
+    'lr_body_loads': 'lr_body_loads_init',
 }
 
 # name: (result, parameters, their names, text)
@@ -2149,7 +2177,7 @@ PROTOTYPES = {
 
         Sets the water from the next step on. The struct is copied; null removes the water. Bodies keep their velocities,
         even if they are now in another fluid. A batch whose mass matrix would be singular in water stays in its own fluid,
-        and a warning is logged. Part of snapshots and of the world's hash.
+        and a warning is logged. Part of snapshots and of the world's hash. A change wakes sleeping bodies that feel it.
 
         world: the world
         desc: initialised by its `_init` function, or with struct_size set
@@ -2945,7 +2973,7 @@ PROTOTYPES = {
         ('world', 'colliders', 'count', 'material'),
         """lr_status lr_collider_set_material(lr_world* world, const lr_collider* colliders, uint32_t count, const lr_material* material)
 
-        Sets one material for `count` colliders, all or none, from the next step on.
+        Sets one material for `count` colliders, all or none, from the next step on. A change wakes what sleeps there.
 
         world: the world
         colliders: `count` handles of colliders
@@ -3445,6 +3473,31 @@ PROTOTYPES = {
         capacity: number of elements that fit
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT (world, table), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_BUFFER_TOO_SMALL (table is set, chi and epsilon are not).
+        """,
+    ),
+    'lr_body_loads_init': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_body_loads), ctypes.c_uint32],
+        ('loads', 'struct_size'),
+        """lr_status lr_body_loads_init(lr_body_loads* loads, uint32_t struct_size)
+
+        struct_size: sizeof the struct in the caller's header
+        """,
+    ),
+    'lr_body_get_loads': (
+        ctypes.c_int32,
+        [ctypes.POINTER(lr_world), ctypes.c_uint64, ctypes.POINTER(lr_body_loads)],
+        ('world', 'body', 'loads'),
+        """lr_status lr_body_get_loads(const lr_world* world, lr_body body, lr_body_loads* loads)
+
+        Computes the loads on a body from its present state, wind and water; on a sleeping body as if its wake had ended. At the
+        surface of water those of the fluid that its centre of mass is in; the fluid's own rotation is left out.
+
+        world: the world
+        body: id of a body
+        loads: initialised, or with struct_size set. A microsecond; calls the wind and water callbacks.
+
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY, LR_ERROR_STRUCT_SIZE.
         """,
     ),
 }

@@ -8,7 +8,7 @@ import ctypes
 from typing import TYPE_CHECKING, Any, List, Mapping
 
 from . import _native as native
-from ._records import Aerodynamics, BatchContact, BatchCounts, BatchForce, BatchPace, BodyState, ColliderState, LoadGains, StepReport, Timings, WorldInfo
+from ._records import Aerodynamics, BatchContact, BatchCounts, BatchForce, BatchPace, BodyLoads, BodyState, ColliderState, LoadGains, StepReport, Timings, WorldInfo
 from ._structs import init, integer, make, takes
 from .enums import DivergencePolicy
 
@@ -189,3 +189,9 @@ class WorldPlain(Plain):
         value = init(native.lr_body_state)
         self._ask("lr_body_get_state", int(body), ctypes.byref(value))
         return BodyState.read(value)
+
+    def loads(self, body: int) -> BodyLoads:
+        """Computes the loads on a body from its present state, wind and water; on a sleeping body as if its wake had ended."""
+        value = init(native.lr_body_loads)
+        self._ask("lr_body_get_loads", int(body), ctypes.byref(value))
+        return BodyLoads.read(value)

@@ -100,7 +100,7 @@ class WorldInfo(Record):
 class Water(Record):
     """The water surface. Water fills everything below it; above it is the fluid of the world or of each batch's asset.
 
-    wave_count: elements of `waves` in use; default 0
+    wave_count: elements of `waves` in use; the others are not kept; default 0
     position: m, a point of the plane, each up to 1e9 in magnitude; default 0
     normal: upward, any length but 0; default 0, 1, 0
     density: kg/m^3, 1e-3 to 1e6; default 998. A batch whose own fluid is denser keeps its own density
@@ -467,3 +467,27 @@ class Aerodynamics(Record):
     shedding_noise: float
     shedding_moment: float
     shedding_rate_moment: float
+
+
+class BodyLoads(Record):
+    """The loads of the flow on a body and the state of its wake, for inspectors and debug arrows: what AERODYNAMIC loads do
+    to it now. Weight, buoyancy and added mass are not among them. World frame.
+
+    station_count: 1 to 8: 1 where one stream describes the shape; 0: no AERODYNAMIC loads
+    stream: m/s, velocity of the fluid relative to the body, its own fluctuations included
+    wake: m/s, the stream that the wake remembers: it follows `stream`
+    shedding: q of the vortex shedding (lr_aerodynamics), up to 1.4; 0: a steady wake
+    force: N, sum of all stations
+    torque: N m, about the centre of mass, with the couples of spin and shed vortices
+    station_position: m, x y z of each station
+    station_force: N, x y z of each station's force
+    """
+    __slots__ = ('station_count', 'stream', 'wake', 'shedding', 'force', 'torque', 'station_position', 'station_force')
+    station_count: int
+    stream: NDArray[Any]
+    wake: NDArray[Any]
+    shedding: NDArray[Any]
+    force: NDArray[Any]
+    torque: NDArray[Any]
+    station_position: NDArray[Any]
+    station_force: NDArray[Any]

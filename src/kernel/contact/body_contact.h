@@ -21,7 +21,7 @@ struct alignas(64) SolverBody {
     float touches;   // 1: touches something
     float rolled[3]; // angular impulse against rolling
     float dust;      // m or m/s: smaller changes do not count
-    float spare;
+    float share;     // of the path's impulses that counts as motion
 };
 // The part of a body that sweeps change.
 struct alignas(32) SolverTwist {

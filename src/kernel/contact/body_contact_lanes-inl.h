@@ -17,7 +17,7 @@ namespace lr::LR_KERNEL_NAMESPACE {
 // Fields of SolverBody by their index in floats.
 constexpr size_t at_x = 0, at_q = 3, at_x0 = 7, at_q0 = 10, at_v = 14, at_w = 17, at_v0 = 20, at_w0 = 23, at_scale = 26,
                  at_way = 27, at_correction = 33, at_guess = 39, at_shallow = 40, at_carried = 41, at_touches = 42,
-                 at_rolled = 43, at_dust = 46, fields_of_body = 48; // the last is empty
+                 at_rolled = 43, at_dust = 46, at_share = 47, fields_of_body = 48;
 constexpr size_t twist_floats = sizeof(SolverTwist) / sizeof(float);
 static_assert(offsetof(SolverBody, rolled) == at_rolled * sizeof(float));
 

@@ -399,7 +399,11 @@ void body_contact_move(const BodyContactInput& in, uint32_t kind, uint32_t begin
         const Twist met = twist_of(row, at_v, at, size.length);
         const VF square = dot(way.v, way.v) + dot(way.u, way.u);
         const VF ratio = constant(in.h) * (dot(met.v, way.v) + dot(met.u, way.u)) / hn::Max(square, constant(1e-30f));
-        store1(row[at_guess], at, hn::Max(hn::Min(ratio, constant(most_guess)), zero));
+        // In substeps in which a body falls by less than the slop, most of the path's impulses undo older overlap. That is no motion, and over h it
+        // would be a large one.
+        const VF share = hn::Min(constant(0.5f * in.gravity * (in.h * in.h)) / size.slop, constant(1.0f));
+        store1(row[at_share], at, share);
+        store1(row[at_guess], at, share * hn::Max(hn::Min(ratio, constant(most_guess)), zero));
         const Twist seen{to_world(q, met.v), to_world(q, met.u)};
         q = normalised(turn(q, q, half * size.inverse, correction.u));
         store4(row + at_q, at, q);
@@ -558,6 +562,9 @@ void body_contact_finish(const BodyContactInput& in, uint32_t kind, uint32_t beg
             hn::And(speed_of(twist_of(row, at_v0, at, size.length), lever) < creep, speed_of(t, lever) < creep);
         stays = hn::And(hn::And(stays, load(at_touches) > zero),
                         hn::And(hn::Eq(load(at_carried), zero), load(at_shallow) > -(size.slop + size.slop)));
+        // Contacts have changed its velocity, or they do not hold it.
+        const Twist came = load6(row + at_way, at);
+        stays = hn::And(stays, speed_of({t.v - came.v, t.u - came.u}, lever) > load(at_dust));
         t = select(stays, Twist{zero3(), zero3()}, t);
         store3(row + at_x, at, select(stays, load3(row + at_x0, at), load3(row + at_x, at)));
         store4(row + at_q, at, select(stays, load4(row + at_q0, at), load4(row + at_q, at)));

@@ -377,6 +377,11 @@ template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, C
         const Twist first{began.v - to_body(q0, carried), began.u};
         auto stays = hn::And(speed_of(first, lever) < creep, speed_of(goes, lever) < creep);
         stays = hn::And(hn::And(stays, any_touch), hn::And(one_surface, shallow > -(slop + slop)));
+        // Nothing holds a body that presses against nothing: thin leaves under water rise with a few thousandths of gravity. Nor one that the substep's
+        // fall has brought to the ground: it would hang there by that fall.
+        auto held = reach < zero;
+        for (uint32_t k = 0; k < count; ++k) held = hn::Or(held, hn::And(rows[k].pressed > zero, before[k] <= slop));
+        stays = hn::And(stays, held);
         x = select(stays, x0 + h * carried, x);
         q = select(stays, q0, q);
         goes = select(stays, Twist{zero3(), zero3()}, goes);

@@ -1,4 +1,5 @@
-// Distances of convex hulls, many pairs side by side, compiled once for each instruction set.
+// Many pairs of bodies side by side, compiled once for each instruction set: whose boxes are apart, the nearest points of convex hulls, and contacts of
+// plates.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernel/contact/gjk_pairs.cpp"
 #include "hwy/foreach_target.h" // IWYU pragma: keep
@@ -7,12 +8,65 @@
 
 #include "hwy/highway.h"
 #include "kernel/contact/gjk-inl.h"
-#include "kernel/contact/plate_manifold-inl.h"
-#include "kernel/contact/search_lanes-inl.h"
+
+#include <cstddef>
 
 HWY_BEFORE_NAMESPACE();
 namespace lr::HWY_NAMESPACE {
 namespace search {
+
+namespace hw = hwy::HWY_NAMESPACE;
+using Tag = hw::CappedTag<float, search_lanes>;
+using Number = hw::Vec<Tag>;
+
+struct Vec {
+    Number x, y, z;
+};
+HWY_INLINE Vec operator+(const Vec& a, const Vec& b) {
+    return {hw::Add(a.x, b.x), hw::Add(a.y, b.y), hw::Add(a.z, b.z)};
+}
+HWY_INLINE Vec operator-(const Vec& a, const Vec& b) {
+    return {hw::Sub(a.x, b.x), hw::Sub(a.y, b.y), hw::Sub(a.z, b.z)};
+}
+HWY_INLINE Vec operator*(Number s, const Vec& a) {
+    return {hw::Mul(s, a.x), hw::Mul(s, a.y), hw::Mul(s, a.z)};
+}
+HWY_INLINE Number dot(const Vec& a, const Vec& b) {
+    return hw::Add(hw::Add(hw::Mul(a.x, b.x), hw::Mul(a.y, b.y)), hw::Mul(a.z, b.z));
+}
+HWY_INLINE Vec cross(const Vec& a, const Vec& b) {
+    return {hw::Sub(hw::Mul(a.y, b.z), hw::Mul(a.z, b.y)), hw::Sub(hw::Mul(a.z, b.x), hw::Mul(a.x, b.z)),
+            hw::Sub(hw::Mul(a.x, b.y), hw::Mul(a.y, b.x))};
+}
+
+struct Lanes {
+    using V = Number;
+    using Vec = search::Vec;
+    using M = hw::Mask<Tag>;
+    static constexpr bool relative = false;
+    static constexpr uint32_t most_rounds = 24;
+    static HWY_INLINE V number(float a) { return hw::Set(Tag(), a); }
+    static HWY_INLINE V root(V a) { return hw::Sqrt(a); }
+    static HWY_INLINE M none() { return hw::FirstN(Tag(), 0); }
+    static HWY_INLINE bool any(M a) { return !hw::AllFalse(Tag(), a); }
+    static HWY_INLINE M both(M a, M b) { return hw::And(a, b); }
+    static HWY_INLINE M either(M a, M b) { return hw::Or(a, b); }
+    static HWY_INLINE M without(M a, M b) { return hw::AndNot(b, a); }
+    static HWY_INLINE M inverse(M a) { return hw::Not(a); }
+    static HWY_INLINE V choose(M m, V yes, V no) { return hw::IfThenElse(m, yes, no); }
+    static HWY_INLINE Vec choose(M m, const Vec& yes, const Vec& no) {
+        return {choose(m, yes.x, no.x), choose(m, yes.y, no.y), choose(m, yes.z, no.z)};
+    }
+};
+
+HWY_INLINE Vec load(const SearchBlock::Row* rows, size_t at) {
+    return {hw::Load(Tag(), rows[0] + at), hw::Load(Tag(), rows[1] + at), hw::Load(Tag(), rows[2] + at)};
+}
+HWY_INLINE void store(const Vec& a, SearchBlock::Row* rows, size_t at) {
+    hw::Store(a.x, Tag(), rows[0] + at);
+    hw::Store(a.y, Tag(), rows[1] + at);
+    hw::Store(a.z, Tag(), rows[2] + at);
+}
 
 // The vertex farthest along a direction, the first of equals.
 HWY_INLINE Vec farthest(const SearchHull& hull, const Vec& d) {
@@ -59,6 +113,265 @@ HWY_INLINE void nearest_of_hulls(const SearchHull& a, const SearchHull& b, Searc
     const Number overlap = Lanes::choose(found.overlap, Lanes::number(SearchBlock::overlap), apart);
     hw::Store(Lanes::choose(found.beyond, beyond, overlap), d, block.state + at);
 }
+
+// Contacts of two flat cores, apart and not edge-on to each other: where their outlines, seen along the normal, overlap, at most four places. A
+// pair per lane. The general way, for one pair of any cores: collision/body_narrow_phase.cpp, whose choice of places this follows.
+
+// The corners of a flat core seen along the normal, and the half planes that its edges bound.
+struct Outline {
+    uint32_t count;
+    Number u[most_outline], v[most_outline];
+    Number out_u[most_outline], out_v[most_outline], most[most_outline]; // inside: out . p <= most
+
+    // sense: 1 if the corners are counter-clockwise, else -1. slack: how far beyond an edge is still inside.
+    HWY_INLINE void close(Number sense, Number slack) {
+        for (uint32_t i = 0; i < count; ++i) {
+            const uint32_t next = i + 1 < count ? i + 1 : 0;
+            const Number du = hw::Mul(sense, hw::Sub(u[next], u[i])), dv = hw::Mul(sense, hw::Sub(v[next], v[i]));
+            out_u[i] = dv;
+            out_v[i] = hw::Neg(du);
+            const Number at = hw::Sub(hw::Mul(u[i], dv), hw::Mul(v[i], du));
+            most[i] = hw::Add(at, hw::Mul(slack, hw::Add(hw::Abs(du), hw::Abs(dv))));
+        }
+    }
+    HWY_INLINE Number beyond(uint32_t edge, Number at_u, Number at_v) const {
+        return hw::Sub(hw::Add(hw::Mul(out_u[edge], at_u), hw::Mul(out_v[edge], at_v)), most[edge]);
+    }
+};
+
+// A plane above the one normal to the contact.
+struct Height {
+    Number level, slope_u, slope_v;
+    HWY_INLINE Number at(Number u, Number v) const {
+        return hw::Add(level, hw::Add(hw::Mul(slope_u, u), hw::Mul(slope_v, v)));
+    }
+};
+
+// Candidates for contacts: the ends of each edge's part within the other outline. Places outside have gaps that never count.
+struct Places {
+    uint32_t count = 0;
+    Number u[4 * most_outline + 1], v[4 * most_outline + 1], gap[4 * most_outline + 1];
+
+    HWY_INLINE void add(Number at_u, Number at_v, Number its_gap) {
+        u[count] = at_u;
+        v[count] = at_v;
+        gap[count++] = its_gap;
+    }
+    // Cyrus and Beck 1978.
+    HWY_INLINE void add_edges(const Outline& of, const Outline& within, const Height& upper, const Height& lower) {
+        const Number zero = Lanes::number(0.0f), one = Lanes::number(1.0f), never = Lanes::number(1e30f);
+        Number from[most_outline]; // of the edge's first corner beyond each half plane
+        for (uint32_t j = 0; j < within.count; ++j) from[j] = within.beyond(j, of.u[0], of.v[0]);
+        for (uint32_t i = 0; i < of.count; ++i) {
+            const uint32_t next = i + 1 < of.count ? i + 1 : 0;
+            Number begin = zero, end = one;
+            Lanes::M outside = Lanes::none();
+            for (uint32_t j = 0; j < within.count; ++j) {
+                const Number to = within.beyond(j, of.u[next], of.v[next]), sinks = hw::Sub(from[j], to);
+                const Number crossing = hw::Div(from[j], sinks);
+                const Lanes::M out_first = hw::Gt(from[j], zero), out_last = hw::Gt(to, zero);
+                begin = hw::IfThenElse(out_first, hw::Max(begin, crossing), begin);
+                end = hw::IfThenElse(out_last, hw::Min(end, crossing), end);
+                outside = Lanes::either(outside, Lanes::both(out_first, out_last));
+                from[j] = to;
+            }
+            outside = Lanes::either(outside, Lanes::inverse(begin <= end));
+            const Number du = hw::Sub(of.u[next], of.u[i]), dv = hw::Sub(of.v[next], of.v[i]);
+            for (const Number part : {begin, end}) {
+                const Number at_u = hw::Add(of.u[i], hw::Mul(part, du)), at_v = hw::Add(of.v[i], hw::Mul(part, dv));
+                const Number here = hw::Sub(upper.at(at_u, at_v), lower.at(at_u, at_v));
+                add(at_u, at_v, hw::IfThenElse(outside, never, here));
+            }
+        }
+    }
+    struct Best {
+        Number u, v, gap;
+        Lanes::M found;
+    };
+    // The place with the greatest measure above `least` among those with gaps below `limit`; measures within a hundredth are equal.
+    template <class Measure> HWY_INLINE Best best(Number least, Number limit, const Measure& measure) const {
+        Best out{u[0], v[0], gap[0], Lanes::none()};
+        for (uint32_t i = 0; i < count; ++i) {
+            const Number value = measure(u[i], v[i]);
+            const Lanes::M better = Lanes::both(hw::Lt(gap[i], limit), hw::Gt(value, least));
+            least = hw::IfThenElse(better, hw::Mul(Lanes::number(1.01f), value), least);
+            out.u = hw::IfThenElse(better, u[i], out.u);
+            out.v = hw::IfThenElse(better, v[i], out.v);
+            out.gap = hw::IfThenElse(better, gap[i], out.gap);
+            out.found = Lanes::either(out.found, better);
+        }
+        return out;
+    }
+};
+
+HWY_INLINE void plate_manifold(const SearchHull& a, const SearchHull& b, SearchBlock& block, size_t at) {
+    const Tag d;
+    const Number zero = Lanes::number(0.0f), one = Lanes::number(1.0f), ratio = hw::Load(d, block.ratio + at);
+    const Number distance = hw::Load(d, block.distance + at), limit = hw::Load(d, block.enough + at);
+    const Number smaller = hw::Load(d, block.smaller + at), left = hw::Sub(limit, distance);
+    const Vec n = load(block.normal, at), offset = load(block.offset, at), on_a = load(block.on_a, at);
+    const Vec axis[3] = {load(block.axes, at), load(block.axes + 3, at), load(block.axes + 6, at)};
+    // Two axes across the normal (Duff et al. 2017).
+    const Number sign = hw::IfThenElse(hw::Lt(n.z, zero), hw::Neg(one), one);
+    const Number f = hw::Neg(hw::Div(one, hw::Add(sign, n.z))), g = hw::Mul(hw::Mul(n.x, n.y), f);
+    const Vec across_u{hw::Add(one, hw::Mul(hw::Mul(sign, hw::Mul(n.x, n.x)), f)), hw::Mul(sign, g),
+                       hw::Neg(hw::Mul(sign, n.x))};
+    const Vec across_v{g, hw::Add(sign, hw::Mul(hw::Mul(n.y, n.y), f)), hw::Neg(n.y)};
+
+    const Number up_a = n.z, up_b = dot(axis[2], n);
+    const Number edge_on = Lanes::number(plate_edge_on);
+    const Lanes::M faces = Lanes::both(hw::Gt(hw::Abs(up_a), edge_on), hw::Gt(hw::Abs(up_b), edge_on));
+    const Lanes::M apart = hw::Eq(hw::Load(d, block.state + at), Lanes::number(SearchBlock::apart));
+    const Lanes::M here = Lanes::both(faces, apart);
+    if (!Lanes::any(here)) {
+        hw::Store(Lanes::number(SearchBlock::no_manifold), d, block.count + at);
+        return;
+    }
+    const Height upper{zero, hw::Neg(hw::Div(across_u.z, up_a)), hw::Neg(hw::Div(across_v.z, up_a))};
+    Height lower{zero, hw::Neg(hw::Div(dot(axis[2], across_u), up_b)), hw::Neg(hw::Div(dot(axis[2], across_v), up_b))};
+    const Number offset_u = dot(across_u, offset), offset_v = dot(across_v, offset);
+    lower.level = hw::Sub(dot(n, offset), lower.at(offset_u, offset_v));
+
+    Outline of_a, of_b;
+    of_a.count = a.count;
+    of_b.count = b.count;
+    for (uint32_t i = 0; i < a.count; ++i) {
+        const Number x = Lanes::number(a.ring_x[i]), y = Lanes::number(a.ring_y[i]);
+        of_a.u[i] = hw::Add(hw::Mul(x, across_u.x), hw::Mul(y, across_u.y));
+        of_a.v[i] = hw::Add(hw::Mul(x, across_v.x), hw::Mul(y, across_v.y));
+    }
+    const Number ux = hw::Mul(ratio, dot(axis[0], across_u)), uy = hw::Mul(ratio, dot(axis[1], across_u));
+    const Number vx = hw::Mul(ratio, dot(axis[0], across_v)), vy = hw::Mul(ratio, dot(axis[1], across_v));
+    for (uint32_t i = 0; i < b.count; ++i) {
+        const Number x = Lanes::number(b.ring_x[i]), y = Lanes::number(b.ring_y[i]);
+        of_b.u[i] = hw::Add(offset_u, hw::Add(hw::Mul(x, ux), hw::Mul(y, uy)));
+        of_b.v[i] = hw::Add(offset_v, hw::Add(hw::Mul(x, vx), hw::Mul(y, vy)));
+    }
+    const Number slack_out = hw::Mul(Lanes::number(1e-5f), smaller);
+    of_a.close(hw::IfThenElse(hw::Lt(up_a, zero), hw::Neg(one), one), slack_out);
+    of_b.close(hw::IfThenElse(hw::Lt(up_b, zero), hw::Neg(one), one), slack_out);
+    Places places;
+    places.add_edges(of_a, of_b, upper, lower);
+    places.add_edges(of_b, of_a, upper, lower);
+
+    // The nearest points, unless a place is as deep.
+    const Number slack =
+        hw::Max(hw::Min(hw::Mul(Lanes::number(0.02f), left), hw::Mul(Lanes::number(2e-3f), smaller)), zero);
+    const Number most_gap = Lanes::number(1e29f);
+    Number deepest = most_gap, sum_u = zero, sum_v = zero, inside = zero;
+    const auto count_in = [&](Number u, Number v, Number gap) HWY_ATTR {
+        const Lanes::M in = hw::Lt(gap, most_gap);
+        deepest = hw::Min(deepest, gap);
+        sum_u = hw::Add(sum_u, hw::IfThenElseZero(in, u));
+        sum_v = hw::Add(sum_v, hw::IfThenElseZero(in, v));
+        inside = hw::Add(inside, hw::IfThenElseZero(in, one));
+    };
+    for (uint32_t i = 0; i < places.count; ++i) count_in(places.u[i], places.v[i], places.gap[i]);
+    const Vec on_b = on_a - distance * n;
+    const Number nearest_u = dot(across_u, on_b), nearest_v = dot(across_v, on_b);
+    const Lanes::M as_deep = hw::Le(deepest, hw::Add(distance, slack));
+    const Number nearest = hw::IfThenElse(as_deep, Lanes::number(1e30f), distance);
+    places.add(nearest_u, nearest_v, nearest);
+    count_in(nearest_u, nearest_v, nearest);
+
+    const Number some = hw::Max(inside, one), mid_u = hw::Div(sum_u, some), mid_v = hw::Div(sum_v, some);
+    const auto squared = [](Number from_u, Number from_v) HWY_ATTR {
+        return [from_u, from_v](Number u, Number v) HWY_ATTR {
+            const Number du = hw::Sub(u, from_u), dv = hw::Sub(v, from_v);
+            return hw::Add(hw::Mul(du, du), hw::Mul(dv, dv));
+        };
+    };
+    const Number same = hw::Mul(Lanes::number(plate_same_place), smaller);
+    Places::Best best[4];
+    best[0] = places.best(hw::Neg(one), hw::Min(limit, hw::Add(deepest, slack)), squared(mid_u, mid_v));
+    best[1] = places.best(hw::Mul(same, same), limit, squared(best[0].u, best[0].v));
+    best[1].found = Lanes::both(best[1].found, best[0].found);
+    const Number du = hw::Sub(best[1].u, best[0].u), dv = hw::Sub(best[1].v, best[0].v);
+    const Number least = hw::Mul(same, hw::Sqrt(hw::Add(hw::Mul(du, du), hw::Mul(dv, dv))));
+    for (uint32_t k = 2; k < 4; ++k) {
+        const Number side = k == 2 ? one : hw::Neg(one);
+        best[k] = places.best(least, limit, [&](Number u, Number v) HWY_ATTR {
+            return hw::Mul(side, hw::Sub(hw::Mul(du, hw::Sub(v, best[0].v)), hw::Mul(dv, hw::Sub(u, best[0].u))));
+        });
+        best[k].found = Lanes::both(best[k].found, best[1].found);
+    }
+    // The third place can be missing while there is a fourth.
+    best[2].u = hw::IfThenElse(best[2].found, best[2].u, best[3].u);
+    best[2].v = hw::IfThenElse(best[2].found, best[2].v, best[3].v);
+    best[2].gap = hw::IfThenElse(best[2].found, best[2].gap, best[3].gap);
+    const Lanes::M third = Lanes::either(best[2].found, best[3].found);
+    best[3].found = Lanes::both(best[2].found, best[3].found);
+    best[2].found = third;
+    Number count = zero;
+    for (uint32_t k = 0; k < 4; ++k) {
+        const Number u = best[k].u, v = best[k].v;
+        store(u * across_u + v * across_v + lower.at(u, v) * n, block.place + 3 * k, at);
+        hw::Store(best[k].gap, d, block.place_gap[k] + at);
+        count = hw::Add(count, hw::IfThenElseZero(best[k].found, one));
+    }
+    hw::Store(hw::IfThenElse(here, count, Lanes::number(SearchBlock::no_manifold)), d, block.count + at);
+}
+
+constexpr size_t fields_of_box = sizeof(PlacedBox) / sizeof(float);
+enum : size_t { at_middle = 0, at_q = 3, at_half = 7, at_shift = 10, at_turns = 13, at_margin = 14 };
+static_assert(offsetof(PlacedBox, margin) == at_margin * sizeof(float));
+
+struct Boxes {
+    Vec middle, half, shift, axis[3]; // columns
+    Number turns, margin;
+
+    // number(f): field f of each lane.
+    template <class Field> explicit HWY_INLINE Boxes(const Field& number) {
+        const auto vector = [&](size_t f) HWY_ATTR { return Vec{number(f), number(f + 1), number(f + 2)}; };
+        middle = vector(at_middle), half = vector(at_half), shift = vector(at_shift);
+        turns = number(at_turns), margin = number(at_margin);
+        const Vec q = vector(at_q), q2 = Lanes::number(2.0f) * q;
+        const Number w = number(at_q + 3), one = Lanes::number(1.0f);
+        const Number xx = hw::Mul(q2.x, q.x), yy = hw::Mul(q2.y, q.y), zz = hw::Mul(q2.z, q.z);
+        const Number xy = hw::Mul(q2.x, q.y), xz = hw::Mul(q2.x, q.z), yz = hw::Mul(q2.y, q.z);
+        const Number wx = hw::Mul(q2.x, w), wy = hw::Mul(q2.y, w), wz = hw::Mul(q2.z, w);
+        axis[0] = {hw::Sub(one, hw::Add(yy, zz)), hw::Add(xy, wz), hw::Sub(xz, wy)};
+        axis[1] = {hw::Sub(xy, wz), hw::Sub(one, hw::Add(xx, zz)), hw::Add(yz, wx)};
+        axis[2] = {hw::Add(xz, wy), hw::Sub(yz, wx), hw::Sub(one, hw::Add(xx, yy))};
+    }
+};
+
+// Boxes are apart if they are along one of fifteen axes (Gottschalk et al. 1996). Cross products are at most 1 long, so these err to the
+// near side.
+HWY_INLINE hw::Mask<Tag> apart(const Boxes& a, const Boxes& b) {
+    const Vec shifted = a.shift - b.shift, way = b.middle - a.middle;
+    const Number within =
+        hw::Add(hw::Add(hw::Min(a.margin, b.margin), hw::Sqrt(dot(shifted, shifted))), hw::Add(a.turns, b.turns));
+    const Number half_a[3] = {a.half.x, a.half.y, a.half.z}, half_b[3] = {b.half.x, b.half.y, b.half.z};
+    Number along_a[3], turn[3][3], size[3][3];
+    for (size_t i = 0; i < 3; ++i) {
+        along_a[i] = dot(a.axis[i], way);
+        for (size_t k = 0; k < 3; ++k) turn[i][k] = dot(a.axis[i], b.axis[k]), size[i][k] = hw::Abs(turn[i][k]);
+    }
+    hw::Mask<Tag> out = Lanes::none();
+    const auto test = [&](Number distance, Number reach_a, Number reach_b) HWY_ATTR {
+        out = hw::Or(out, hw::Gt(hw::Abs(distance), hw::Add(within, hw::Add(reach_a, reach_b))));
+    };
+    for (size_t i = 0; i < 3; ++i) {
+        const Number of_b = hw::Add(hw::Add(hw::Mul(half_b[0], size[i][0]), hw::Mul(half_b[1], size[i][1])),
+                                    hw::Mul(half_b[2], size[i][2]));
+        test(along_a[i], half_a[i], of_b);
+        const Number of_a = hw::Add(hw::Add(hw::Mul(half_a[0], size[0][i]), hw::Mul(half_a[1], size[1][i])),
+                                    hw::Mul(half_a[2], size[2][i]));
+        test(dot(b.axis[i], way), of_a, half_b[i]);
+    }
+    if (hw::AllTrue(Tag(), out)) return out;
+    for (size_t i = 0; i < 3; ++i) {
+        const size_t j = (i + 1) % 3, l = (i + 2) % 3;
+        for (size_t k = 0; k < 3; ++k) {
+            const size_t m = (k + 1) % 3, n = (k + 2) % 3;
+            test(hw::Sub(hw::Mul(along_a[l], turn[j][k]), hw::Mul(along_a[j], turn[l][k])),
+                 hw::Add(hw::Mul(half_a[j], size[l][k]), hw::Mul(half_a[l], size[j][k])),
+                 hw::Add(hw::Mul(half_b[m], size[i][n]), hw::Mul(half_b[n], size[i][m])));
+        }
+    }
+    return out;
+}
 } // namespace search
 
 void search_pairs(const SearchHull& a, const SearchHull& b, uint32_t count, SearchBlock& block) {
@@ -69,6 +382,29 @@ void search_pairs(const SearchHull& a, const SearchHull& b, uint32_t count, Sear
             search::plate_manifold(a, b, block, at);
         else
             hwy::HWY_NAMESPACE::Store(search::Lanes::number(SearchBlock::no_manifold), search::Tag(), block.count + at);
+}
+
+uint32_t near_boxes(const PlacedBox* boxes, uint32_t one, uint32_t* others, uint32_t count) {
+    using namespace search;
+    const float* const of_one = boxes[one].middle;
+    const Boxes a([&](size_t f) HWY_ATTR { return Lanes::number(of_one[f]); });
+    alignas(64) float row[fields_of_box][search_lanes];
+    uint32_t kept = 0;
+    for (uint32_t first = 0; first < count; first += search_lanes) {
+        const uint32_t lanes = HWY_MIN(search_lanes, count - first);
+        for (uint32_t lane = 0; lane < search_lanes; ++lane) {
+            const float* const from = boxes[others[first + (lane < lanes ? lane : 0)]].middle;
+            for (size_t f = 0; f < fields_of_box; ++f) row[f][lane] = from[f];
+        }
+        for (size_t at = 0; at < lanes; at += hw::Lanes(Tag())) {
+            const auto away = apart(a, Boxes([&](size_t f) HWY_ATTR { return hw::Load(Tag(), row[f] + at); }));
+            uint8_t bits[8] = {};
+            hw::StoreMaskBits(Tag(), away, bits);
+            for (size_t lane = 0; lane < hw::Lanes(Tag()) && at + lane < lanes; ++lane)
+                if ((bits[lane / 8] >> lane % 8 & 1u) == 0) others[kept++] = others[first + at + lane];
+        }
+    }
+    return kept;
 }
 } // namespace lr::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

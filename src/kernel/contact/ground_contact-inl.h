@@ -7,7 +7,7 @@
 #endif
 
 #include "kernel/contact/collider_contact.h"
-#include "kernel/integrator/equations_of_motion-inl.h"
+#include "kernel/contact/collider_solver-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lr::LR_KERNEL_NAMESPACE {
@@ -225,6 +225,81 @@ public:
     HWY_INLINE VF gap_of(const GroundSample& sample) const { return sample.gap - radius_; }
     // The point on the body's surface, body frame.
     HWY_INLINE Vec3 arm(Vec3 at, Vec3 n) const { return columns(turned_, at - radius_ * n); }
+    // Pushes the body out along n until no point is below the surface by more than a hundredth of `deep`, by impulses on at most four of them: the
+    // lowest that is left takes the place of the one with the least impulse, and Gauss-Seidel on the motion along n and about the tangents follows.
+    // Points then have their gaps after the push; loaded: 1 for those that are held. A body's result does not depend on its neighbours in a vector.
+    HWY_INLINE void push_out(const ContactBodies& b, Vec3 n, VF deep, uint32_t count, GroundPoint* points,
+                             VF* loaded) const {
+        constexpr int rounds = 8, sweeps = 10;
+        const VF zero = hn::Zero(DF()), one = constant(1.0f), inverse = one / (scale_ * constant(b.body->length));
+        Vec3 first, second;
+        tangents(n, first, second);
+        const Vec3 none = zero3(), own = columns(turned_, n);
+        const Vec3 about[2] = {columns(turned_, first), columns(turned_, second)};
+        const auto gain = [&](const Twist& impulse) LR_LAMBDA {
+            const Twist t = symmetric6(b.body->full_inverse, impulse);
+            return Vec3{dot(own, t.v), dot(about[0], t.u), dot(about[1], t.u)};
+        };
+        const Vec3 gains[3] = {gain({own, none}), gain({none, about[0]}), gain({none, about[1]})};
+        VF seen[most_ground_points][2]; // of a turn about the tangents; of a shift it is 1
+        for (uint32_t k = 0; k < count; ++k) {
+            seen[k][0] = inverse * dot(second, points[k].at);
+            seen[k][1] = -(inverse * dot(first, points[k].at));
+        }
+        struct Pushed {
+            VF gap, seen[2], inverse, pressed;
+            Vec3 response;
+        } held[manifold_slots];
+        for (Pushed& h : held) h = {zero, {zero, zero}, zero, zero, none};
+        Vec3 moved = none;
+        const auto after = [&](VF gap, const VF(&turns)[2])
+                               LR_LAMBDA { return gap + (moved.x + (turns[0] * moved.y + turns[1] * moved.z)); };
+        const VF dust = constant(0.01f) * deep;
+        for (int round = 0; round < rounds; ++round) {
+            VF least = zero, gap = zero, turn[2] = {zero, zero};
+            for (uint32_t k = 0; k < count; ++k) {
+                const VF now = after(points[k].gap, seen[k]);
+                const auto lower = now < least;
+                least = hn::IfThenElse(lower, now, least);
+                gap = hn::IfThenElse(lower, points[k].gap, gap);
+                for (int i = 0; i < 2; ++i) turn[i] = hn::IfThenElse(lower, seen[k][i], turn[i]);
+            }
+            const auto active = least < -dust;
+            if (hn::AllFalse(DF(), active)) break;
+            VF light = held[0].pressed;
+            for (const Pushed& h : held) light = hn::Min(light, h.pressed);
+            auto free = active; // not held already, and not placed yet
+            for (const Pushed& h : held)
+                free = hn::AndNot(hn::And(hn::And(h.seen[0] == turn[0], h.seen[1] == turn[1]), h.gap == gap), free);
+            const Vec3 response = gains[0] + turn[0] * gains[1] + turn[1] * gains[2];
+            const VF ratio = inverse_length(response.x + (turn[0] * response.y + turn[1] * response.z));
+            for (Pushed& h : held) {
+                const auto here = hn::And(free, h.pressed == light);
+                free = hn::AndNot(here, free);
+                moved = moved - hn::IfThenElseZero(here, h.pressed) * h.response;
+                h.gap = hn::IfThenElse(here, gap, h.gap);
+                h.inverse = hn::IfThenElse(here, ratio, h.inverse);
+                h.pressed = hn::IfThenElse(here, zero, h.pressed);
+                h.response = select(here, response, h.response);
+                for (int i = 0; i < 2; ++i) h.seen[i] = hn::IfThenElse(here, turn[i], h.seen[i]);
+            }
+            for (int sweep = 0; sweep < sweeps; ++sweep)
+                for (Pushed& h : held) {
+                    const VF now = after(h.gap, h.seen), had = h.pressed;
+                    h.pressed = hn::IfThenElse(active, hn::Max(had - now * h.inverse, zero), had);
+                    moved += (h.pressed - had) * h.response;
+                }
+        }
+        for (uint32_t k = 0; k < count; ++k) {
+            const VF gap = points[k].gap;
+            points[k].gap = after(gap, seen[k]);
+            loaded[k] = hn::IfThenElseZero(points[k].gap < zero, one);
+            for (const Pushed& h : held) {
+                const auto same = hn::And(hn::And(h.seen[0] == seen[k][0], h.seen[1] == seen[k][1]), h.gap == gap);
+                loaded[k] = hn::IfThenElse(hn::And(same, h.pressed > zero), one, loaded[k]);
+            }
+        }
+    }
     static HWY_INLINE Vec3 normal(const GroundSample& s) {
         return {s.slope[0] * s.inverse, s.inverse, s.slope[1] * s.inverse};
     }
@@ -258,7 +333,7 @@ HWY_INLINE VF contact_margin(const ContactBodies& b, VF reach, Vec3 x) {
 // Slopes whose normals differ by more than this length form an edge between the points.
 constexpr float sharp = 0.2f;
 
-// The deepest point, the farthest from it, and the farthest on both sides of their line, touching ones first: about the largest quadrilateral.
+// The deepest point and up to three that make about the largest quadrilateral with it, loaded ones first.
 bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::Slot (&out)[manifold_slots],
                   uint32_t* rough) {
     const DU du;
@@ -321,50 +396,50 @@ bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::
         const Vec3 normal = put(0, deepest, touching);
         if (count < 2) continue;
 
-        // The points that touch once the deepest one is pushed out hold the body: of a curved body those beside it, which within a fall in a substep
-        // are no lower than the rim. Others count if pushing the deepest one out can press them in. Points nearer to each other than `apart` hold no
-        // better than one.
-        const VF deep = hn::Max(-least, zero);
-        const VF wide_margin = constant(0.1f) * reach + margin + (deep + deep);
-        const VF lowest = hn::Min(least, zero), per_margin = one / hn::Min(margin, constant(0.05f) * reach);
-        const VF per_wide = constant(0.05f) / wide_margin;
+        // Points that are loaded once the body is pushed out hold it: those beyond the keel of a boat too, and those below the middle of a curved body,
+        // whose rim can be as low within a fall in a substep. Others count a fifth at most, for the error of that push. Points nearer to each other
+        // than `apart` hold no better than one.
+        const VF deep = hn::Max(-least, zero), per_wide = one / (constant(0.1f) * reach + margin + (deep + deep));
         const VF apart = constant(0.02f) * reach;
+        VF weight[most_ground_points];
+        all.push_out(b, normal, deep, count, points, weight);
         Vec3 second = deepest;
-        VF farthest = apart * apart;
+        VF farthest = zero;
         auto found = one < zero;
         for (uint32_t k = 0; k < count; ++k) {
-            const VF gap = points[k].gap;
-            const VF part = one - (gap - lowest) * per_margin;
-            const VF some = hn::Max(constant(0.05f) - gap * per_wide, zero);
-            const auto near = hn::And(touching, gap < wide_margin);
-            const VF weight = hn::IfThenElseZero(near, hn::Max(part, some));
-            points[k].gap = weight; // from here on
+            const VF near = constant(0.2f) * hn::Max(one - points[k].gap * per_wide, zero);
+            weight[k] = hn::IfThenElseZero(touching, hn::Max(weight[k], near));
             const Vec3 r = points[k].at - deepest;
-            const VF value = weight * dot(r, r);
-            const auto more = value > farthest;
+            const VF square = dot(r, r), value = weight[k] * square;
+            const auto more = hn::And(value > farthest, square > apart * apart);
             second = select(more, points[k].at, second);
             farthest = hn::IfThenElse(more, value, farthest);
             found = hn::Or(found, more);
         }
         put(1, second, found);
         if (count < 3 || hn::AllFalse(DF(), found)) continue;
-        const Vec3 across = cross(normal, second - deepest);
-        const VF wide = apart * hn::Sqrt(dot(across, across));
-        Vec3 side[2] = {deepest, deepest};
-        VF most[2] = {wide, wide};
-        hn::Mask<DF> there[2] = {one < zero, one < zero};
-        for (uint32_t k = 0; k < count; ++k) {
-            const VF value = points[k].gap * dot(across, points[k].at - deepest);
-            for (int i = 0; i < 2; ++i) {
-                const VF out_there = i == 0 ? value : -value;
-                const auto more = out_there > most[i];
-                side[i] = select(more, points[k].at, side[i]);
-                most[i] = hn::IfThenElse(more, out_there, most[i]);
-                there[i] = hn::Or(there[i], more);
+        // Then the one farthest from that line, and the one that adds most to the triangle.
+        Vec3 corner[manifold_slots] = {deepest, second, deepest, deepest};
+        VF turn = one; // -1: the triangle's corners go around clockwise
+        for (uint32_t next = 2; next < manifold_slots && next < count; ++next) {
+            VF most = zero, side = one;
+            for (uint32_t edge = 0; edge < (next == 2 ? 1u : 3u); ++edge) {
+                const Vec3 from = corner[edge], across = cross(normal, corner[edge == 2 ? 0 : edge + 1] - from);
+                const VF least_area = apart * hn::Sqrt(dot(across, across));
+                for (uint32_t k = 0; k < count; ++k) {
+                    const VF along = dot(across, points[k].at - from),
+                             area = next == 2 ? hn::Abs(along) : -(turn * along);
+                    const VF value = weight[k] * area;
+                    const auto more = hn::And(area > least_area, value > most);
+                    corner[next] = select(more, points[k].at, corner[next]);
+                    most = hn::IfThenElse(more, value, most);
+                    side = hn::IfThenElse(more, along, side);
+                }
             }
+            if (next == 2) turn = hn::CopySign(one, side);
+            found = hn::And(found, most > zero);
+            put(next, corner[next], found);
         }
-        put(2, side[0], hn::And(found, there[0]));
-        if (count > 3) put(3, side[1], hn::And(found, there[1]));
     }
     return any;
 }

@@ -7,6 +7,7 @@
 
 #include "hwy/highway.h"
 #include "kernel/integrator/step_bodies-inl.h"
+#include "kernel/loads/body_loads-inl.h"
 #include "langevin_rigid.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -60,7 +61,7 @@ bool ended_range(const lr_batch_rules& rules, const BatchArrays& a, size_t begin
     return !hn::AllTrue(du, hn::Eq(any, hn::Zero(DU())));
 }
 
-// Defined in step_aerodynamic.cpp, sample_wind.cpp, water_loads.cpp, collider_contact.cpp, gjk_pairs.cpp and near_boxes.cpp.
+// Defined in step_aerodynamic.cpp, sample_wind.cpp, water_loads.cpp, collider_contact.cpp and gjk_pairs.cpp.
 StepFunction step_aerodynamic;
 PredictFunction predict;
 EvaluateFunction evaluate;
@@ -93,6 +94,10 @@ void step_range_rk4(const StepInput& in, const BatchArrays& a, size_t begin, siz
     for_variant(in, [&]<bool kFull, bool kAerodynamic>()
                         HWY_ATTR { step_bodies<kFull, kAerodynamic, Integrator::rk4>(in, a, begin, end); });
 }
+void loads_of_body(const StepInput& in, const BodyConstants& body, const BatchArrays& a, const float (&fluid)[3],
+                   lr_body_loads& out) {
+    body_loads(in, body, a, fluid, out);
+}
 #endif
 } // namespace lr::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -105,6 +110,10 @@ namespace lr {
 
 void step_rk4(const StepInput& in, const BatchArrays& a, size_t begin, size_t end) {
     HWY_STATIC_DISPATCH(step_range_rk4)(in, a, begin, end);
+}
+void loads_on_body(const StepInput& in, const BodyConstants& body, const BatchArrays& a, const float (&fluid)[3],
+                   lr_body_loads& out) {
+    HWY_STATIC_DISPATCH(loads_of_body)(in, body, a, fluid, out);
 }
 
 static_assert(most_kill_volumes == LR_MAX_KILL_VOLUMES);

@@ -5,13 +5,13 @@
 #include "kernel/body_constants.h"
 #include "kernel/contact/body_contact.h"
 #include "kernel/contact/gjk_pairs.h"
-#include "kernel/contact/near_boxes.h"
 #include "kernel/water/water_loads.h"
 #include "kernel/wind/sample_wind.h"
 
 #include <cstdint>
 
 struct lr_batch_rules;
+struct lr_body_loads;
 
 namespace lr {
 
@@ -52,6 +52,10 @@ struct StepInput {
 using StepFunction = void(const StepInput&, const BatchArrays&, size_t begin, size_t end);
 // The paper's scheme is a reference, which need not be fast: compiled for one instruction set and used by all, with the same bits.
 StepFunction step_rk4;
+
+// The flow's loads on the body that fills the first vector of the arrays, in a fluid with this velocity (m/s, world). body: its constants in that fluid.
+void loads_on_body(const StepInput& in, const BodyConstants& body, const BatchArrays& arrays, const float (&fluid)[3],
+                   lr_body_loads& out);
 
 inline constexpr uint32_t most_kill_volumes = 8;
 // Why bodies end. Volumes follow, in their order.

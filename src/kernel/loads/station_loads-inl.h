@@ -86,17 +86,11 @@ HWY_INLINE void add_station(const StationConstants& k, const A& a, const Held& h
     out.couple.row[0].x += twist;
     out.couple.row[1].y += twist;
     out.couple.row[2].z += twist;
-    const VF spinning = hn::Sqrt(weighted(k.spin_weight, times(w, w)));
-    const VF fluid_spin = held.drag * constant(a.fluid[2]);
-    VF resist[3];
-    for (int i = 0; i < 3; ++i)
-        resist[i] =
-            fluid_spin * (constant(k.spin_drag[i]) * spinning +
-                          (constant(k.spin_drag_stream[i]) * hn::Abs(u.z) + constant(k.spin_drag_stokes[i]) * nu));
+    const Vec3 resist = spin_drag_rate(k, held.drag * constant(a.fluid[2]), nu, hn::Abs(u.z), w);
     for (int i = 0; i < 6; ++i)
-        out.spin_drag[i] += constant(k.spread[i]) * drag +
-                            (constant(k.outer[0][i]) * resist[0] +
-                             (constant(k.outer[1][i]) * resist[1] + constant(k.outer[2][i]) * resist[2]));
+        out.spin_drag[i] +=
+            constant(k.spread[i]) * drag + (constant(k.outer[0][i]) * resist.x +
+                                            (constant(k.outer[1][i]) * resist.y + constant(k.outer[2][i]) * resist.z));
     const Vec3 push = stiff * at;
     out.spin_drag[0] += push.x * at.x;
     out.spin_drag[1] += push.x * at.y;

@@ -16,6 +16,9 @@
 #include "kernel/loads/aerodynamic_loads-inl.h"
 #include "kernel/water/water_loads.h"
 
+#include <cmath>
+#include <utility>
+
 HWY_BEFORE_NAMESPACE();
 namespace lr::HWY_NAMESPACE {
 
@@ -135,52 +138,28 @@ HWY_INLINE VF water_share(const WaterBody& w, VF f) {
     return wet / ((constant(1.0f) - f) * constant(w.air_density) + wet);
 }
 
+// Such structs contain numbers alone. Unrolled: a loop takes a hundredth of a wet body's step.
+template <template <class> class Numbers, class Function> HWY_INLINE void each_of(const Function& function) {
+    [&]<size_t... kIndex>(std::index_sequence<kIndex...>) LR_LAMBDA {
+        (function(kIndex), ...);
+    }
+    (std::make_index_sequence<sizeof(Numbers<float>) / sizeof(float)>());
+}
+template <template <class> class Numbers> HWY_INLINE const float* numbers(const Numbers<float>& of) {
+    return reinterpret_cast<const float*>(&of);
+}
+template <template <class> class Numbers> HWY_INLINE VF* numbers(Numbers<VF>& of) {
+    return reinterpret_cast<VF*>(&of);
+}
+
 HWY_INLINE void blend_aerodynamics(const AerodynamicConstants& a, const AerodynamicConstants& w, const Shares& mean,
                                    VF wet, AerodynamicConstantsOf<VF>& out) {
     // The dynamic viscosity is linear in the fraction.
     out.viscosity = Shares{constant(1.0f) - wet, wet}(a.viscosity, w.viscosity);
-    mean(a.drag, w.drag, out.drag);
-    mean(a.drag_blunt, w.drag_blunt, out.drag_blunt);
-    mean(a.drag_layer, w.drag_layer, out.drag_layer);
-    mean(a.drag_stokes, w.drag_stokes, out.drag_stokes);
-    mean(a.lift, w.lift, out.lift);
-    mean(a.lift_layer, w.lift_layer, out.lift_layer);
-    mean(a.lift_stokes, w.lift_stokes, out.lift_stokes);
-    mean(a.spin_lift, w.spin_lift, out.spin_lift);
-    mean(a.spin_drag, w.spin_drag, out.spin_drag);
-    mean(a.spin_drag_stream, w.spin_drag_stream, out.spin_drag_stream);
-    mean(a.spin_drag_stokes, w.spin_drag_stokes, out.spin_drag_stokes);
-    mean(a.fluid, w.fluid, out.fluid);
-    mean(a.plate_lift, w.plate_lift, out.plate_lift);
-    mean(a.plate_vortex, w.plate_vortex, out.plate_vortex);
-    const auto mean1 = [&](float air, float water, VF& to) LR_LAMBDA { to = mean(air, water); };
-    mean1(a.plate_drag, w.plate_drag, out.plate_drag);
-    mean1(a.start_drag, w.start_drag, out.start_drag);
-    mean1(a.separated_shed, w.separated_shed, out.separated_shed);
-    mean1(a.most_shed, w.most_shed, out.most_shed);
-    mean1(a.shedding_moment, w.shedding_moment, out.shedding_moment);
-    mean1(a.shedding_rate_moment, w.shedding_rate_moment, out.shedding_rate_moment);
-    // These do not depend on the fluid.
-    const auto same = [&](const auto& from, auto& to) LR_LAMBDA {
-        for (size_t i = 0; i < sizeof from / sizeof from[0]; ++i) to[i] = constant(from[i]);
-    };
-    same(a.broadside, out.broadside);
-    same(a.spin_weight, out.spin_weight);
-    same(a.axes, out.axes);
-    same(a.arm, out.arm);
-    same(a.normal, out.normal);
-    same(a.normal_arm, out.normal_arm);
-    same(a.plate_stall, out.plate_stall);
-    out.wake_rate = constant(a.wake_rate);
-    out.wake_share = constant(a.wake_share);
-    out.shedding_rate = constant(a.shedding_rate);
-    out.shedding_growth = constant(a.shedding_growth);
-    out.shedding_reynolds = constant(a.shedding_reynolds);
-    out.shedding_noise = constant(a.shedding_noise);
-    out.rate_of_gusts = constant(a.rate_of_gusts);
-    out.variance_of_gusts = constant(a.variance_of_gusts);
-    out.wake_reynolds = constant(a.wake_reynolds);
-    out.gust_gain = constant(a.gust_gain);
+    const float *const loads = numbers<FluidLoadsOf>(a), *const wet_loads = numbers<FluidLoadsOf>(w);
+    each_of<FluidLoadsOf>([&](size_t i) LR_LAMBDA { numbers<FluidLoadsOf>(out)[i] = mean(loads[i], wet_loads[i]); });
+    each_of<ShapeLoadsOf>([&](size_t i)
+                              LR_LAMBDA { numbers<ShapeLoadsOf>(out)[i] = constant(numbers<ShapeLoadsOf>(a)[i]); });
     for (VF& x : out.fall) x = hn::Zero(DF()); // gravity is part of Floating
 }
 

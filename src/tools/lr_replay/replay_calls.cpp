@@ -17,7 +17,7 @@ template <class H> uint64_t output_of(const H* ids, size_t count) {
     return hash.value();
 }
 
-// Reads an argument as api/recorded_arguments.h writes it.
+// Reads an argument as api/recorded_call.h writes it.
 template <class T> struct Read {
     explicit Read(Arguments& from) : v(from.value<T>()) {}
     T get() { return v; }

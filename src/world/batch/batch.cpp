@@ -5,9 +5,7 @@
 #include "kernel/limits.h"
 #include "world/batch/lifecycle.h"
 #include "world/schedule/step_chunks.h"
-#include "world/sleep/sleeping_bodies.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <utility>
@@ -17,11 +15,12 @@ namespace {
 
 constexpr uint32_t mark_bit = 1u << 31; // above every generation
 
-// An ellipsoid's hull is slightly smaller than the ellipsoid.
-double reach_of(const AssetData& a) {
+// Of the shape that is drawn and of that of contact: an ellipsoid's hull is slightly smaller than the ellipsoid, a box of given extents has no hull.
+double reach_of(const lr_asset& asset) {
+    const AssetData& a = asset.data;
     const auto norm = [](double x, double y, double z) { return std::sqrt(x * x + y * y + z * z); };
     const auto& b = a.center_of_buoyancy;
-    double reach = 0.5 * a.length_d + norm(b[0], b[1], b[2]);
+    double reach = std::max(wide(asset.shape.reach), 0.5 * a.length_d + norm(b[0], b[1], b[2]));
     const std::vector<float>& v = a.hull.vertices;
     for (size_t i = 0; i + 3 <= v.size(); i += 3)
         reach = std::max(reach,
@@ -39,13 +38,16 @@ Batch* Batch::create(Allocator& allocator, const lr_asset& asset, uint32_t capac
     batch->index_ = index;
     batch->first_generation_ = first_generation;
     batch->asset_ = &asset;
-    batch->reach_ = reach_of(asset.data);
+    batch->reach_ = reach_of(asset);
     retain(asset);
     batch->set_contact(initial_contact);
-    batch->step.loads = settings.loads;
-    batch->step.clock = settings.clock;
-    batch->step.integrator = settings.integrator;
-    batch->step.variation = settings.variation;
+    const lr_batch_desc& desc = settings.desc;
+    batch->step.loads = desc.load_model == LR_LOADS_NONE       ? Loads::none
+                        : desc.load_model == LR_LOADS_LANGEVIN ? Loads::langevin
+                                                               : Loads::aerodynamic;
+    batch->step.clock = desc.clock == LR_CLOCK_AGE ? Clock::age : Clock::speed;
+    batch->step.integrator = desc.integrator == LR_INTEGRATOR_RK4 ? Integrator::rk4 : Integrator::splitting;
+    batch->step.variation = desc.variation;
     batch->step.faults = &batch->faults.noted;
     const bool usable = make_body_constants(asset.data, asset.diagonal, settings.fluid_density, batch->step.body) &&
                         batch->set_aerodynamics(asset.data.aerodynamics, settings.gains);
@@ -71,7 +73,7 @@ Batch::~Batch() {
 bool Batch::allocate(uint32_t capacity) {
     const size_t lanes = whole_blocks(capacity);
     if (!columns_.reserve(*allocator_, part_body, lanes) ||
-        (settings_.loads == Loads::aerodynamic && !columns_.reserve(*allocator_, part_gust, lanes)) ||
+        (step.loads == Loads::aerodynamic && !columns_.reserve(*allocator_, part_gust, lanes)) ||
         !dense_.allocate(*allocator_, capacity) || !generations_.allocate(*allocator_, capacity))
         return false;
     capacity_ = capacity;
@@ -218,16 +220,29 @@ void Batch::wake_all() {
 }
 
 void Batch::wake_in(const Box& box) {
+    wake_near(box, 0.0, 0.0);
+}
+
+// The gap of a body at rest is within the slop of contact (docs/maintainers/contact.md, 4), or that of one that trembles in place above it.
+void Batch::wake_on(const Box& box) {
+    wake_near(box, SleepingGrid::room, 2e-6);
+}
+
+// share: of the reach; round: of the greatest coordinate.
+void Batch::wake_near(const Box& box, double share, double round) {
     if (awake_ == count_) return;
+    const auto greatest = [](Double3 a) { return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}); };
     const Double3 low = to_double(box.low), high = to_double(box.high);
     const auto look_at = [&](uint32_t index) {
-        const double reach = reach_ * wide(arrays_.field[field_scale][index]);
         const Double3 x = to_double(vector_in(arrays_.field, field_x, index));
+        const double reach = reach_ * wide(arrays_.field[field_scale][index]) * (1.0 + share) + round * greatest(x);
         if (x.x + reach >= low.x && x.x - reach <= high.x && x.y + reach >= low.y && x.y - reach <= high.y &&
             x.z + reach >= low.z && x.z - reach <= high.z)
             wake(index);
     };
-    if (sleeping_->grid.visit(box, count_ - awake_, [&](uint32_t slot) { look_at(dense_[slot]); })) return;
+    const double far = std::max(greatest(low), greatest(high));
+    const Box around = grown(box, static_cast<float>(1.01 * round * far));
+    if (sleeping_->grid.visit(around, count_ - awake_, [&](uint32_t slot) { look_at(dense_[slot]); })) return;
     // A body that wakes swaps places with one that was already visited.
     for (uint32_t i = awake_; i < count_; ++i) look_at(i);
 }
@@ -505,7 +520,8 @@ bool Batch::use_table(Buffer<float>& table, const TableHead& head, bool of_asset
         alpha[i] = static_cast<float>(langevin_alpha(static_cast<double>(chi[i]), head.c0, settings_.gains));
         beta[i] = static_cast<float>(langevin_beta_squared(static_cast<double>(epsilon[i]), head.c0, settings_.gains));
     }
-    step.table = {alpha, beta, static_cast<float>(1.0 / head.dt), static_cast<float>(n - 1), settings_.loop};
+    step.table = {alpha, beta, static_cast<float>(1.0 / head.dt), static_cast<float>(n - 1),
+                  settings_.desc.table_end == LR_TABLE_LOOP};
     const TurbulenceSample stationary = head.sample(chi[head.stationary], epsilon[head.stationary]);
     set_speed_turbulence(stationary, settings_.gains, step.body);
     stationary_ = of_asset ? TurbulenceSample{} : stationary;

@@ -3,6 +3,7 @@
 
 #include "asset/asset.h"
 #include "base/allocator.h"
+#include "base/bit_cast.h"
 #include "base/handles.h"
 #include "base/lane_arrays.h"
 #include "collision/body_narrow_phase.h"
@@ -18,18 +19,13 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 
 namespace lr {
 
 class Lifecycle;
 
 struct BatchSettings {
-    Loads loads = Loads::langevin;
-    Clock clock = Clock::speed;
-    Integrator integrator = Integrator::splitting;
-    bool loop = false;
-    float variation = 0.0f;
+    lr_batch_desc desc = LR_BATCH_DESC_INIT; // of its creation
     Gains gains;
     double fluid_density = 1.2; // kg/m^3
     double viscosity = 1.5e-5;  // m^2/s, kinematic
@@ -77,7 +73,7 @@ inline const char* wrong_in(const BatchOptions& o) {
 // Settings that are not initial are part of the world's hash.
 template <class Mix> void hash(const BatchOptions& options, const Mix& mix) {
     using Words = std::array<uint32_t, sizeof options / 4>;
-    const auto words = std::bit_cast<Words>(options), initial = std::bit_cast<Words>(BatchOptions());
+    const auto words = bit_cast<Words>(options), initial = bit_cast<Words>(BatchOptions());
     for (uint32_t k = 0; k < words.size(); ++k)
         if (words[k] != initial[k]) mix(words[k] | uint64_t{k} << 32);
 }
@@ -119,6 +115,7 @@ public:
     uint32_t count() const { return count_; }
     uint32_t awake() const { return awake_; }
     uint32_t capacity() const { return capacity_; }
+    uint32_t slot() const { return index_; } // in the world
     uint32_t padded_count() const { return whole_blocks(count_); }
     uint32_t padded_awake() const { return whole_blocks(awake_); }
     bool asleep(uint32_t index) const { return index >= awake_; }
@@ -129,6 +126,7 @@ public:
     uint32_t wake(uint32_t index);        // asleep
     void wake_all();
     void wake_in(const Box& box); // sleeping bodies whose boxes, position +- reach() times scale, overlap it
+    void wake_on(const Box& box); // likewise, and those that can lie on what is in it
     // Calls function for sleeping bodies whose contact box overlaps `box`. Any thread, while no body falls asleep or wakes.
     template <class Function> void visit_sleeping(const Box& box, Function&& function) const {
         if (awake_ == count_) return;
@@ -210,6 +208,7 @@ private:
     void swap(uint32_t a, uint32_t b);
     void moved(uint32_t index); // a body has moved to this index
     void lie_down(uint32_t index);
+    void wake_near(const Box& box, double share, double round);
     bool take_cut(uint32_t cut);
     bool take_note(uint32_t index);
     bool is_diagonal_with(const AerodynamicData& loads) const;

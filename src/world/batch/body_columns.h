@@ -2,11 +2,11 @@
 #pragma once
 
 #include "base/allocator.h"
+#include "base/bit_cast.h"
 #include "collision/contact_cache.h"
 #include "kernel/limits.h"
 
 #include <array>
-#include <bit>
 #include <cfloat>
 #include <cstdint>
 
@@ -63,7 +63,7 @@ enum ColumnIndex : uint32_t {
 
 constexpr std::array<Column, column_count> make_columns() {
     constexpr float most = FLT_MAX;
-    constexpr auto one = std::bit_cast<uint32_t>(1.0f);
+    constexpr auto one = bit_cast<uint32_t>(1.0f);
     std::array<Column, column_count> all{};
     const auto rows = [&all](size_t first, size_t count, Column column) {
         for (size_t i = first; i < first + count; ++i, ++column.tag) all[i] = column;

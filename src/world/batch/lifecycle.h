@@ -70,9 +70,10 @@ public:
         uint64_t spawned, destroyed, respawned, missed;
     };
     const State& state() const { return state_; }
-    // Whether it affects future steps.
+    // Whether a snapshot has anything of it to keep: totals too.
     bool in_use() const {
-        return has_rules() || has_emitter() || state_.spawned + state_.destroyed + state_.respawned != 0;
+        const State& s = state_;
+        return has_rules() || has_emitter() || (s.spawned | s.destroyed | s.respawned | s.missed) != 0;
     }
     static bool consistent(const State& state);
     void restore(const State& state);

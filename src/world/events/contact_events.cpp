@@ -3,7 +3,6 @@
 #include "world/batch/batch.h"
 #include "world/world.h"
 
-#include <algorithm>
 #include <iterator>
 #include <utility>
 

@@ -3,7 +3,6 @@
 #include "kernel/limits.h"
 #include "world/batch/batch.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace lr {

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "base/allocator.h"
+#include "base/bit_cast.h"
 #include "environment/wind_field.h"
 #include "langevin_rigid.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 
 namespace lr {
@@ -47,8 +47,8 @@ public:
         if (!waits()) return;
         take(r.substeps);
         take(r.first_substep);
-        for (double v : {r.begin, r.behind, r.drift[0], r.drift[1], r.drift[2]}) take(std::bit_cast<uint64_t>(v));
-        for (float v : r.wind) take(std::bit_cast<uint32_t>(v));
+        for (double v : {r.begin, r.behind, r.drift[0], r.drift[1], r.drift[2]}) take(bit_cast<uint64_t>(v));
+        for (float v : r.wind) take(bit_cast<uint32_t>(v));
     }
 
     void set_divisor(uint32_t divisor) { record_.divisor = divisor; }

@@ -5,9 +5,6 @@
 #include "world/step/step_in_wind.h"
 #include "world/world.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace lr {
 namespace {
 

@@ -1,4 +1,4 @@
-#include "world/snapshot/collider_snapshot.h"
+#include "world/snapshot/snapshot_format.h"
 
 #include "collision/colliders.h"
 #include "world/snapshot/snapshot_bytes.h"

@@ -1,3 +1,4 @@
+#include "base/bit_cast.h"
 #include "kernel/body_constants.h"
 #include "kernel/limits.h"
 #include "world/snapshot/snapshot_format.h"
@@ -306,7 +307,7 @@ private:
             uint32_t other = to >= s.header.awake && to < s.header.count ? 0 : 1;
             if (other == 0)
                 for (size_t f : {field_x, field_y, field_z, field_qx, field_qy, field_qz, field_qw, field_scale})
-                    other |= s.value(f, to) ^ std::bit_cast<uint32_t>(b.arrays_.field[f][i]);
+                    other |= s.value(f, to) ^ bit_cast<uint32_t>(b.arrays_.field[f][i]);
             if (other != 0) b.sleeping_->forget_box(slot);
         }
     }

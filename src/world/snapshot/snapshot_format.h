@@ -3,22 +3,111 @@
 #pragma once
 
 #include "asset/asset.h"
+#include "collision/colliders.h"
 #include "environment/water.h"
+#include "environment/wind_field.h"
 #include "kernel/body_constants.h"
 #include "world/batch/batch.h"
 #include "world/batch/body_columns.h"
 #include "world/batch/lifecycle.h"
 #include "world/schedule/batch_schedule.h"
 #include "world/sleep/sleeping_bodies.h"
-#include "world/snapshot/collider_snapshot.h"
 #include "world/snapshot/snapshot_bytes.h"
-#include "world/snapshot/wind_snapshot.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
 
 namespace lr {
+
+// The colliders in a snapshot: written, and restored in two steps, so that nothing changes before all of it is valid.
+class ColliderSnapshot {
+public:
+    // Part of the snapshot's header.
+    struct Head {
+        uint32_t slots, count;
+        uint32_t free_first, free_last;
+    };
+    static Head head(const Colliders& c) { return {c.used_, c.count_, c.free_first_, c.free_last_}; }
+    // Size of the slots and colliders after the header: a multiple of 8.
+    static uint64_t bytes(const Head& head) {
+        return sizeof(Slot) * uint64_t{head.slots} + sizeof(ColliderRecord) * uint64_t{head.count};
+    }
+    static void save(const Colliders& colliders, unsigned char* to);
+
+    explicit ColliderSnapshot(Colliders& colliders) : to_(&colliders) {}
+
+    // from: the slots; at most `size` bytes remain in the snapshot. Kept for commit().
+    lr_status read(const Head& head, const unsigned char* from, uint64_t size);
+    // After read(): whether there are colliders.
+    bool any() const { return head_.count != 0; }
+    // Only after read(); cannot fail.
+    void commit();
+
+private:
+    struct Slot {
+        uint32_t generation;
+        uint32_t link; // the next free slot, or `taken`
+    };
+    static constexpr uint32_t taken = UINT32_MAX - 1, none = UINT32_MAX;
+
+    template <class Write> static bool visit(const Colliders& colliders, Write&& write);
+    bool is_there() const;
+    bool free_slots_make_a_chain() const;
+    Slot slot(uint32_t i) const;
+    ColliderRecord record(uint32_t i) const;
+    SharedGeometry* shared(const ColliderRecord& record) const;
+
+    Colliders* to_;
+    const unsigned char* slots_ = nullptr;
+    Head head_{};
+    bool same_ = false; // they equal the world's present ones
+};
+
+// The same for the wind.
+class WindSnapshot {
+public:
+    // Part of the snapshot's header.
+    struct Head {
+        float before[3];
+        uint32_t sources;
+        double drift[3];
+        uint32_t generations[LR_MAX_WIND_SOURCES];
+    };
+    static_assert(sizeof(Head) % 8 == 0);
+    static Head head(const WindField& field);
+    // Size of the sources after the header.
+    static uint64_t bytes(const Head& head) { return sizeof(Source) * uint64_t{head.sources}; }
+    static void save(const WindField& field, unsigned char* to);
+
+    // world_seed: of the field's world.
+    WindSnapshot(WindField& field, uint64_t world_seed) : field_(&field), world_seed_(world_seed) {}
+    ~WindSnapshot();
+    WindSnapshot(const WindSnapshot&) = delete;
+    WindSnapshot& operator=(const WindSnapshot&) = delete;
+
+    // from: the sources, of at most `size` bytes. time, seed: of the saved world.
+    lr_status read(const Head& head, const unsigned char* from, uint64_t size, double time, uint64_t seed);
+    // Only after read(). The uniform wind itself is restored elsewhere.
+    void commit();
+
+private:
+    struct Source {
+        uint32_t slot;
+        uint32_t reserved;
+        double since;
+        uint64_t samples; // their hash
+        unsigned char desc[source_bytes];
+    };
+    static_assert(sizeof(Source) % 8 == 0);
+    bool is_there(const Source& saved, uint64_t seed) const;
+
+    WindField* field_;
+    uint64_t world_seed_;
+    WindSource* sources_[WindField::capacity] = {}; // new sources
+    bool kept_[WindField::capacity] = {};           // the field's source is equal and stays
+    Head head_{};
+};
 
 inline constexpr uint64_t snapshot_magic = 0x31304e53444c524cull; // "LRLDSN01"
 // After a release any change of the layout or of a record raises it. Other versions are refused.

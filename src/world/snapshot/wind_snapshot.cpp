@@ -1,4 +1,4 @@
-#include "world/snapshot/wind_snapshot.h"
+#include "world/snapshot/snapshot_format.h"
 
 #include "base/float_mode.h"
 #include "kernel/limits.h"

@@ -1,9 +1,9 @@
 #include "world/step/step_near_colliders.h"
 
+#include "base/bit_cast.h"
 #include "kernel/divergence.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace lr {
 namespace {
@@ -40,8 +40,8 @@ void leave(const ContactCache& book, uint32_t* floor, const NearContacts& near, 
     const auto blank = [&](uint32_t from, uint32_t to) {
         uint32_t any = 0;
         for (uint32_t i = from; i < to; ++i)
-            any |= std::bit_cast<uint32_t>(book.still_time[i]) | std::bit_cast<uint32_t>(book.stay[0][i]) |
-                   book.touching[0][i] | floor[i];
+            any |= bit_cast<uint32_t>(book.still_time[i]) | bit_cast<uint32_t>(book.stay[0][i]) | book.touching[0][i] |
+                   floor[i];
         return any == 0;
     };
     for (uint32_t i = begin; i < end; ++i) {

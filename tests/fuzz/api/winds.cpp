@@ -295,6 +295,7 @@ void surface(Fuzzer& f) {
     Given<lr_water_desc> given(in, d, 1, e, true);
     Call call(f, w, "lr_world_set_water", e);
     if (!call.ended(LR_CALL(lr_world_set_water)(call.world(), given.get()))) return;
+    for (uint32_t i = d.wave_count; i < LR_MAX_WAVES; ++i) d.waves[i] = {}; // unused waves are not kept
     lr_water_desc got = initialised(LR_CALL(lr_water_desc_init));
     int32_t present = -7;
     if (LR_CALL(lr_world_get_water)(w.at, &got, &present) != LR_OK || present != (given.get() ? 1 : 0) ||

@@ -99,5 +99,23 @@ namespace LangevinRigid
         /// is set, chi and epsilon are not).</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_batch_get_turbulence_table(IntPtr world, BatchId batch, TurbulenceTable* table, float* chi, float* epsilon, uint capacity);
+
+        /// <summary>Fills a struct with its initial values; <c>BodyLoads.Create()</c> does it with the right size.</summary>
+        /// <param name="loads">loads</param>
+        /// <param name="structSize">sizeof the struct in the caller's header</param>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_body_loads_init(BodyLoads* loads, uint structSize);
+
+        /// <summary>Computes the loads on a body from its present state, wind and water; on a sleeping body as if its
+        /// wake had ended. At the surface of water those of the fluid that its centre of mass is in; the fluid's own
+        /// rotation is left out.</summary>
+        /// <param name="world">the world</param>
+        /// <param name="body">id of a body</param>
+        /// <param name="loads">initialised, or with struct_size set. A microsecond; calls the wind and water
+        /// callbacks.</param>
+        /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.StaleBody"/>,
+        /// <see cref="Status.StructSize"/>.</returns>
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
+        public static extern Status lr_body_get_loads(IntPtr world, BodyId body, BodyLoads* loads);
     }
 }

@@ -300,7 +300,8 @@ namespace LangevinRigid
 
         /// <summary>Sets the water from the next step on. The struct is copied; null removes the water. Bodies keep
         /// their velocities, even if they are now in another fluid. A batch whose mass matrix would be singular in
-        /// water stays in its own fluid, and a warning is logged. Part of snapshots and of the world's hash.</summary>
+        /// water stays in its own fluid, and a warning is logged. Part of snapshots and of the world's hash. A change
+        /// wakes sleeping bodies that feel it.</summary>
         /// <param name="world">the world</param>
         /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/> (world),

@@ -178,4 +178,38 @@ namespace LangevinRigid
             return value;
         }
     }
+
+    /// <summary>The loads of the flow on a body and the state of its wake, for inspectors and debug arrows: what
+    /// AERODYNAMIC loads do to it now. Weight, buoyancy and added mass are not among them. World frame.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public unsafe partial struct BodyLoads
+    {
+        /// <summary>Size of the struct in bytes, set by <c>Create</c>.</summary>
+        public uint StructSize;
+        /// <summary>1 to 8: 1 where one stream describes the shape; 0: no AERODYNAMIC loads</summary>
+        public uint StationCount;
+        /// <summary>m/s, velocity of the fluid relative to the body, its own fluctuations included</summary>
+        public Float3 Stream;
+        /// <summary>m/s, the stream that the wake remembers: it follows <c>Stream</c></summary>
+        public Float3 Wake;
+        /// <summary>q of the vortex shedding (<see cref="Aerodynamics"/>), up to 1.4; 0: a steady wake</summary>
+        public Float3 Shedding;
+        /// <summary>N, sum of all stations</summary>
+        public Float3 Force;
+        /// <summary>N m, about the centre of mass, with the couples of spin and shed vortices</summary>
+        public Float3 Torque;
+        /// <summary>m, x y z of each station</summary>
+        public fixed float StationPosition[24];
+        /// <summary>N, x y z of each station's force</summary>
+        public fixed float StationForce[24];
+
+        /// <summary>A struct with its initial values and its size.</summary>
+        public static BodyLoads Create()
+        {
+            var value = default(BodyLoads);
+            LangevinLibrary.EnsureLoaded();
+            LangevinException.Check(Native.lr_body_loads_init(&value, (uint)sizeof(BodyLoads)), "lr_body_loads_init");
+            return value;
+        }
+    }
 }

@@ -103,5 +103,14 @@ namespace LangevinRigid
             Leave(Native.lr_world_get_events(Enter(), &value), "lr_world_get_events");
             return value;
         }
+
+        /// <summary>Computes the loads on a body from its present state, wind and water; on a sleeping body as if its wake had
+        /// ended. <see cref="Native.lr_body_get_loads"/></summary>
+        public BodyLoads GetLoads(BodyId body)
+        {
+            BodyLoads value = new BodyLoads { StructSize = (uint)sizeof(BodyLoads) };
+            Leave(Native.lr_body_get_loads(Enter(), body, &value), "lr_body_get_loads");
+            return value;
+        }
     }
 }

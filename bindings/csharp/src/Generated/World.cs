@@ -418,7 +418,7 @@ namespace LangevinRigid
     {
         /// <summary>Size of the struct in bytes, set by <c>Create</c>.</summary>
         public uint StructSize;
-        /// <summary>elements of <c>Waves</c> in use; default 0</summary>
+        /// <summary>elements of <c>Waves</c> in use; the others are not kept; default 0</summary>
         public uint WaveCount;
         /// <summary>m, a point of the plane, each up to 1e9 in magnitude; default 0</summary>
         public Float3 Position;

@@ -519,7 +519,7 @@ export interface Wave {
 
 /** The water surface. Water fills everything below it; above it is the fluid of the world or of each batch's asset. */
 export interface WaterDesc {
-  /** elements of `waves` in use; default 0 */
+  /** elements of `waves` in use; the others are not kept; default 0 */
   waveCount: number;
   /** 3 elements. m, a point of the plane, each up to 1e9 in magnitude; default 0 */
   position: number[];
@@ -1193,6 +1193,29 @@ export interface TurbulenceTable {
   stationary: number;
 }
 
+/**
+ * The loads of the flow on a body and the state of its wake, for inspectors and debug arrows: what AERODYNAMIC loads do
+ * to it now. Weight, buoyancy and added mass are not among them. World frame.
+ */
+export interface BodyLoads {
+  /** 1 to 8: 1 where one stream describes the shape; 0: no AERODYNAMIC loads */
+  stationCount: number;
+  /** 3 elements. m/s, velocity of the fluid relative to the body, its own fluctuations included */
+  stream: number[];
+  /** 3 elements. m/s, the stream that the wake remembers: it follows `stream` */
+  wake: number[];
+  /** 3 elements. q of the vortex shedding (lr_aerodynamics), up to 1.4; 0: a steady wake */
+  shedding: number[];
+  /** 3 elements. N, sum of all stations */
+  force: number[];
+  /** 3 elements. N m, about the centre of mass, with the couples of spin and shed vortices */
+  torque: number[];
+  /** 24 elements. m, x y z of each station */
+  stationPosition: number[];
+  /** 24 elements. N, x y z of each station's force */
+  stationForce: number[];
+}
+
 /** The C functions as the module exports them: addresses are numbers, 64 bits are bigints. */
 export interface RawFunctions {
   /**
@@ -1375,7 +1398,7 @@ export interface RawFunctions {
   /**
    * Sets the water from the next step on. The struct is copied; null removes the water. Bodies keep their velocities,
    * even if they are now in another fluid. A batch whose mass matrix would be singular in water stays in its own fluid,
-   * and a warning is logged. Part of snapshots and of the world's hash.
+   * and a warning is logged. Part of snapshots and of the world's hash. A change wakes sleeping bodies that feel it.
    * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT.
    */
   lr_world_set_water(world: number, desc: number): number;
@@ -1663,7 +1686,7 @@ export interface RawFunctions {
   lr_collider_get_state(world: number, collider: bigint, state: number): number;
   lr_material_init(material: number, struct_size: number): number;
   /**
-   * Sets one material for `count` colliders, all or none, from the next step on.
+   * Sets one material for `count` colliders, all or none, from the next step on. A change wakes what sleeps there.
    * LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_COLLIDER, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
    * LR_ERROR_INVALID_ARGUMENT.
    */
@@ -1851,4 +1874,11 @@ export interface RawFunctions {
    * (table is set, chi and epsilon are not).
    */
   lr_batch_get_turbulence_table(world: number, batch: number, table: number, chi: number, epsilon: number, capacity: number): number;
+  lr_body_loads_init(loads: number, struct_size: number): number;
+  /**
+   * Computes the loads on a body from its present state, wind and water; on a sleeping body as if its wake had ended. At the
+   * surface of water those of the fluid that its centre of mass is in; the fluid's own rotation is left out.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BODY, LR_ERROR_STRUCT_SIZE.
+   */
+  lr_body_get_loads(world: number, body: bigint, loads: number): number;
 }

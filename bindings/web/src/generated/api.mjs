@@ -745,6 +745,19 @@ export const structs = {
       ['stationary', 32, 'u32', 0],
     ],
   },
+  lr_body_loads: {
+    size: 260, init: 'lr_body_loads_init', sized: true,
+    fields: [
+      ['stationCount', 4, 'u32', 0],
+      ['stream', 8, 'f32', 3],
+      ['wake', 20, 'f32', 3],
+      ['shedding', 32, 'f32', 3],
+      ['force', 44, 'f32', 3],
+      ['torque', 56, 'f32', 3],
+      ['stationPosition', 68, 'f32', 24],
+      ['stationForce', 164, 'f32', 24],
+    ],
+  },
 };
 
 export const functions = [
@@ -890,4 +903,6 @@ export const functions = [
   'lr_turbulence_table_init',
   'lr_batch_set_turbulence_table',
   'lr_batch_get_turbulence_table',
+  'lr_body_loads_init',
+  'lr_body_get_loads',
 ];

@@ -61,4 +61,6 @@ export declare class WorldPlain {
   bodyState(body: bigint): api.BodyState;
   /** Reads the state of a collider. */
   colliderState(collider: bigint): api.ColliderState;
+  /** Computes the loads on a body from its present state, wind and water; on a sleeping body as if its wake had ended. */
+  bodyLoads(body: bigint): api.BodyLoads;
 }

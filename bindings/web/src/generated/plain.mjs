@@ -28,4 +28,5 @@ export class WorldPlain {
   get timings() { return this.get('lr_timings', 'lr_world_get_timings'); }
   bodyState(body) { return this.get('lr_body_state', 'lr_body_get_state', body); }
   colliderState(collider) { return this.get('lr_collider_state', 'lr_collider_get_state', collider); }
+  bodyLoads(body) { return this.get('lr_body_loads', 'lr_body_get_loads', body); }
 }

@@ -1,0 +1,14 @@
+// std::bit_cast, which standard libraries older than their compiler lack: Emscripten's before LLVM 14, so Unity's for the web.
+#pragma once
+
+#include "base/bit_cast.h"
+
+#include <type_traits>
+
+namespace lr {
+
+template <class To, class From> constexpr To bit_cast(const From& from) noexcept {
+    static_assert(sizeof(To) == sizeof(From) && std::is_trivially_copyable_v<To> && std::is_trivially_copyable_v<From>);
+    return __builtin_bit_cast(To, from);
+}
+} // namespace lr
