@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Bakes models that Debian packages, and counts how many bake: docs/maintainers/testing.md has the table.
 
-    scripts/bake_corpus.py [--lr-bake PATH] [--most N] [--jobs N] [--only CORPUS] [--match TEXT]
+    scripts/bake_corpus.py [--lr-bake PATH] [--most N] [--jobs N] [--only CORPUS] [--match TEXT] [PACKAGE...]
 
 Fetches the packages into build/corpus with apt-get download; nothing is installed. Each bake has 60 s of processor time and 3 GB. A
 model that is refused is baked again with the first option that the message names. --most N takes about N models of each
@@ -11,6 +11,7 @@ collection, evenly spread. Writes build/corpus/results.json and prints the table
 import argparse
 import collections
 import concurrent.futures
+import gzip
 import hashlib
 import json
 import os
@@ -57,6 +58,8 @@ def unpack(package):
             with tarfile.open(path) as archive:
                 safe = {"filter": "data"} if hasattr(tarfile, "data_filter") else {}  # Python before 3.11.4 has none
                 archive.extractall(path.parent / (path.name + ".d"), **safe)
+        elif path.suffix == ".gz" and pathlib.Path(path.stem).suffix.lower() in ENDINGS:
+            path.with_suffix("").write_bytes(gzip.decompress(path.read_bytes()))
         elif path.suffix in {".zip", ".sh3f"}:
             with zipfile.ZipFile(path) as archive:
                 archive.extractall(path.parent / (path.name + ".d"))
@@ -146,6 +149,7 @@ def table(results):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("packages", nargs="*", metavar="PACKAGE", help="other packages, instead of those of the table")
     parser.add_argument("--lr-bake", default=str(ROOT / "build/release/src/tools/lr_bake/lr_bake"))
     parser.add_argument("--most", type=int, default=0, help="models of each collection; 0: all")
     parser.add_argument("--jobs", type=int, default=2)
@@ -158,6 +162,9 @@ def main():
     LIMIT.seconds = args.seconds
     (FOLDER / "out").mkdir(parents=True, exist_ok=True)
     work = []
+    if args.packages:
+        PACKAGES.clear()
+        PACKAGES.update((package, package) for package in args.packages)
     for name, package in PACKAGES.items():
         if args.only in {None, name, package}:
             chosen = models(unpack(package), args.most)

@@ -15,6 +15,7 @@
 #include "baker/mass_mesh.h"
 #include "baker/mesh/body_parts.h"
 #include "baker/mesh/convex_hull.h"
+#include "baker/mesh/double_sheets.h"
 #include "baker/mesh/ellipsoid_mesh.h"
 #include "baker/mesh/mass_properties.h"
 #include "baker/mesh/mesh_check.h"
@@ -150,8 +151,7 @@ private:
         const auto as_modelled = [&](Mesh& mesh, Faults& faults) {
             return is_sheet() ? check_sheet(mesh, faults) : check_and_repair(mesh, faults);
         };
-        if (options_.strict || options_.card)
-            return as_modelled(mesh_, faults_) && (!is_sheet() || set_thickness(mesh_, mesh_.faces));
+        if (options_.strict || options_.card) return as_modelled(mesh_, faults_) && (!is_sheet() || finish_sheet());
         Mesh checked = mesh_;
         Faults found;
         const auto repairable = [](const Fault& f) {
@@ -160,7 +160,7 @@ private:
         if (as_modelled(checked, found) || std::none_of(found.begin(), found.end(), repairable)) {
             mesh_ = std::move(checked);
             faults_.insert(faults_.end(), found.begin(), found.end());
-            return !has_error(found) && (!is_sheet() || set_thickness(mesh_, mesh_.faces));
+            return !has_error(found) && (!is_sheet() || finish_sheet());
         }
         const OpenParts open = is_sheet()      ? OpenParts::all_sheets
                                : options_.fill ? OpenParts::filled
@@ -169,20 +169,35 @@ private:
         mesh_ = parts_.mesh;
         if (parts_.solid_faces == 0) {
             sheet_ = true;
-            if (!check_sheet(mesh_, faults_)) return false;
-            return set_thickness(mesh_, mesh_.faces);
+            return check_sheet(mesh_, faults_) && finish_sheet();
         }
         mixed_ = !parts_.clean || parts_.has_sheets();
         if (!mixed_) return true;
         const BodyParts skin = outer_skin(parts_);
         if (take_as_one_solid(skin)) return true;
-        const std::vector<Face> sheets = skin.sheets();
+        std::vector<Face> sheets = skin.sheets();
+        mesh_ = skin.mesh;
+        solid_faces_ = skin.solid_faces;
+        if (!sheets.empty() && !(set_thickness(mesh_, sheets) && take_once(sheets))) return false;
+        mesh_.faces.resize(solid_faces_);
+        mesh_.faces.insert(mesh_.faces.end(), sheets.begin(), sheets.end());
+        drop_unused_vertices(mesh_);
         parts_.mesh.faces.resize(parts_.solid_faces);
         parts_.mesh.faces.insert(parts_.mesh.faces.end(), sheets.begin(), sheets.end());
-        mesh_ = skin.mesh;
+        return true;
+    }
+
+    bool finish_sheet() {
+        std::vector<Face> sheets = mesh_.faces;
+        if (!set_thickness(mesh_, sheets) || (!options_.card && !take_once(sheets))) return false;
+        if (sheets.size() == mesh_.faces.size()) return true;
+        mesh_.faces = std::move(sheets);
         drop_unused_vertices(mesh_);
-        solid_faces_ = skin.solid_faces;
-        return sheets.empty() || set_thickness(parts_.mesh, sheets);
+        return true;
+    }
+
+    bool take_once(std::vector<Face>& sheets) {
+        return take_double_sheets_once(mesh_, thickness_, options_.strict, sheets, faults_);
     }
 
     // Where all that made the body mixed lies inside one sound solid, the more exact way of solids is open. A cavity can hold solids.

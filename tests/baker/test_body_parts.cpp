@@ -179,6 +179,35 @@ TEST_CASE("region: solids that cross count once, in volume, centroid and inertia
     CHECK_FALSE(region.contains({2.5, 0.1, 0.5}));
 }
 
+TEST_CASE("region: a ball of slanting needles, found by bins, is the sum of its tetrahedra") {
+    // Spikes on an octahedron, wound outward: from the middle each face is seen once, so that a point is inside if it is in one of the tetrahedra.
+    Mesh mesh;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double side : {0.1, -0.1}) mesh.vertices.push_back(side * Vector::Unit(axis));
+    for (const Face& f : {Face{0, 2, 4}, Face{2, 1, 4}, Face{1, 3, 4}, Face{3, 0, 4}, Face{2, 0, 5}, Face{1, 2, 5},
+                          Face{3, 1, 5}, Face{0, 3, 5}}) {
+        const auto tip = static_cast<uint32_t>(mesh.vertices.size());
+        mesh.vertices.emplace_back(10.0 * (mesh.vertices[f[0]] + mesh.vertices[f[1]] + 0.7 * mesh.vertices[f[2]]));
+        for (std::size_t k = 0; k < 3; ++k) mesh.faces.push_back({f[k], f[(k + 1) % 3], tip});
+    }
+    const SolidRegion region(mesh, mesh.faces);
+    std::size_t inside = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const double r = 2.0 * i / 20000.0, a = 2.399963 * i, z = std::sin(0.7548777 * i);
+        const Vector point = r * Vector(std::cos(a) * std::sqrt(1.0 - z * z), std::sin(a) * std::sqrt(1.0 - z * z), z);
+        bool expected = false;
+        for (const Face& f : mesh.faces) {
+            Eigen::Matrix3d corners;
+            for (int k = 0; k < 3; ++k) corners.col(k) = mesh.vertices[f[static_cast<std::size_t>(k)]];
+            const Vector share = corners.inverse() * point;
+            expected = expected || (share.minCoeff() >= 0.0 && share.sum() <= 1.0);
+        }
+        inside += expected;
+        CHECK(region.contains(point) == expected);
+    }
+    CHECK(inside > 50);
+}
+
 TEST_CASE("region: the fluid in a cube and in a rod that turn") {
     // A fluid in a square prism that turns about its axis has a^4/6 less the torsion constant, 0.1406 a^4, per length.
     const auto trapped = [](const Mesh& mesh) {

@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 
@@ -65,19 +66,29 @@ std::string triangle_bytes() {
            std::string(reinterpret_cast<const char*>(indices), sizeof indices);
 }
 
-// An archive of one file that is not packed.
-std::string zip_of(const std::string& name, const std::string& text) {
-    const auto number = [](uint32_t value, int bytes) {
+// An archive of one file that is not packed. large: Zip64, as lib3mf writes all.
+std::string zip_of(const std::string& name, const std::string& text, bool large = false) {
+    const auto number = [](uint64_t value, int bytes) {
         std::string out;
         for (; bytes > 0; --bytes, value >>= 8) out += static_cast<char>(value & 255U);
         return out;
     };
-    const auto size = static_cast<uint32_t>(text.size()), length = static_cast<uint32_t>(name.size());
-    const std::string sizes = number(0, 4) + number(size, 4) + number(size, 4) + number(length, 2) + number(0, 2);
-    const std::string local = "PK\3\4" + number(20, 2) + number(0, 8) + sizes + name + text;
-    const std::string central = "PK\1\2" + number(20, 2) + number(20, 2) + number(0, 8) + sizes + number(0, 14) + name;
-    return local + central + "PK\5\6" + number(0, 4) + number(1, 2) + number(1, 2) +
-           number(static_cast<uint32_t>(central.size()), 4) + number(static_cast<uint32_t>(local.size()), 4) +
+    const uint64_t size = text.size(), elsewhere = large ? UINT64_MAX : 0;
+    const auto sizes = [&](uint64_t other, uint64_t extra) {
+        return number(0, 4) + number(size | other, 4) + number(size | other, 4) + number(name.size(), 2) +
+               number(extra, 2);
+    };
+    const std::string local = "PK\3\4" + number(20, 2) + number(0, 8) + sizes(0, 0) + name + text;
+    const std::string extra = large ? number(7, 2) + number(1, 2) + "?" + number(1, 2) + number(24, 2) +
+                                          number(size, 8) + number(size, 8) + number(0, 8)
+                                    : "";
+    const std::string central = "PK\1\2" + number(20, 2) + number(20, 2) + number(0, 8) +
+                                sizes(elsewhere, extra.size()) + number(0, 10) + number(elsewhere, 4) + name + extra;
+    const std::string end = "PK\6\6" + number(44, 8) + number(0, 12) + number(1, 8) + number(1, 8) +
+                            number(central.size(), 8) + number(local.size(), 8) + "PK\6\7" + number(0, 4) +
+                            number(local.size() + central.size(), 8) + number(1, 4);
+    return local + central + (large ? end : "") + "PK\5\6" + number(0, 4) + number(1 | elsewhere, 2) +
+           number(1 | elsewhere, 2) + number(central.size() | elsewhere, 4) + number(local.size() | elsewhere, 4) +
            number(0, 2);
 }
 
@@ -115,6 +126,37 @@ TEST_CASE("readers: a polygon whose hole is joined to its outline by a cut keeps
                     (mesh.vertices[f[1]] - mesh.vertices[f[0]]).cross(mesh.vertices[f[2]] - mesh.vertices[f[0]]).norm();
         CHECK(mesh.faces.size() == static_cast<std::size_t>(2 * n));
         CHECK(area == doctest::Approx(0.375 * n * std::sin(6.283185307179586 / n)).epsilon(1e-5));
+    }
+}
+
+// Of a rectangle's corners all are equally good ears, and the back begins at another one.
+TEST_CASE(
+    "readers: both sides of a polygon have the same triangles, wherever each begins and whether they share vertices") {
+    const std::string corners = "v 0 0 0\nv 5 0 0\nv 5 3 0\nv 0 3 0\n";
+    for (const char* back : {"4 3 2 1", "3 2 1 4", "2 1 4 3", "1 4 3 2", "8 7 6 5", "6 5 8 7", "2 3 4 1"}) {
+        CAPTURE(back);
+        Faults faults;
+        const Mesh mesh = read(corners + corners + "f 1 2 3 4\nf " + back + "\n", "obj", faults);
+        REQUIRE(mesh.faces.size() == 4);
+        const auto places = [&](std::size_t f) {
+            std::vector<std::array<double, 3>> all;
+            for (const uint32_t i : mesh.faces[f]) {
+                const Eigen::Vector3d& p = mesh.vertices[i];
+                all.push_back({p.x(), p.y(), p.z()});
+            }
+            std::sort(all.begin(), all.end());
+            return all;
+        };
+        const auto normal = [&](std::size_t f) {
+            const Face& c = mesh.faces[f];
+            const Eigen::Vector3d a = mesh.vertices[c[1]] - mesh.vertices[c[0]];
+            return a.cross(mesh.vertices[c[2]] - mesh.vertices[c[0]]).eval();
+        };
+        const double sense = back == std::string("2 3 4 1") ? 1.0 : -1.0;
+        for (std::size_t f = 0; f < 2; ++f) {
+            CHECK(places(f) == places(f + 2));
+            CHECK((normal(f) - sense * normal(f + 2)).norm() < 1e-12);
+        }
     }
 }
 
@@ -314,10 +356,16 @@ TEST_CASE("readers: 3MF has a unit, and objects made of placed components") {
         "<object id='2' name='fan'><components><component objectid='1'/>"
         "<component objectid='1' transform='-1 0 0 0 1 0 0 0 1 10 0 5'/></components></object></resources>"
         "<build><item objectid='2' transform='1 0 0 0 1 0 0 0 1 0 0 1'/></build></model>";
-    const std::string bytes = zip_of("3D/3dmodel.model", model);
     MeshReadOptions options;
     Mesh mesh;
     Faults faults;
+    std::string bytes;
+    SUBCASE("archive") {
+        bytes = zip_of("3D/3dmodel.model", model);
+    }
+    SUBCASE("large archive") {
+        bytes = zip_of("3D/3dmodel.model", model, true);
+    }
     REQUIRE(read_mesh_memory(bytes.data(), bytes.size(), "3mf", options, mesh, faults));
     REQUIRE(mesh.faces.size() == 2);
     REQUIRE(mesh.vertices.size() == 6);

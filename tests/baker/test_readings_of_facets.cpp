@@ -7,12 +7,12 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <string>
 
 using namespace lr;
 using namespace lr::baker;
+using test::subdivided, test::wheel;
 
 namespace {
 
@@ -41,51 +41,9 @@ Mesh brick(const Vec& size, double chamfer) {
     return {hull.vertices, hull.faces, {}};
 }
 
-// Around z, closed by fans: radius and height of each ring, from below.
-Mesh wheel(const std::vector<std::array<double, 2>>& rings, int sides) {
-    Mesh mesh;
-    const auto at = [&](std::size_t ring, int side) {
-        return static_cast<uint32_t>(ring * static_cast<std::size_t>(sides)) + static_cast<uint32_t>(side % sides);
-    };
-    for (const auto& [radius, height] : rings)
-        for (int i = 0; i < sides; ++i) {
-            const double angle = 2.0 * std::numbers::pi * i / sides;
-            mesh.vertices.emplace_back(radius * std::cos(angle), radius * std::sin(angle), height);
-        }
-    const auto below = static_cast<uint32_t>(mesh.vertices.size()), above = below + 1;
-    mesh.vertices.emplace_back(0.0, 0.0, rings.front()[1]);
-    mesh.vertices.emplace_back(0.0, 0.0, rings.back()[1]);
-    const std::size_t last = rings.size() - 1;
-    for (int i = 0; i < sides; ++i) {
-        mesh.faces.push_back({below, at(0, i + 1), at(0, i)});
-        mesh.faces.push_back({above, at(last, i), at(last, i + 1)});
-        for (std::size_t k = 0; k < last; ++k) {
-            mesh.faces.push_back({at(k, i), at(k, i + 1), at(k + 1, i + 1)});
-            mesh.faces.push_back({at(k, i), at(k + 1, i + 1), at(k + 1, i)});
-        }
-    }
-    return mesh;
-}
-
 Mesh oval(Mesh mesh) {
     test::apply(mesh, Vec(1.0, 0.4, 1.0).asDiagonal());
     return mesh;
-}
-
-// Each triangle in four, in its plane.
-Mesh subdivided(const Mesh& mesh) {
-    Mesh out{mesh.vertices, {}, {}};
-    std::map<std::pair<uint32_t, uint32_t>, uint32_t> middles;
-    const auto middle = [&](uint32_t a, uint32_t b) {
-        const auto [entry, fresh] = middles.try_emplace(std::minmax(a, b), static_cast<uint32_t>(out.vertices.size()));
-        if (fresh) out.vertices.push_back(0.5 * (mesh.vertices[a] + mesh.vertices[b]));
-        return entry->second;
-    };
-    for (const Face& f : mesh.faces) {
-        const uint32_t a = middle(f[0], f[1]), b = middle(f[1], f[2]), c = middle(f[2], f[0]);
-        out.faces.insert(out.faces.end(), {{f[0], a, c}, {f[1], b, a}, {f[2], c, b}, {a, b, c}});
-    }
-    return out;
 }
 
 const Mesh& chamfered_wheel() {

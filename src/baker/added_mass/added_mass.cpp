@@ -2,6 +2,7 @@
 
 #include "baker/added_mass/boundary_operators.h"
 #include "baker/added_mass/curved_refinement.h"
+#include "baker/added_mass/error_estimates.h"
 #include "baker/added_mass/fast_system.h"
 #include "baker/added_mass/single_cholesky.h"
 #include "baker/added_mass/surface_basis.h"
@@ -52,8 +53,6 @@ constexpr double max_condition = 1e10;
 // Error of the quadrature over neighbouring panels on a sphere, independent of the number of panels.
 constexpr double quadrature_floor = 5e-4;
 
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
-
 // Constant potentials have no energy: W is singular in these directions. Adds the square of the mean of each, which fixes the
 // constant and does not change the added mass.
 void fix_constants(const Mesh& mesh, const SurfaceBasis& basis, const std::vector<Panel>& panels,
@@ -75,166 +74,6 @@ void fix_constants(const Mesh& mesh, const SurfaceBasis& basis, const std::vecto
                 matrix(row, column) += factor * constant.signs[i] * share[row] * constant.signs[j] * share[column];
             }
     }
-}
-
-using Currents = Eigen::Matrix<double, 3, 6>; // grad phi x n on one panel, one column per mode
-
-std::vector<Currents> surface_currents(const SurfaceBasis& basis, const std::vector<Panel>& panels,
-                                       const RigidModes& phi) {
-    std::vector<Currents> currents(panels.size(), Currents::Zero());
-    for (std::size_t t = 0; t < panels.size(); ++t)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const CornerUnknowns& corner = basis.corners[t][k];
-            if (corner.plus >= 0) currents[t] += hat_curl(panels[t], k) * phi.row(corner.plus);
-            if (corner.minus >= 0) currents[t] -= hat_curl(panels[t], k) * phi.row(corner.minus);
-        }
-    return currents;
-}
-
-// Groups the corners of panels over which the surface current is continuous: those at one vertex with the same unknowns. Front
-// and back can be swapped, which changes the sign of both the jump and the normal.
-std::vector<std::array<uint32_t, 3>> group_corners(const Mesh& mesh, const SurfaceBasis& basis, std::size_t& count) {
-    struct Corner {
-        uint32_t vertex;
-        int32_t low, high;
-        uint32_t face, index;
-        bool same_group(const Corner& o) const { return vertex == o.vertex && low == o.low && high == o.high; }
-    };
-    std::vector<Corner> corners;
-    corners.reserve(3 * mesh.faces.size());
-    for (uint32_t t = 0; t < mesh.faces.size(); ++t)
-        for (uint32_t k = 0; k < 3; ++k) {
-            const CornerUnknowns& c = basis.corners[t][k];
-            corners.push_back({mesh.faces[t][k], std::min(c.plus, c.minus), std::max(c.plus, c.minus), t, k});
-        }
-    std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) {
-        if (a.vertex != b.vertex) return a.vertex < b.vertex;
-        if (a.low != b.low) return a.low < b.low;
-        if (a.high != b.high) return a.high < b.high;
-        return a.face < b.face;
-    });
-    std::vector<std::array<uint32_t, 3>> groups(mesh.faces.size());
-    count = 0;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        if (i == 0 || !corners[i].same_group(corners[i - 1])) ++count;
-        groups[corners[i].face][corners[i].index] = static_cast<uint32_t>(count - 1);
-    }
-    return groups;
-}
-
-// The error of linear elements: the energy of the difference between the surface current and its average at the vertices
-// (Zienkiewicz and Zhu 1987), each panel with its own inductance. The factor allows for the interaction of panels: on cubes of
-// 192 to 4800 triangles the error is 1.4 to 1.7 times the sum, on thin plates 0.3 times.
-Matrix6 discretisation_error(const Mesh& mesh, const SurfaceBasis& basis, const BoundaryOperators& op,
-                             const std::vector<Currents>& currents) {
-    constexpr double factor = 1.8;
-    constexpr double regular = 0.1514; // self term of a regular triangle over area and edge
-    constexpr double needle = 0.25;    // width over length, below which a panel counts more and more as one
-    std::size_t count = 0;
-    const std::vector<std::array<uint32_t, 3>> groups = group_corners(mesh, basis, count);
-    std::vector<Currents> group_current(count, Currents::Zero());
-    std::vector<double> weight(count, 0.0);
-    for (std::size_t t = 0; t < op.panels.size(); ++t)
-        for (const uint32_t g : groups[t]) {
-            group_current[g] += op.panels[t].area * currents[t];
-            weight[g] += op.panels[t].area;
-        }
-    Matrix6 error = Matrix6::Zero();
-    for (std::size_t t = 0; t < op.panels.size(); ++t) {
-        const Panel& panel = op.panels[t];
-        Currents total = Currents::Zero();
-        Matrix6 squares = Matrix6::Zero();
-        std::array<Currents, 3> differences;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const uint32_t g = groups[t][k];
-            Currents smooth = group_current[g] / weight[g];
-            smooth -= panel.normal * (panel.normal.transpose() * smooth).eval();
-            const Currents difference = differences[k] = smooth - currents[t];
-            total += difference;
-            squares += difference.transpose() * difference;
-        }
-        error += factor / 12.0 * op.self[t] * (squares + total.transpose() * total);
-        // Side by side, needles have the inductance of a surface as broad as they are long. On discs of 128 to 4000 needles the error is up to
-        // 2.5 times the sum with that.
-        const auto side = static_cast<std::size_t>(
-            std::max_element(panel.edge_length.begin(), panel.edge_length.end()) - panel.edge_length.begin());
-        const double length = panel.edge_length[side], width = 2.0 * panel.area / length;
-        if (width < needle * length) {
-            const Currents along = differences[(side + 1) % 3] - differences[side];
-            error += factor / 4.5 * (1.0 - width / (needle * length)) *
-                     std::max(0.0, regular * panel.area * length - op.self[t]) * along.transpose() * along;
-        }
-    }
-    return error;
-}
-
-// Errors from panels that are flat. Moving the surface out by d changes the energy of the fluid, with what the body displaces, by d times the
-// square of the velocity relative to the body (Hadamard).
-struct GeometryErrors {
-    // Of a curved surface: the part of the gap unknown to restore_curved_volume is of second order in the turn of the normal over a panel.
-    Matrix6 curved = Matrix6::Zero();
-    // A mesh does not say whether its faces are facets or stand for a curved surface.
-    Matrix6 reading = Matrix6::Zero();
-};
-
-// How another reading of the faces may differ, for each panel.
-struct Doubts {
-    std::vector<double> gap; // mean distance
-    std::vector<Eigen::Matrix3d>
-        energy; // of the flow by its slopes, over the area and the square of the body's velocity
-
-    Doubts() = default;
-    // Slopes press the fluid in and out on the scale of a face.
-    explicit Doubts(const CurvedSurface& surface) : gap(surface.doubt) {
-        constexpr double factor = 1.0;
-        for (std::size_t t = 0; t < gap.size(); ++t) {
-            const Face& f = surface.mesh.faces[t];
-            const Panel panel =
-                make_panel(surface.mesh.vertices[f[0]], surface.mesh.vertices[f[1]], surface.mesh.vertices[f[2]]);
-            energy.emplace_back(factor * self_interaction(panel) / (2.0 * std::numbers::pi * panel.area) *
-                                surface.tilt[t]);
-        }
-    }
-    Doubts of(const std::vector<uint32_t>& origin) const {
-        Doubts out;
-        for (const uint32_t t : origin) {
-            out.gap.push_back(gap[t]);
-            out.energy.push_back(energy[t]);
-        }
-        return out;
-    }
-};
-
-GeometryErrors geometry_errors(const BoundaryOperators& op, const std::vector<Currents>& currents,
-                               const CurvedSurface& surface, const Doubts& doubts) {
-    constexpr double factor = 0.2; // measured on ellipsoids up to 1:20 and 20:1
-    // First order changes of the inertia of a body that is nearly round cancel, and then those of second order count.
-    constexpr double uncancelled = 0.25;
-    GeometryErrors errors;
-    Matrix6 sum = Matrix6::Zero(), all = Matrix6::Zero(), slopes = Matrix6::Zero();
-    double volume = 0.0, doubtful = 0.0;
-    for (std::size_t t = 0; t < op.panels.size(); ++t) {
-        const Panel& panel = op.panels[t];
-        Currents slip = currents[t], rigid; // (grad phi - velocity of the body) x n, and that velocity
-        for (Eigen::Index k = 0; k < 3; ++k) {
-            const Eigen::Vector3d axis = Eigen::Vector3d::Unit(k);
-            rigid.col(k) = axis;
-            rigid.col(k + 3) = axis.cross(panel.centroid);
-        }
-        for (Eigen::Index k = 0; k < 6; ++k) slip.col(k) += panel.normal.cross(rigid.col(k));
-        const Matrix6 change = panel.area * (slip.transpose() * slip - rigid.transpose() * rigid);
-        errors.curved +=
-            factor * std::abs(surface.gap[t]) * std::min(1.0, surface.turn[t] * surface.turn[t]) * change.cwiseAbs();
-        sum += doubts.gap[t] * change;
-        all += std::abs(doubts.gap[t]) * change.cwiseAbs();
-        slopes += panel.area * rigid.transpose() * doubts.energy[t] * rigid;
-        volume += panel.area * panel.normal.dot(panel.centroid) / 3.0;
-        doubtful += panel.area * std::abs(doubts.gap[t]);
-    }
-    const double second = std::min(0.5, doubtful / std::max(volume, 1e-300));
-    errors.reading = (1.0 + second) * sum.cwiseAbs() + slopes.cwiseAbs();
-    errors.reading.bottomRightCorner<3, 3>() += uncancelled * (all - sum.cwiseAbs()).bottomRightCorner<3, 3>();
-    return errors;
 }
 
 // Replaces the matrix by the nearest one without negative eigenvalues; returns the largest eigenvalue removed.
@@ -435,8 +274,7 @@ bool solve_surface(const Mesh& unit, const SurfaceBasis& basis, const CurvedSurf
     const double removed = clamp_to_positive(value);
 
     const std::vector<Currents> currents = surface_currents(basis, op.panels, phi);
-    Matrix6 error =
-        discretisation_error(unit, basis, op, currents).cwiseAbs() + 0.5 * (raw - raw.transpose()).cwiseAbs();
+    Matrix6 error = discretisation_error(unit, basis, op, currents) + 0.5 * (raw - raw.transpose()).cwiseAbs();
     error += quadrature_floor * value.cwiseAbs();
     error += geometry.curved;
     if (curved) {
@@ -524,6 +362,11 @@ Mesh refine(const Mesh& unit, std::size_t most, std::vector<uint32_t>& origin) {
     return curved;
 }
 
+CurvedSurface as_facets(const Mesh& mesh) {
+    const std::vector<double> zeros(mesh.faces.size(), 0.0);
+    return {mesh, zeros, zeros, std::vector<Eigen::Matrix3d>(mesh.faces.size(), Eigen::Matrix3d::Zero()), zeros};
+}
+
 bool solve_solid(const CurvedSurface& surface, const Doubts& doubts, GeometryErrors& geometry, AddedMass& out,
                  Faults& faults, const AddedMassOptions& options, const Progress& report) {
     return solve_surface(surface.mesh, closed_basis(surface.mesh), &surface, doubts, geometry, out, faults, options,
@@ -540,12 +383,12 @@ bool compute_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMa
     const Mesh unit = scale_to_unit(mesh, centre, size);
     GeometryErrors geometry;
     Faults found;
-    const CurvedSurface surface = restore_curved_volume(unit);
+    const CurvedSurface surface = options.as_given ? as_facets(unit) : restore_curved_volume(unit);
     const Doubts doubts(surface);
     const bool good =
         solve_solid(surface, doubts, geometry, out, found, options, [&](double f) { report(first_share * f); });
     Matrix6 reading = geometry.reading;
-    bool better = !good || is_within(good_estimate, out);
+    bool better = !good || options.as_given || is_within(good_estimate, out);
     for (std::size_t most = max_refined_panels; !better && unit.faces.size() < most; most = most * 2 / 3) {
         std::vector<uint32_t> origin;
         const Mesh fine = refine(unit, most, origin);

@@ -12,6 +12,26 @@ namespace {
 // About a second. Without a flat round side of thousands of corners there are some ten for each point.
 constexpr std::size_t most_hull_faces = 2000000;
 
+// Rounds the points to floats of one spacing, a half unit in the last place of the largest coordinate at most, and takes the hull of the rounded
+// points, convex without a tolerance: the rounding of stored corners tilts slivers, which can make them concave. Rounding also turns flat faces
+// into bumps, so the points should be corners.
+bool rounded_hull(std::vector<shape::HullPoint>& points, shape::ConvexHull& out) {
+    double largest = 0.0;
+    for (const shape::HullPoint& p : points)
+        for (const double x : p) largest = std::max(largest, std::abs(x));
+    if (points.size() < 3 || !(largest > 0.0)) return false;
+    int exponent = 0;
+    std::frexp(largest, &exponent);
+    const double step = std::ldexp(1.0, exponent - shape::grid_bits); // multiples of it up to `largest` are floats
+    std::vector<shape::GridPoint> grid(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        for (std::size_t k = 0; k < 3; ++k) {
+            grid[i][k] = std::llround(points[i][k] / step);
+            points[i][k] = static_cast<double>(grid[i][k]) * step;
+        }
+    return shape::exact_hull(grid, out) == shape::HullOutcome::done;
+}
+
 // The points that lie furthest in one of many directions, spread evenly over the sphere (spherical Fibonacci points).
 std::vector<uint32_t> extreme_points(const std::vector<shape::HullPoint>& points) {
     constexpr std::size_t directions = 4000;
@@ -103,7 +123,7 @@ HullData store_hull(const ConvexHull& hull, double length) {
     std::vector<shape::HullPoint> points;
     for (const Eigen::Vector3d& p : hull.vertices) points.push_back({p.x(), p.y(), p.z()});
     shape::ConvexHull exact;
-    if (shape::exact_hull(points, exact) != shape::HullOutcome::done) return stored;
+    if (!rounded_hull(points, exact)) return stored;
     std::vector<shape::HullPoint> corners;
     for (const uint32_t i : exact.points) corners.push_back(points[i]);
     return store(corners, exact.triangles);

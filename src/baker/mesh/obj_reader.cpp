@@ -3,8 +3,10 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <map>
 
 namespace lr::baker {
 namespace {
@@ -259,6 +261,59 @@ void clip_ears(const PolygonSoup& soup, const std::vector<uint32_t>& polygon, st
     }
     faces.push_back({polygon[ring[0]], polygon[ring[1]], polygon[ring[2]]});
 }
+
+// Both sides of a sheet that is drawn twice get the same triangles: of corners that are equally good, each side would cut another one, and the mesh check
+// could not tell that one is the back of the other.
+class EarlierPolygons {
+public:
+    explicit EarlierPolygons(const PolygonSoup& soup) : soup_(&soup) {}
+
+    // Appends the triangles of an earlier polygon with the same corners in the same or the other sense. False if there is none, and keeps this one,
+    // whose triangles will follow in `faces`.
+    bool copy(const std::vector<uint32_t>& polygon, std::vector<Face>& faces) {
+        std::vector<Place> key;
+        for (const uint32_t i : polygon) key.push_back(place(i));
+        std::sort(key.begin(), key.end());
+        const auto [at, is_new] = known_.try_emplace(std::move(key), Known{&polygon, faces.size()});
+        if (is_new) return false;
+        const std::vector<uint32_t>& other = *at->second.polygon;
+        const std::size_t n = polygon.size();
+        const auto same = [&](std::size_t i, std::size_t k) { return place(polygon[i % n]) == place(other[k % n]); };
+        for (std::size_t first = 0; first < n; ++first)
+            for (const std::size_t step : {std::size_t{1}, n - 1}) {
+                std::size_t i = 0;
+                while (i < n && same(i, first + step * i)) ++i;
+                if (i < n) continue;
+                const auto own = [&](uint32_t corner) {
+                    std::size_t k = 0;
+                    while (other[(first + step * k) % n] != corner) ++k;
+                    return polygon[k];
+                };
+                for (std::size_t f = 0; f + 2 < n; ++f) {
+                    const Face& face = faces[at->second.first_face + f];
+                    Face copied{own(face[0]), own(face[1]), own(face[2])};
+                    if (step != 1) std::swap(copied[1], copied[2]);
+                    faces.push_back(copied);
+                }
+                return true;
+            }
+        return false;
+    }
+
+private:
+    using Place = std::array<double, 3>;
+    struct Known {
+        const std::vector<uint32_t>* polygon;
+        std::size_t first_face;
+    };
+    Place place(uint32_t i) const {
+        const Eigen::Vector3d& p = soup_->vertices[i];
+        return {p.x(), p.y(), p.z()};
+    }
+
+    const PolygonSoup* soup_;
+    std::map<std::vector<Place>, Known> known_;
+};
 } // namespace
 
 bool parse_obj(std::string_view text, PolygonSoup& out, Faults& faults) {
@@ -272,6 +327,7 @@ bool triangulate(const PolygonSoup& soup, Mesh& out, std::vector<std::size_t>& f
     out.vertices = soup.vertices;
     out.faces.clear();
     first_face.clear();
+    EarlierPolygons earlier(soup);
     for (std::size_t i = 0; i < soup.polygons.size(); ++i) {
         while (first_face.size() < soup.parts.size() && soup.parts[first_face.size()].first_polygon <= i)
             first_face.push_back(out.faces.size());
@@ -293,7 +349,7 @@ bool triangulate(const PolygonSoup& soup, Mesh& out, std::vector<std::size_t>& f
         }
         if (polygon.size() == 3)
             out.faces.push_back({polygon[0], polygon[1], polygon[2]});
-        else
+        else if (!earlier.copy(polygon, out.faces))
             clip_ears(soup, polygon, out.faces);
     }
     first_face.resize(soup.parts.size(), out.faces.size());

@@ -14,6 +14,29 @@ constexpr std::size_t trapped_cells = 48;
 double wedge(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
+
+// Least and largest coordinate p of the part of a triangle with coordinate q in [low, high]. The triangle must reach there.
+std::pair<double, double> extent_in(const std::array<Eigen::Vector3d, 3>& t, Eigen::Index p, Eigen::Index q, double low,
+                                    double high) {
+    double least = HUGE_VAL, most = -HUGE_VAL;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Eigen::Vector3d &from = t[k], &to = t[(k + 1) % 3];
+        double begin = 0.0, end = 1.0; // the part of the side
+        const double run = to[q] - from[q];
+        if (run != 0.0) {
+            const auto [first, last] = std::minmax({(low - from[q]) / run, (high - from[q]) / run});
+            begin = std::max(begin, first);
+            end = std::min(end, last);
+        }
+        if (begin > end || std::max(from[q], to[q]) < low || std::min(from[q], to[q]) > high) continue;
+        for (const double share : {begin, end}) {
+            const double at = from[p] + share * (to[p] - from[p]);
+            least = std::min(least, at);
+            most = std::max(most, at);
+        }
+    }
+    return {least, most};
+}
 } // namespace
 
 SolidRegion::SolidRegion(const Mesh& mesh, const std::vector<Face>& faces) {
@@ -35,13 +58,18 @@ SolidRegion::SolidRegion(const Mesh& mesh, const std::vector<Face>& faces) {
             const double at = size > 0.0 ? (x - low_[k]) / size * static_cast<double>(bins_) : 0.0;
             return static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(bins_ - 1)));
         };
+        const double row = (high_[q] - low_[q]) / static_cast<double>(bins_), slack = 1e-9 * (high_ - low_).maxCoeff();
         const auto visit = [&](const auto& use) {
             for (std::size_t i = 0; i < faces_.size(); ++i) {
                 const auto& t = faces_[i];
-                const auto [p0, p1] = std::minmax({t[0][p], t[1][p], t[2][p]});
                 const auto [q0, q1] = std::minmax({t[0][q], t[1][q], t[2][q]});
-                for (std::size_t b = bin(q0, q); b <= bin(q1, q); ++b)
-                    for (std::size_t a = bin(p0, p); a <= bin(p1, p); ++a) use(b * bins_ + a, static_cast<uint32_t>(i));
+                for (std::size_t b = bin(q0, q); b <= bin(q1, q); ++b) {
+                    // The rectangle around a slanting needle has a hundred times the bins that the needle crosses.
+                    const auto [from, to] = extent_in(t, p, q, low_[q] + static_cast<double>(b) * row - slack,
+                                                      low_[q] + static_cast<double>(b + 1) * row + slack);
+                    for (std::size_t a = bin(from - slack, p); a <= bin(to + slack, p); ++a)
+                        use(b * bins_ + a, static_cast<uint32_t>(i));
+                }
             }
         };
         std::vector<uint32_t>& start = start_[axis];

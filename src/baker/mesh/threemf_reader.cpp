@@ -57,16 +57,21 @@ Eigen::Affine3d transform_of(std::string_view text) {
     return out;
 }
 
-// A zip archive of at most 4 GB.
+// A zip archive. lib3mf and Microsoft's programs write every one in the large format (Zip64), whatever its size.
 class Archive {
 public:
     Archive(const void* bytes, std::size_t size) : bytes_(static_cast<const char*>(bytes), size) {
         const std::size_t end = bytes_.rfind("PK\5\6");
         if (end == std::string_view::npos || bytes_.size() - end < 22) return;
-        const std::size_t count = number(end + 10, 2);
-        std::size_t at = number(end + 16, 4);
+        std::size_t count = number(end + 10, 2), at = number(end + 16, 4);
+        if (count == 0xffff || at == elsewhere) {
+            const std::size_t large = number(end - std::min<std::size_t>(end, 12), 8); // from the record before the end
+            if (large > bytes_.size() || bytes_.substr(large, 4) != "PK\6\6") return;
+            count = number(large + 32, 8);
+            at = number(large + 48, 8);
+        }
         for (std::size_t i = 0; i < count; ++i) {
-            if (at + 46 > bytes_.size() || bytes_.substr(at, 4) != "PK\1\2") return;
+            if (at > bytes_.size() || bytes_.size() - at < 46 || bytes_.substr(at, 4) != "PK\1\2") return;
             const std::size_t length = number(at + 28, 2);
             entries_[std::string(bytes_.substr(at + 46, length))] = at;
             at += 46 + length + number(at + 30, 2) + number(at + 32, 2);
@@ -85,8 +90,18 @@ public:
         constexpr std::size_t most = std::size_t{1} << 30;
         const auto entry = entries_.find(name);
         if (entry == entries_.end()) return {};
-        const std::size_t method = number(entry->second + 10, 2), packed = number(entry->second + 20, 4),
-                          size = number(entry->second + 24, 4), local = number(entry->second + 42, 4);
+        const std::size_t at = entry->second, method = number(at + 10, 2);
+        std::size_t size = number(at + 24, 4), packed = number(at + 20, 4), local = number(at + 42, 4);
+        // Numbers of the large format stand in a field of their own, in this order, each only if it is needed.
+        const std::size_t fields = at + 46 + number(at + 28, 2), past = fields + number(at + 30, 2);
+        for (std::size_t field = fields; field + 4 < past; field += 4 + number(field + 2, 2)) {
+            if (number(field, 2) != 1) continue;
+            std::size_t next = field + 4;
+            for (std::size_t* value : {&size, &packed, &local})
+                if (*value == elsewhere) *value = number(next, 8), next += 8;
+            break;
+        }
+        if (local > bytes_.size()) return {};
         const std::size_t begin = local + 30 + number(local + 26, 2) + number(local + 28, 2);
         if (begin > bytes_.size() || packed > bytes_.size() - begin || size > most) return {};
         const std::string_view from = bytes_.substr(begin, packed);
@@ -104,6 +119,8 @@ public:
     }
 
 private:
+    static constexpr std::size_t elsewhere = 0xffffffff;
+
     // Little-endian; 0 beyond the end.
     std::size_t number(std::size_t at, std::size_t size) const {
         std::size_t value = 0;

@@ -1,0 +1,43 @@
+// Estimates of the errors of an added mass.
+#pragma once
+
+#include "baker/added_mass/boundary_operators.h"
+#include "baker/added_mass/surface_correction.h"
+
+#include <vector>
+
+namespace lr::baker {
+
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using Currents = Eigen::Matrix<double, 3, 6>; // grad phi x n on one panel, one column per mode
+
+std::vector<Currents> surface_currents(const SurfaceBasis& basis, const std::vector<Panel>& panels,
+                                       const RigidModes& phi);
+
+// Of the linear elements, not negative.
+Matrix6 discretisation_error(const Mesh& mesh, const SurfaceBasis& basis, const BoundaryOperators& op,
+                             const std::vector<Currents>& currents);
+
+// Errors from panels that are flat. Moving the surface out by d changes the energy of the fluid, with what the body displaces, by d times the
+// square of the velocity relative to the body (Hadamard).
+struct GeometryErrors {
+    // Of a curved surface: the part of the gap unknown to restore_curved_volume is of second order in the turn of the normal over a panel.
+    Matrix6 curved = Matrix6::Zero();
+    // A mesh does not say whether its faces are facets or stand for a curved surface.
+    Matrix6 reading = Matrix6::Zero();
+};
+
+// How another reading of the faces may differ, for each panel.
+struct Doubts {
+    std::vector<double> gap; // mean distance
+    std::vector<Eigen::Matrix3d>
+        energy; // of the flow by its slopes, over the area and the square of the body's velocity
+
+    Doubts() = default;
+    explicit Doubts(const CurvedSurface& surface);
+    Doubts of(const std::vector<uint32_t>& origin) const; // of panels cut from these faces
+};
+
+GeometryErrors geometry_errors(const BoundaryOperators& op, const std::vector<Currents>& currents,
+                               const CurvedSurface& surface, const Doubts& doubts);
+} // namespace lr::baker

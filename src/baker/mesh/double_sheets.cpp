@@ -1,0 +1,271 @@
+#include "baker/mesh/double_sheets.h"
+
+#include "baker/fault_text.h"
+#include "baker/length_text.h"
+#include "baker/mesh/body_parts.h"
+#include "baker/mesh/disjoint_sets.h"
+#include "baker/mesh/half_edges.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace lr::baker {
+namespace {
+
+constexpr double same_patch = 0.3; // cosine between neighbours: walls and the other side turn by more
+constexpr double opposed = -0.9;   // cosine between the faces of a pair
+constexpr double covered = 0.9;    // of the area of each patch
+constexpr double wall = 0.1;       // largest area of what joins the two sides of a closed surface, over that of a side
+constexpr double mostly_closed = 0.1; // free share of the rim of a side: tips of both sides that coincide went before
+constexpr std::size_t most_entries = 4000000; // of the grid: needles longer than the gap by orders are not searched
+
+struct DoubleSheets {
+    std::vector<Face> kept;                          // one face of each double sheet, and all else
+    std::size_t removed = 0;                         // faces
+    double area = 0.0, total = 0.0;                  // of the removed, and of all
+    double gap = 0.0;                                // between the faces, the mean
+    Eigen::Vector3d first = Eigen::Vector3d::Zero(); // a point of the first face that was removed
+    // Area over that of all, of layers as close that are joined at a fold: folded paper looks the same as a leaf with a back.
+    double folded = 0.0;
+};
+
+class Search {
+public:
+    Search(const Mesh& mesh, const std::vector<Face>& faces, double gap) : mesh_(mesh), faces_(faces), gap_(gap) {
+        for (const Face& f : faces_) {
+            const Eigen::Vector3d twice = (at(f[1]) - at(f[0])).cross(at(f[2]) - at(f[0]));
+            area_.push_back(0.5 * twice.norm());
+            normal_.push_back(twice.normalized());
+        }
+    }
+
+    DoubleSheets run() {
+        DoubleSheets out;
+        out.kept = faces_;
+        find_patches();
+        if (patch_area_.size() < 2 || !make_grid()) return out;
+        match();
+        std::vector<char> gone(patch_area_.size(), 0), halved(patch_area_.size(), 0); // patches, parts
+        double weight = 0.0;
+        out.total = std::accumulate(area_.begin(), area_.end(), 0.0);
+        for (const auto& [pair, cover] : covers_) {
+            const auto [a, b] = pair;
+            if (a > b) continue;
+            const auto back = covers_.find({b, a});
+            if (back == covers_.end() || cover.area < covered * patch_area_[a] ||
+                back->second.area < covered * patch_area_[b])
+                continue;
+            const bool one_part = part_[a] == part_[b];
+            if (one_part && !are_both_sides(a, b)) {
+                out.folded += (cover.area + back->second.area) / out.total;
+                continue;
+            }
+            if (gone[a] || gone[b]) continue;
+            gone[patch_area_[b] > patch_area_[a] ? a : b] = 1;
+            if (one_part) halved[part_[a]] = 1;
+            out.gap += cover.distance;
+            weight += cover.area;
+        }
+        if (weight == 0.0) return out;
+        out.gap /= weight;
+        std::vector<double> kept_area(patch_area_.size(), 0.0); // the largest of each part
+        for (std::size_t p = 0; p < patch_area_.size(); ++p)
+            if (!gone[p]) kept_area[part_[p]] = std::max(kept_area[part_[p]], patch_area_[p]);
+        for (std::size_t p = 0; p < patch_area_.size(); ++p)
+            if (halved[part_[p]] && !gone[p] && patch_area_[p] < wall * kept_area[part_[p]]) gone[p] = 1;
+        out.kept.clear();
+        for (std::size_t i = 0; i < faces_.size(); ++i) {
+            if (!gone[patch_[i]]) {
+                out.kept.push_back(faces_[i]);
+                continue;
+            }
+            if (out.removed++ == 0) out.first = middle(i);
+            out.area += area_[i];
+        }
+        return out;
+    }
+
+private:
+    struct Cover {
+        double area = 0.0, distance = 0.0; // the second: times the area
+    };
+
+    // Of a closed surface that has nothing but these two sides and a rim. Pleats have other layers on both sides.
+    bool are_both_sides(uint32_t a, uint32_t b) const {
+        return closed_[a] && closed_[b] && patch_area_[a] + patch_area_[b] > (1.0 - wall) * part_area_[part_[a]];
+    }
+
+    const Eigen::Vector3d& at(uint32_t v) const { return mesh_.vertices[v]; }
+    Eigen::Vector3d middle(std::size_t i) const {
+        return (at(faces_[i][0]) + at(faces_[i][1]) + at(faces_[i][2])) / 3.0;
+    }
+
+    // Patches of faces that turn little from one to the next, and the connected parts that they belong to.
+    void find_patches() {
+        Mesh sheets;
+        sheets.faces = faces_;
+        const std::vector<HalfEdge> halves = sorted_half_edges(sheets);
+        DisjointSets patches(faces_.size()), parts(faces_.size());
+        for (std::size_t i = 0, end = 0; i < halves.size(); i = end) {
+            while (end < halves.size() && same_edge(halves[i], halves[end])) ++end;
+            for (std::size_t k = i + 1; k < end; ++k) parts.join(halves[i].face, halves[k].face);
+            if (end - i == 2 && normal_[halves[i].face].dot(normal_[halves[i + 1].face]) > same_patch)
+                patches.join(halves[i].face, halves[i + 1].face);
+        }
+        std::map<std::size_t, uint32_t> patch_number, part_number;
+        for (std::size_t i = 0; i < faces_.size(); ++i) {
+            const auto part = part_number.try_emplace(parts.find(i), static_cast<uint32_t>(part_number.size())).first;
+            const auto [patch, new_patch] =
+                patch_number.try_emplace(patches.find(i), static_cast<uint32_t>(patch_number.size()));
+            if (new_patch) {
+                patch_area_.push_back(0.0);
+                part_.push_back(part->second);
+            }
+            patch_.push_back(patch->second);
+            patch_area_[patch->second] += area_[i];
+            part_area_.resize(part_number.size(), 0.0);
+            part_area_[part->second] += area_[i];
+        }
+        closed_.assign(patch_area_.size(), 0);
+        std::vector<std::array<double, 2>> rim(patch_area_.size(), {0.0, 0.0}); // lengths: free, all
+        for (std::size_t i = 0, end = 0; i < halves.size(); i = end) {
+            while (end < halves.size() && same_edge(halves[i], halves[end])) ++end;
+            const double length = (at(halves[i].low) - at(halves[i].high)).norm();
+            if (end - i == 1) rim[patch_[halves[i].face]][0] += length;
+            if (end - i == 2 && patch_[halves[i].face] == patch_[halves[i + 1].face]) continue;
+            for (std::size_t k = i; k < end; ++k) rim[patch_[halves[k].face]][1] += length;
+        }
+        for (std::size_t p = 0; p < rim.size(); ++p) closed_[p] = rim[p][0] <= mostly_closed * rim[p][1];
+    }
+
+    using Cell = std::array<int64_t, 3>;
+    Cell cell_of(const Eigen::Vector3d& p) const {
+        Cell c{};
+        for (std::size_t k = 0; k < 3; ++k)
+            c[k] = static_cast<int64_t>(std::floor(p[static_cast<Eigen::Index>(k)] / cell_));
+        return c;
+    }
+
+    bool make_grid() {
+        Eigen::AlignedBox3d box;
+        double sum = 0.0;
+        std::vector<Eigen::AlignedBox3d> boxes(faces_.size());
+        for (std::size_t i = 0; i < faces_.size(); ++i) {
+            for (const uint32_t v : faces_[i]) boxes[i].extend(at(v));
+            box.extend(boxes[i]);
+            sum += boxes[i].sizes().maxCoeff();
+        }
+        cell_ = std::max({gap_, 0.5 * sum / static_cast<double>(faces_.size()), 1e-6 * box.sizes().maxCoeff()});
+        for (uint32_t i = 0; i < faces_.size(); ++i) {
+            const Cell low = cell_of(boxes[i].min()), high = cell_of(boxes[i].max());
+            for (int64_t x = low[0]; x <= high[0]; ++x)
+                for (int64_t y = low[1]; y <= high[1]; ++y)
+                    for (int64_t z = low[2]; z <= high[2]; ++z) {
+                        if (entries_.size() == most_entries) return false;
+                        entries_.push_back({{x, y, z}, i});
+                    }
+        }
+        std::sort(entries_.begin(), entries_.end());
+        return true;
+    }
+
+    // For seven points of each face: the nearest face behind or before it that looks the other way.
+    void match() {
+        constexpr std::array<std::array<double, 3>, 7> points{{{1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0},
+                                                               {0.8, 0.1, 0.1},
+                                                               {0.1, 0.8, 0.1},
+                                                               {0.1, 0.1, 0.8},
+                                                               {0.45, 0.45, 0.1},
+                                                               {0.1, 0.45, 0.45},
+                                                               {0.45, 0.1, 0.45}}};
+        for (std::size_t i = 0; i < faces_.size(); ++i)
+            for (const auto& w : points) {
+                const Face& f = faces_[i];
+                const Eigen::Vector3d point = w[0] * at(f[0]) + w[1] * at(f[1]) + w[2] * at(f[2]);
+                double nearest = gap_;
+                uint32_t found = UINT32_MAX;
+                const Cell low = cell_of(point - Eigen::Vector3d::Constant(gap_)),
+                           high = cell_of(point + Eigen::Vector3d::Constant(gap_));
+                for (int64_t x = low[0]; x <= high[0]; ++x)
+                    for (int64_t y = low[1]; y <= high[1]; ++y)
+                        for (int64_t z = low[2]; z <= high[2]; ++z) {
+                            const Cell cell{x, y, z};
+                            for (auto e = std::lower_bound(entries_.begin(), entries_.end(), std::pair(cell, 0U));
+                                 e != entries_.end() && e->first == cell; ++e)
+                                if (const double d = distance(point, i, e->second); d < nearest) {
+                                    nearest = d;
+                                    found = e->second;
+                                }
+                        }
+                if (found == UINT32_MAX) continue;
+                Cover& cover = covers_[{patch_[i], patch_[found]}];
+                cover.area += area_[i] / static_cast<double>(points.size());
+                cover.distance += nearest * area_[i] / static_cast<double>(points.size());
+            }
+    }
+
+    // Along the normal of face `from`; infinite if `to` is not there or does not look the other way.
+    double distance(const Eigen::Vector3d& point, std::size_t from, std::size_t to) const {
+        if (patch_[to] == patch_[from] || normal_[from].dot(normal_[to]) > opposed) return HUGE_VAL;
+        const Face& f = faces_[to];
+        const double along =
+            normal_[to].dot(at(f[0]) - point) / normal_[to].dot(normal_[from]); // of the line through the point
+        const Eigen::Vector3d hit = point + along * normal_[from];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Eigen::Vector3d &a = at(f[k]), &b = at(f[(k + 1) % 3]);
+            if ((b - a).cross(hit - a).dot(normal_[to]) < -1e-9 * area_[to]) return HUGE_VAL;
+        }
+        return std::abs(along);
+    }
+
+    const Mesh& mesh_;
+    const std::vector<Face>& faces_;
+    double gap_, cell_ = 0.0;
+    std::vector<double> area_, patch_area_, part_area_;
+    std::vector<Eigen::Vector3d> normal_;
+    std::vector<uint32_t> patch_, part_; // of each face; of each patch
+    std::vector<char> closed_;           // of each patch: its rim is joined to others
+    std::vector<std::pair<Cell, uint32_t>> entries_;
+    std::map<std::pair<uint32_t, uint32_t>, Cover> covers_; // of the first patch by the second
+};
+
+DoubleSheets find_double_sheets(const Mesh& mesh, const std::vector<Face>& sheets, double gap) {
+    return Search(mesh, sheets, gap).run();
+}
+} // namespace
+
+bool take_double_sheets_once(const Mesh& mesh, double thickness, bool strict, std::vector<Face>& sheets,
+                             Faults& faults) {
+    constexpr double hair = 0.01; // of the typical length
+    const double gap = std::max(thickness, hair * sheet_length(mesh, sheets));
+    DoubleSheets found = find_double_sheets(mesh, sheets, gap);
+    const auto percent = [](double share) {
+        return std::to_string(static_cast<int>(std::lround(100.0 * share))) + " % of the area";
+    };
+    if (found.removed > 0) {
+        const std::string where = place_of(mesh, found.first, "mesh");
+        const std::string what = counted(found.removed, "face is", "faces are") + " the back of a sheet, " +
+                                 length_text(found.gap, 2) + " from its front: " + percent(found.area / found.total);
+        if (strict) {
+            faults.push_back({FaultId::mesh_duplicate_face, Severity::error, where, what + " would count twice.",
+                              "Delete the back faces, or bake without --strict."});
+            return false;
+        }
+        faults.push_back({FaultId::mesh_duplicate_face, Severity::warning, where,
+                          what + ", left out so that the sheet counts once.",
+                          "None needed; --strict refuses such a mesh."});
+    }
+    if (found.folded > 0.0)
+        faults.push_back({FaultId::mesh_duplicate_face, Severity::warning, "mesh",
+                          percent(found.folded) + " lies within " + length_text(gap, 2) +
+                              " of a layer that looks the other way and joins it at a fold: both count.",
+                          "None needed for folded paper. If one layer is the back of the other, delete it."});
+    sheets = std::move(found.kept);
+    return true;
+}
+} // namespace lr::baker
