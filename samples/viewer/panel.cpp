@@ -15,9 +15,7 @@
 #include <vector>
 
 #include "drawing/failure.h"
-extern "C" {
-#include "viewer.h"
-}
+#include "followed.h"
 
 namespace {
 
@@ -328,25 +326,10 @@ void show_graphs(panel& p, viewer& v, const scene_report& r) {
 }
 
 void show_body(panel& p, viewer& v) {
-    lr_body_state s;
-    check(lr_body_state_init(&s, sizeof s), "lr_body_state_init", nullptr);
-    if (lr_body_get_state(v.scene->world, v.followed, &s) != LR_OK) return;
-    const lr_asset_info& info = v.scene->batches[v.followed_batch].info;
-    const auto wide = [](float x) { return static_cast<double>(x); };
-    const double mass = info.mass * std::pow(wide(s.scale), 3);
-    const double speed = std::hypot(wide(s.linear_velocity[0]), wide(s.linear_velocity[1]), wide(s.linear_velocity[2]));
-    const double spin =
-        std::hypot(wide(s.angular_velocity[0]), wide(s.angular_velocity[1]), wide(s.angular_velocity[2]));
-    float air[3] = {};
-    check(lr_world_sample_wind(v.scene->world, s.position, 1, air), "wind", nullptr);
-    double flow = 0.0;
-    for (int k = 0; k < 3; ++k) flow += std::pow(wide(s.linear_velocity[k]) - wide(air[k]), 2);
-    ImGui::Text("%s, %.3g g, %.1f s old", info.name, 1e3 * mass, wide(s.age));
-    ImGui::Text("at %.2f %.2f %.2f m", wide(s.position[0]), wide(s.position[1]), wide(s.position[2]));
-    ImGui::Text("falls %.2f m/s, drifts %.2f m/s", -wide(s.linear_velocity[1]),
-                std::hypot(wide(s.linear_velocity[0]), wide(s.linear_velocity[2])));
-    ImGui::Text("%.2f m/s, against the air %.2f m/s", speed, std::sqrt(flow));
-    ImGui::Text("turns %.1f rad/s (%.0f a minute)", spin, spin * 60.0 / 6.283185307);
+    Followed body = followed(v);
+    if (!body.there) return;
+    describe(v, body);
+    lr_body_state& s = body.state;
     ImGui::TextUnformatted(s.sleep_state == LR_SLEEP_ASLEEP ? "asleep" : "awake");
     if (ImGui::Button("let go")) v.followed.id = 0;
     placed(p, "let go", "f: the camera stays");
@@ -377,35 +360,12 @@ uint32_t note_hits(panel& p, const viewer& v) {
 
 // A ring at the place of each hit, wider with its speed, and fainter with its age.
 void draw_hits(const panel& p, const viewer& v) {
-    const float w = static_cast<float>(v.picture.width), h = static_cast<float>(v.picture.height);
-    const camera_view view = camera_look(&v.camera, w / h);
+    const Eye eye(v);
     for (const panel::Hit& hit : p.hits) {
-        float x, y;
-        if (!camera_project(&view, hit.at, &x, &y)) continue;
-        const float depth = -dot(sub(hit.at, view.eye), view.back);
-        const float radius = std::max(0.5f * h * (0.02f + 0.03f * hit.speed) / (view.tan_half * depth), 2.0f);
-        ImGui::GetBackgroundDrawList()->AddCircle(ImVec2(0.5f * (1.0f + x) * w, 0.5f * (1.0f - y) * h), radius,
-                                                  IM_COL32(255, 90, 60, 230 - 11 * hit.age), 0, 1.5f);
-    }
-}
-
-// Corners around the followed body.
-void frame_body(viewer& v) {
-    const float w = static_cast<float>(v.picture.width), h = static_cast<float>(v.picture.height);
-    const camera_view view = camera_look(&v.camera, w / h);
-    float x, y;
-    if (!camera_project(&view, v.followed_at, &x, &y)) return;
-    const float depth = -dot(sub(v.followed_at, view.eye), view.back), letter = ImGui::GetFontSize();
-    const float radius = v.bodies.batches[v.followed_batch].radius;
-    const float reach = std::max(0.5f * h * radius / (view.tan_half * depth) + 0.4f * letter, 0.7f * letter);
-    const ImVec2 middle(0.5f * (1.0f + x) * w, 0.5f * (1.0f - y) * h);
-    ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    for (int i = 0; i < 4; ++i) {
-        const float sx = i & 1 ? 1.0f : -1.0f, sy = i & 2 ? 1.0f : -1.0f;
-        const ImVec2 corner(middle.x + sx * reach, middle.y + sy * reach);
-        const ImU32 colour = IM_COL32(250, 184, 56, 220);
-        list.AddLine(corner, ImVec2(corner.x - 0.5f * sx * reach, corner.y), colour, 0.12f * letter);
-        list.AddLine(corner, ImVec2(corner.x, corner.y - 0.5f * sy * reach), colour, 0.12f * letter);
+        ImVec2 at;
+        if (!eye.sees(hit.at, at)) continue;
+        const float radius = std::max(eye.pixels(hit.at, 0.02f + 0.03f * hit.speed), 2.0f);
+        ImGui::GetBackgroundDrawList()->AddCircle(at, radius, IM_COL32(255, 90, 60, 230 - 11 * hit.age), 0, 1.5f);
     }
 }
 
@@ -433,7 +393,10 @@ void build(panel& p, viewer& v) {
     const float letter = ImGui::GetFontSize(), edge = 0.8f * letter, w = static_cast<float>(v.picture.width);
     const float tall = static_cast<float>(v.picture.height) - 2.0f * edge;
     draw_hits(p, v);
-    if (v.followed.id) frame_body(v);
+    if (v.followed.id) {
+        const Followed body = followed(v);
+        if (body.there) frame_body(v, body);
+    }
     if (begin_window("Scene", edge, edge, 0.0f, 22.5f * letter, tall)) {
         show_plan(p, v);
         section(p, v, "wind", true, show_wind);
