@@ -60,7 +60,12 @@ def contiguous(values: Any, of: Any, name: str) -> NDArray[Any]:
     """Values as a contiguous array of C's type; copied only if necessary."""
     if of in _INTEGERS:
         array = np.asarray(values)
-        if array.size and array.dtype.kind not in "iub":
+        whole = array.dtype.kind in "iub"
+        if not whole and not isinstance(values, np.ndarray):  # NumPy makes floats of integers on both sides of 2^63
+            objects = np.asarray(values, object)
+            whole = all(isinstance(value, (int, np.integer)) for value in objects.flat)
+            array = objects if whole else array
+        if array.size and not whole:
             raise TypeError(f"{name}: expected integers, not {array.dtype}")
         if array.dtype != dtype(of) and array.size:
             info = np.iinfo(dtype(of))

@@ -104,6 +104,10 @@ class Asset:
         if pointer is not None:
             self._release(pointer)
 
+    def __copy__(self) -> "Asset":
+        call("lr_asset_retain", self._as_parameter_)
+        return type(self)(self._pointer)
+
     def __enter__(self) -> "Asset":
         return self
 

@@ -11,7 +11,7 @@ import numpy as np
 from . import _native as native
 from ._records import Aerodynamics, BatchRules, Emitter
 from ._plain import BatchPlain
-from ._structs import address, as_fields, contiguous, elements, init, takes, vectors
+from ._structs import address, as_fields, contiguous, elements, init, integer, takes, vectors
 from .enums import ForceFrame, ForceMode, TransformFormat
 from .view import View
 
@@ -104,6 +104,8 @@ class Batch(BatchPlain):
         Draw a mesh with its origin at the centre of mass (`asset.info.center_of_mass`).
         """
         format = TransformFormat(format)
+        if first is not None:
+            first = integer(first, ctypes.c_uint32, "first")
         shape = SHAPES[format]
         if out is None:
             out = np.empty((len(self) if first is None else min(first, len(self)), *shape), np.float32)
@@ -149,7 +151,7 @@ class Batch(BatchPlain):
         shape (count,). Contiguous float32 is not copied."""
         keep: List[Any] = []
         arrays = init(native.lr_force_arrays)
-        arrays.mode, arrays.frame, arrays.first = int(mode), int(frame), first
+        arrays.mode, arrays.frame, arrays.first = int(mode), int(frame), integer(first, ctypes.c_uint32, "first")
         given = {"force": components(force, "force"), "torque": components(torque, "torque")}
         strides = {step for value in given.values() if value is not None for step in [value[1]]}
         counts = {len(value[0][0]) for value in given.values() if value is not None}

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import ctypes
 import logging
+import signal
+import threading
 from concurrent.futures import Executor, Future
 from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Tuple
 
@@ -117,6 +119,22 @@ class WaterQuery(Query):
     normal = property(lambda self: self._array("normal"), lambda self, value: self._set("normal", value))
     velocity = property(lambda self: self._array("velocity"), lambda self, value: self._set("velocity", value))
     rate = property(lambda self: self._array("rate"), lambda self, value: self._set("rate", value))
+
+
+def uninterrupted(function: Callable[..., Any], *arguments: Any) -> Any:
+    """Calls a function of the library that calls back into Python. Ctrl-C during the call is handled after it: Python would raise it
+    on entering a callback, outside of all its `try`, where ctypes drops it, and the job system would not wait for its tasks."""
+    before = signal.getsignal(signal.SIGINT)
+    if threading.current_thread() is not threading.main_thread() or not callable(before):
+        return function(*arguments)
+    interrupts: List[Tuple[Any, ...]] = []
+    signal.signal(signal.SIGINT, lambda *interrupt: interrupts.append(interrupt))
+    try:
+        return function(*arguments)
+    finally:
+        signal.signal(signal.SIGINT, before)
+        if interrupts:
+            before(*interrupts[0])
 
 
 def field_callback(kind: Any, query: Any, function: Callable[[Any], Any], guard: Guard) -> Any:

@@ -9,7 +9,7 @@ import numpy as np
 
 from . import _native as native
 from ._plain import ColliderPlain
-from ._structs import address, contiguous, elements, init, make, rows, takes, vectors
+from ._structs import address, contiguous, elements, init, integer, make, rows, takes, vectors
 from .enums import ColliderKind, EventKinds, MoveMode
 
 if TYPE_CHECKING:
@@ -166,7 +166,7 @@ class ContactMixin:
 
     def keep_events(self, capacity: int = 4096, kinds: int = EventKinds.ALL) -> None:
         """Keeps at most `capacity` events of each step; 0 disables events."""
-        self._change("lr_world_set_events", capacity, int(kinds))
+        self._change("lr_world_set_events", integer(capacity, ctypes.c_uint32, "capacity"), int(kinds))
 
     @property
     def events(self) -> Events:

@@ -56,7 +56,7 @@ class QueryMixin:
         return self._overlap(OverlapShape.BOX, batch, position=center, size=half_extents, orientation=orientation)
 
     def _overlap(self, shape: int, batch: "Optional[Batch]", **fields: Any) -> NDArray[Any]:
-        desc = make(native.lr_overlap_desc, {**fields, "shape": int(shape), "batch": batch.id if batch else None}, [])
+        desc = make(native.lr_overlap_desc, {**fields, "shape": int(shape), "batch": None if batch is None else batch.id}, [])
         bodies, count = np.empty(256, np.uint64), ctypes.c_uint32()
         while True:
             try:

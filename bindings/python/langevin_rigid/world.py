@@ -15,7 +15,7 @@ from ._plain import WorldPlain
 from ._structs import address, contiguous, elements, integer, make, takes, vectors
 from .air import AirMixin, WindSource
 from .batch import Batch
-from .callbacks import Guard, job_callbacks, log_callback, record_callback
+from .callbacks import Guard, job_callbacks, log_callback, record_callback, uninterrupted
 from .contact import Collider, ContactMixin
 from .enums import ForceFlags, ForceFrame, ForceMode, LogLevel, SleepState
 from .errors import BusyError, ClosedError
@@ -38,6 +38,10 @@ class Handle:
         self.guard = guard
         self.keep = keep
         self.lock = threading.Lock()
+
+    def calls_python(self) -> bool:
+        """Whether a call can call back into Python, but for its log."""
+        return any(callback for name, callback in self.keep.items() if name != "log")
 
     def __del__(self) -> None:
         self.destroy(self.pointer)
@@ -95,9 +99,10 @@ class World(WorldPlain, AirMixin, ContactMixin, QueryMixin):
         handle = self._use()
         try:
             handle.guard.message = ""
-            result = getattr(library(), name)(handle.pointer, *arguments)
-            pending = handle.guard.take()
+            function = getattr(library(), name)
+            result = uninterrupted(function, handle.pointer, *arguments) if handle.calls_python() else function(handle.pointer, *arguments)
         finally:
+            pending = handle.guard.take()
             handle.lock.release()
         if pending is not None:
             raise pending

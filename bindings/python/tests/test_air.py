@@ -1,9 +1,14 @@
 # SPDX-License-Identifier: MIT
 """Wind, callbacks, water, colliders, events, queries, rules; and memory under garbage collection."""
 import concurrent.futures
+import copy
 import gc
 import logging
+import os
+import signal
+import sys
 import threading
+import time
 import unittest
 import weakref
 
@@ -125,6 +130,21 @@ class Wind(WorldCase):
                 world.create_batch(thin_leaf(), 0)
         self.assertEqual(said[0][0], lr.LogLevel.ERROR)
         self.assertIn("capacity", said[0][1])
+
+    @unittest.skipIf(sys.platform == "win32", "os.kill ends the process there")
+    def test_an_interrupt_during_a_step_is_raised_after_it(self):
+        batch = self.world.create_batch(thin_leaf(), 5000)
+        batch.create(5000)
+        self.world.set_wind_callback(lambda query: None)
+        self.world.step(1 / 60, 40)
+        for _ in range(6):
+            timer = threading.Timer(0.01, os.kill, (os.getpid(), signal.SIGINT))
+            with self.assertRaises(KeyboardInterrupt):
+                timer.start()
+                self.world.step(1 / 60, 40)
+                time.sleep(10)  # where it is raised if the step was shorter
+            timer.join()
+            self.assertIs(signal.getsignal(signal.SIGINT), signal.default_int_handler)
 
     def test_workers_and_executors_give_the_same_bits(self):
         def run(callback, **options):
@@ -281,6 +301,7 @@ class Contact(WorldCase):
         many = self.world.create_batch(thin_leaf(), 1000)
         ids = many.create(1000)
         self.assertEqual(set(self.world.overlap_sphere((0, 0, 0), 1).tolist()), set(ids.tolist()))
+        self.assertEqual(self.world.overlap_sphere((0, 0, 0), 1, batch=self.batch).tolist(), [])  # an empty batch is a batch
 
 
 class Storms(WorldCase):
@@ -372,6 +393,19 @@ class Storms(WorldCase):
 
 
 class Garbage(unittest.TestCase):
+    def test_a_copied_asset_has_its_own_reference(self):
+        asset = thin_leaf()
+        copied = copy.copy(asset)
+        copied.close()
+        others = [lr.Asset.ellipsoid(semi_axes=(1, 1, 1), density=8.0) for _ in range(8)]  # where a freed one would have been
+        with lr.World() as world:
+            drag = world.create_batch(asset, 1).aerodynamics.drag
+        self.assertEqual(drag.tolist(), thin_leaf().aerodynamics.drag.tolist())
+        self.assertEqual(len(others), 8)
+        asset.close()
+        with self.assertRaises(lr.ClosedError):
+            copy.copy(asset)
+
     def test_worlds_batches_and_callbacks_under_collection(self):
         """Collects garbage at nearly every allocation, while only the library refers to the callbacks."""
         before = gc.get_threshold()

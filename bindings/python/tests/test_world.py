@@ -151,6 +151,9 @@ class Transforms(WorldCase):
             with self.assertRaises(error):
                 self.batch.transforms(out=wrong)
         self.assertEqual(len(self.batch.transforms(out=np.zeros((16, 16), np.float32))), 16)
+        for wrong in (-1, 1 << 32):  # as a C integer the first is all bodies, beyond the end of `out`
+            with self.assertRaises(OverflowError):
+                self.batch.transforms(out=np.zeros((2, 4, 4), np.float32), first=wrong)
         read_only = np.zeros((64, 16), np.float32)
         read_only.flags.writeable = False
         with self.assertRaises(TypeError):
@@ -180,6 +183,9 @@ class Bodies(WorldCase):
         ids = self.batch.create(position=[(0, 1, 0), (3, 0, 0)], user=np.array([2**63, 7], np.uint64))
         self.world.set_state(ids[1], scale=2)
         self.assertEqual([self.world.state(body).user for body in ids], [2**63, 7])
+        listed = self.batch.create(position=[(0, 1, 0), (3, 0, 0)], user=[2**63, 7])  # of these NumPy makes floats
+        self.assertEqual([self.world.state(body).user for body in listed], [2**63, 7])
+        self.world.destroy_bodies(listed)
         self.fall()
         self.assertEqual(sorted(self.batch.view().user.tolist()), [7, 2**63])
         low, high = self.batch.bounds()
