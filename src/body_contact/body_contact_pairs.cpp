@@ -196,15 +196,15 @@ bool BodyContactStep::number_touching() {
     for (uint32_t i = 0; i < pair_count; ++i)
         if (c.pairs[i].count != 0) c.place[c.pairs[i].a] = c.place[c.pairs[i].b] = 0;
     uint32_t places = 0, count = 0;
-    for (uint32_t m = 0; m < member_count_; ++m) {
-        BodyContactBatch& member = c.members[m];
+    for (uint32_t kind = 0; kind < 2 * member_count_; ++kind) {
+        BodyContactBatch& member = c.members[kind / 2];
         places = (places + lanes - 1) / lanes * lanes;
-        member.first_place = places;
+        member.first_place[kind % 2] = places;
         const BatchArrays& arrays = member.item.batch->arrays();
         for (uint32_t i = 0; i < member.count; ++i) {
-            if (c.place[member.first + i] != 0) continue;
+            if (c.place[member.first + i] != 0 || wet(member, member.first + i) != (kind % 2 != 0)) continue;
             const Vector x = pose_of(arrays, i).position;
-            c.tiled[count++] = {{x.x, x.y, x.z}, m, arrays.noise_seed[i], member.first + i, 0};
+            c.tiled[count++] = {{x.x, x.y, x.z}, kind, arrays.noise_seed[i], member.first + i, 0};
             ++places;
         }
     }
@@ -222,7 +222,8 @@ bool BodyContactStep::number_touching() {
     cut_into_tiles(c.tiled.data(), count, tile_levels_);
     for (uint32_t i = 0, place = 0; i < count; ++i, ++place) {
         const TiledBody& one = c.tiled[i];
-        if (i == 0 || one.member != c.tiled[i - 1].member) place = c.members[one.member].first_place;
+        if (i == 0 || one.member != c.tiled[i - 1].member)
+            place = c.members[one.member / 2].first_place[one.member % 2];
         c.place[one.body] = place;
         c.body_at[place] = one.body;
         c.tile[place] = one.tile;

@@ -81,14 +81,14 @@ void BodyContactStep::hold_group(const BodyContactBatch& member, uint32_t first,
             before(member.first + first, f), [](uint32_t i) { return i; }, began_rows[f]);
 
     const ContactSubstep taken = contact_substep(time_, substep, began_rows);
-    ContactGroup group(member.run.step, member.item.batch->step.body, arrays, count);
+    ContactGroup group(member.run.step, member.item.batch->step, arrays, count);
     group.collect(taken);
     if (copies.has_floor) std::copy_n(copies.floor, count, from.floor + first);
     const uint32_t* const place = buffers_->place.data() + member.first + first;
     const auto touches = [&](uint32_t i) { return place_count_ != 0 && place[i] != none; };
     for (uint32_t i = 0; i < count && which == Held::apart; ++i)
         if (touches(i)) take_out(group, i, place[i]);
-    group.solve(taken);
+    group.solve(taken, wet_ ? buffers_->submerged.data() + member.first + first : nullptr);
     for (uint32_t i = 0; i < count; ++i) {
         if (which != Held::apart && !touches(i)) continue;
         hold_if_insane(arrays, i, member.item.batch->step.faults, [&](size_t f) { return began_rows[f][i]; });
@@ -192,15 +192,18 @@ bool BodyContactStep::solve() {
         for (uint32_t place = begin; place < end; ++place) fill_body(place);
     });
     if (!grow(world_->allocator, c.units, size_t{held_used_} + c.first_pair[body_count_]) ||
-        !grow(world_->allocator, c.kinds, member_count_) || !grow(world_->allocator, c.ranges, member_count_))
+        !grow(world_->allocator, c.kinds, 2 * size_t{member_count_}) ||
+        !grow(world_->allocator, c.ranges, 2 * size_t{member_count_}))
         return false;
     const uint32_t unit_count = unit_count_ = list_units();
     uint32_t ranges = 0;
-    for (uint32_t m = 0; m < member_count_; ++m) {
-        c.kinds[m] = c.members[m].kind;
-        const uint32_t begin = c.members[m].first_place;
-        const uint32_t end = m + 1 < member_count_ ? c.members[m + 1].first_place : place_count_;
-        if (begin < end) c.ranges[ranges++] = {m, begin, end - begin};
+    const auto first_place = [&](uint32_t kind) {
+        return kind < 2 * member_count_ ? c.members[kind / 2].first_place[kind % 2] : place_count_;
+    };
+    for (uint32_t kind = 0; kind < 2 * member_count_; ++kind) {
+        c.kinds[kind] = c.members[kind / 2].kind[kind % 2];
+        const uint32_t begin = first_place(kind), end = first_place(kind + 1);
+        if (begin < end) c.ranges[ranges++] = {kind, begin, end - begin};
     }
     const auto h = static_cast<float>(time_.h);
     const BodyContactScene scene{c.kinds.data(), c.ranges.data(), ranges,      c.units.data(),
@@ -232,7 +235,9 @@ Touch BodyContactStep::touch_with(uint32_t place, uint32_t collider) const {
         if (c.held[at].collider == collider)
             sum.take(impulse, c.held_contacts[at].arm_a, c.held_frames[at].normal, c.held_frames[at].surface);
     });
-    return sum.touch(member_of(c.body_at[place]).kind.body->unit_mass * body.scale * body.scale * body.scale);
+    const BodyContactBatch& member = member_of(c.body_at[place]);
+    const float unit_mass = member.kind[wet(member, c.body_at[place])].body->unit_mass;
+    return sum.touch(unit_mass * body.scale * body.scale * body.scale);
 }
 
 void BodyContactStep::put_back(uint32_t place, uint32_t substep) {

@@ -96,8 +96,12 @@ void BodyContactStep::move_sheltered(const BodyContactBatch& member, uint32_t be
     BatchArrays arrays = copies.arrays();
     for (size_t f = 0; f < field_count; ++f)
         if (!batch.arrays().field[f]) arrays.field[f] = nullptr;
-    const FieldSlice slice{world_->target, &world_->wind, time_, substep, 1, wet_ ? &surface_ : nullptr, felt};
+    float submerged[cut_bodies];
+    const FieldSlice slice{world_->target, &world_->wind, time_, substep, 1, wet_ ? &surface_ : nullptr,
+                           felt,           submerged};
     step_in_field(slice, in, nullptr, arrays, member.item.handle, count, 0, copies.padded);
     copies.put_back(batch.arrays(), at);
+    for (uint32_t i = 0; i < count && wet_ && in.water; ++i)
+        buffers_->submerged.data()[member.first + index[i]] = submerged[i];
 }
 } // namespace lr

@@ -25,7 +25,8 @@ bool BodyContactStep::prepare() {
     body_count_ = 0;
     for (uint32_t m = 0; m < member_count_; ++m) body_count_ += items_[m].batch->padded_awake();
     if (!grow(world_->allocator, c.members, member_count_) ||
-        !grow(world_->allocator, c.before, pose_fields * size_t{body_count_}))
+        !grow(world_->allocator, c.before, pose_fields * size_t{body_count_}) ||
+        (wet_ && !grow(world_->allocator, c.submerged, body_count_)))
         return false;
     // In the order of batches, not of items.
     uint32_t first = 0;
@@ -37,12 +38,15 @@ bool BodyContactStep::prepare() {
         Batch& batch = *item->batch;
         const auto h = static_cast<float>(time_.h);
         auto* const member = new (&c.members[m++]) BodyContactBatch{
-            *item, slot, first, batch.awake(), 0, world_->pairs.has(slot, slot), {}, SleepingNeighbours(*world_, slot),
+            *item, slot, first, batch.awake(), {}, world_->pairs.has(slot, slot), {}, SleepingNeighbours(*world_, slot),
             {}};
         member->run = contact_run(*world_, batch, wet_ ? &surface_ : nullptr, time_, h);
         member->run.book = batch.contact_cache();
         if (member->sleeping.any()) member->run.step.sleeping = &member->sleeping;
-        member->kind = {&batch.step.body, batch.asset().shape.reach, rolling_of(batch.contact(), batch.asset().shape)};
+        const WaterBody* const water = batch.step.water;
+        for (SolverBodyKind& kind : member->kind)
+            kind = {&batch.step.body, batch.asset().shape.reach, rolling_of(batch.contact(), batch.asset().shape)};
+        if (water) member->kind[1].body = &water->water;
         first += batch.padded_awake();
     }
     return true;
@@ -56,6 +60,11 @@ BodyContactBatch& BodyContactStep::member_of(uint32_t body) const {
 
 float* BodyContactStep::before(uint32_t body, size_t field) const {
     return buffers_->before.data() + field * body_count_ + body;
+}
+
+bool BodyContactStep::wet(const BodyContactBatch& member, uint32_t body) const {
+    const WaterBody* const water = member.item.batch->step.water;
+    return wet_ && water && water->carries(buffers_->submerged.data()[body]);
 }
 
 Pose BodyContactStep::began(uint32_t body) const {
@@ -84,13 +93,15 @@ void BodyContactStep::move_cut(const BodyContactBatch& member, uint32_t begin, u
     const BatchArrays& arrays = batch.arrays();
     for (size_t f = 0; f < pose_fields; ++f)
         std::copy(arrays.field[f] + begin, arrays.field[f] + end, before(member.first + begin, f));
+    float* const submerged = wet_ ? buffers_->submerged.data() + member.first + begin : nullptr;
     if (world_->wind.active()) {
-        const FieldSlice slice{world_->target, &world_->wind, time_, substep, 1, wet_ ? &surface_ : nullptr};
+        FieldSlice slice{world_->target, &world_->wind, time_, substep, 1, wet_ ? &surface_ : nullptr};
+        slice.submerged = submerged;
         step_in_field(slice, batch.step, nullptr, arrays, member.item.handle, batch.awake(), begin, end);
         return;
     }
     step_lanes(*world_->target, wet_ ? &surface_ : nullptr, {time_.begin + substep * time_.h, time_.h, 1},
-               substep_of(batch.step, substep), arrays, member.item.handle, batch.awake(), begin, end);
+               substep_of(batch.step, substep), arrays, member.item.handle, batch.awake(), begin, end, submerged);
 }
 
 void BodyContactStep::move_alone(uint32_t substep) {

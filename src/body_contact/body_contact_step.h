@@ -39,12 +39,12 @@ private:
 struct BodyContactBatch {
     StepItem item;
     uint32_t slot;
-    uint32_t first, count; // its bodies' indices in the step, consecutive from `first`
-    uint32_t first_place;  // of its bodies that touch others
-    bool own;              // its bodies can touch each other
+    uint32_t first, count;   // its bodies' indices in the step, consecutive from `first`
+    uint32_t first_place[2]; // of its bodies that touch others: in air, and those that carry water along
+    bool own;                // its bodies can touch each other
     ContactRun run;
     SleepingNeighbours sleeping;
-    SolverBodyKind kind;
+    SolverBodyKind kind[2]; // likewise
 };
 
 // Memory of such steps: it grows on demand and is kept.
@@ -69,8 +69,9 @@ struct BodyContactBuffers {
     };
 
     Buffer<BodyContactBatch> members;
-    Buffer<float> before; // pose_fields rows of all bodies, as the substep began
-    Buffer<Moved> moved;  // by body
+    Buffer<float> before;    // pose_fields rows of all bodies, as the substep began
+    Buffer<float> submerged; // by body: the part in water, if there is any
+    Buffer<Moved> moved;     // by body
     BodyBroadPhase grid;
     Buffer<uint32_t> first_pair; // by body, plus the end: the first pair that it has found
     Buffer<PlacedBox> placed;    // by body
@@ -116,6 +117,7 @@ private:
 
     BodyContactBatch& member_of(uint32_t body) const;
     float* before(uint32_t body, size_t field) const;
+    bool wet(const BodyContactBatch& member, uint32_t body) const;
     Pose began(uint32_t body) const;
     template <class Function> void each_cut(const Function& function) const;
 

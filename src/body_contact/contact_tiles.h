@@ -7,8 +7,8 @@ namespace lr {
 
 // A body to be put into a tile.
 struct TiledBody {
-    float x[3]; // m
-    uint32_t member, noise_seed, body;
+    float x[3];                        // m
+    uint32_t member, noise_seed, body; // member: twice the number of its batch, and one if it carries water along
     uint32_t tile;
 };
 

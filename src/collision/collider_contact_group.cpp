@@ -76,9 +76,8 @@ SurfaceMotion motion_of(const Collider& c, const ContactSubstep& substep) {
     return {to.position, 1.0f / h * (to.position - from.position), 1.0f / h * chord(turn), h};
 }
 
-ContactGroup::ContactGroup(const ContactStep& step, const BodyConstants& body, const BatchArrays& arrays,
-                           uint32_t count)
-    : step_(&step), body_(&body), arrays_(arrays), count_(count) {
+ContactGroup::ContactGroup(const ContactStep& step, const StepInput& in, const BatchArrays& arrays, uint32_t count)
+    : step_(&step), body_(&in.body), water_(in.water), arrays_(arrays), count_(count) {
     std::fill(touches_, touches_ + contact_lanes, false);
     for (uint32_t i = 0; i < count; ++i) {
         Near& near = near_[i];
@@ -319,9 +318,31 @@ void ContactGroup::take_out(uint32_t i) {
     filled_[i] = 0;
 }
 
-void ContactGroup::solve(const ContactSubstep& substep) {
+// With the added mass of the fluid that a body is in: with another one impulses would add energy.
+void ContactGroup::resolve(const ContactSubstep& substep, const float* submerged) {
+    bool any_wet = false;
+    for (uint32_t i = 0; i < count_; ++i) {
+        wet_[i] = water_ && submerged && water_->carries(submerged[i]);
+        any_wet = any_wet || wet_[i];
+    }
+    ContactBodies bodies = this->bodies(substep);
+    if (!any_wet) return step_->target->resolve(bodies, slots_);
+    for (const bool wet : {false, true}) {
+        bodies.body = wet ? &water_->water : body_;
+        ContactSlots part = slots_;
+        const auto each = [&](bool which, const auto& function) {
+            for (uint32_t i = 0; i < count_; ++i)
+                for (uint32_t k = 0; k < filled_[i] && wet_[i] == which; ++k) function(i, k);
+        };
+        each(!wet, [&](uint32_t i, uint32_t k) { part.slot[k].gap[i] = no_contact; });
+        step_->target->resolve(bodies, part);
+        each(wet, [&](uint32_t i, uint32_t k) { slots_.slot[k].impulse[i] = part.slot[k].impulse[i]; });
+    }
+}
+
+void ContactGroup::solve(const ContactSubstep& substep, const float* submerged) {
     if (slots_.used == 0) return;
-    step_->target->resolve(bodies(substep), slots_);
+    resolve(substep, submerged);
     leave_floors(substep);
     stay_in_front(substep);
     for (uint32_t i = 0; i < count_; ++i)
@@ -384,7 +405,7 @@ Touch ContactGroup::touch_with(uint32_t i, uint32_t collider, const ContactSubst
         if (c.collider == collider) sum.take(slots_.slot[k].impulse[i], c.arm, c.normal, c.surface);
     }
     const float scale = arrays_.field[field_scale][i];
-    return sum.touch(body_->unit_mass * scale * scale * scale);
+    return sum.touch((wet_[i] ? water_->water : *body_).unit_mass * scale * scale * scale);
 }
 
 NearContacts::NearContacts(const ContactStep& step, const BatchArrays& arrays, uint32_t live, uint32_t begin,

@@ -7,6 +7,7 @@
 #include "collision/colliders.h"
 #include "collision/mesh_floor.h"
 #include "kernel/contact/collider_contact.h"
+#include "kernel/integrator/step.h"
 #include "kernel/wind/sample_wind.h"
 
 #include <algorithm>
@@ -153,11 +154,12 @@ Vector way_back(const ContactStep& step, float scale, uint32_t floor, const Mesh
 class ContactGroup {
 public:
     // bodies: in arrays of contact_lanes; the first `count` are bodies, the rest copies of the last.
-    ContactGroup(const ContactStep& step, const BodyConstants& body, const BatchArrays& arrays, uint32_t count);
+    ContactGroup(const ContactStep& step, const StepInput& in, const BatchArrays& arrays, uint32_t count);
 
     // After a substep, in two parts. Between them contacts of single bodies can be extracted, to be solved with others'.
     void collect(const ContactSubstep& substep);
-    void solve(const ContactSubstep& substep);
+    // submerged: the bodies' parts in water; null: they are dry.
+    void solve(const ContactSubstep& substep, const float* submerged);
     uint32_t contacts(uint32_t lane) const { return filled_[lane]; }
     SlotContact contact(uint32_t lane, uint32_t k) const { return contact_in(slots_.slot[k], lane); }
     void take_out(uint32_t lane);
@@ -191,6 +193,7 @@ private:
     template <class Found> void each_candidate(uint32_t lane, const Box& around, Found&& found) const;
     template <class Found> void any_order(uint32_t lane, const Box& around, Found&& found) const;
     ContactBodies bodies(const ContactSubstep& substep) const;
+    void resolve(const ContactSubstep& substep, const float* submerged);
     void ground_effect(const ContactSubstep& substep);
     void find_floors(const ContactSubstep& substep);
     void leave_floors(const ContactSubstep& substep);
@@ -207,12 +210,14 @@ private:
 
     const ContactStep* step_;
     const BodyConstants* body_;
+    const WaterBody* water_; // null without water
     BatchArrays arrays_;
     uint32_t count_;
     uint32_t ground_count_ = 0;
     uint32_t grounds_[contact_lanes * most_candidates]; // room for all: other bodies must not displace any
     uint8_t filled_[contact_lanes];
     bool touches_[contact_lanes];
+    bool wet_[contact_lanes] = {}; // carries the water's added mass
     Near near_[contact_lanes];
     MeshFloor floor_[contact_lanes]; // of this substep
     Asleep at_rest_[contact_slots][contact_lanes];

@@ -451,6 +451,7 @@ HWY_NOINLINE void settle_bodies(const StepInput& in, const WetSubstep& s, const 
         after.v += stream;
         const VF inverse_length = constant(1.0f) / length;
         store_velocities(a, at, after.v, inverse_length * after.u, in.faults);
+        store1(s.fraction, at, end.fraction);
     }
 }
 

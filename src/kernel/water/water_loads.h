@@ -5,6 +5,8 @@
 #include "kernel/body_constants.h"
 #include "kernel/wind/sample_wind.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -52,6 +54,10 @@ struct WaterBody {
     // lambda. On the diagonal path, never with AERODYNAMIC loads, X is diagonal and not used.
     float lambda[6], to[36], from[36];
     bool diagonal;
+    // The water's mass matrix is nearer to that of a body with such a part in it than the air's, by the mode in which they differ most.
+    bool carries(float part) const {
+        return part * (1.0f + std::sqrt(1.0f + *std::max_element(lambda, lambda + 6))) > 1.0f;
+    }
 };
 
 struct WetSubstep {
@@ -62,7 +68,7 @@ struct WetSubstep {
     const SurfaceBlock* end;
     const float (*wind)[field_block]; // m/s, of the upper fluid at the bodies
     const float* gravity;             // m/s^2, the world's
-    float* fraction;                  // submerged in the middle of the substep, for the settling after it
+    float* fraction;                  // submerged in the middle of the substep; after the settling at its end
 };
 
 // Marks with 1 in `near` the bodies of [begin, end) that can touch the water within `dt`; others get 0.

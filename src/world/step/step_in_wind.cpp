@@ -96,6 +96,10 @@ void step_in_field(const FieldSlice& slice, const StepInput& in, const ContactRu
             if (asks && at < live) ask(*slice.field, time, batch, std::min(last, live) - at, blocks);
             if (weak) weaken(slice.felt + (at - begin), last - at, blocks);
         }
+        alignas(64) float row[field_block];
+        float* submerged = surface && contact ? row : nullptr;
+        if (surface && slice.submerged) submerged = slice.submerged + (at - begin);
+        if (submerged) std::fill_n(submerged, last - at, 0.0f);
         const auto step = [&] {
             if (!surface) return target.step(part, bodies, at, last);
             NearBodies near(*slice.surface, in, arrays, live, at, last, slice.time.h, false);
@@ -105,12 +109,12 @@ void step_in_field(const FieldSlice& slice, const StepInput& in, const ContactRu
             for (size_t k = 0; k < 3; ++k) copy_row(blocks, &FieldBlock::wind, k, last - at, wind[k]);
             near.set_wind(wind);
             near.run(in, batch, slice.first + i, 1);
-            near.put_back(arrays);
+            near.put_back(arrays, submerged);
         };
         if (!contact) return step();
         ContactPass pass(*contact, in, arrays, live, at, last, slice.first + i);
         step();
-        pass.resolve();
+        pass.resolve(submerged);
     };
     // All substeps of a block, while it is in the cache.
     for (uint32_t at = begin, last; at < end; at = last) {

@@ -15,6 +15,8 @@ struct FieldSlice {
     const WaterStep* surface; // null without water
     // By body from `begin` on: the share of the wind's speed that it feels. Null: all of it.
     const float* felt = nullptr;
+    // Likewise: receives their parts in water after one substep, if there is water. Null: not asked.
+    float* submerged = nullptr;
 };
 
 // batch: handle, for the caller's own field. live: bodies of the batch; later lanes are empty. contact: null if there is nothing to touch.

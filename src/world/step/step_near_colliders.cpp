@@ -18,10 +18,11 @@ uint32_t bodies_from(const States& states, uint32_t first) {
 
 // After substep `substep` of the step: resolves the contacts of a group, and updates how long its bodies have lain still.
 void touch(const ContactRun& run, ContactGroup& group, const States& states, const NearContacts& near,
-           const BatchArrays& arrays, const LaneRow* before, uint32_t first, uint32_t substep, uint32_t* faults) {
+           const BatchArrays& arrays, const LaneRow* before, const float* submerged, uint32_t first, uint32_t substep,
+           uint32_t* faults) {
     const ContactSubstep now = contact_substep(run.time, substep, before);
     group.collect(now);
-    group.solve(now);
+    group.solve(now, submerged);
     for (uint32_t i = 0; i < contact_lanes; ++i)
         hold_if_insane(arrays, i, faults, [&](size_t f) { return before[f][i]; });
     if (!run.book.still_time) return;
@@ -79,15 +80,16 @@ void step_group(const ContactRun& run, const StepInput& in, lr_batch batch, Stat
                 uint32_t first) {
     const BatchArrays arrays = states.arrays(first);
     const uint32_t count = bodies_from(states, first);
-    ContactGroup group(run.step, in.body, arrays, count);
-    alignas(64) LaneRow before[pose_fields];
+    ContactGroup group(run.step, in, arrays, count);
+    const bool wet = run.surface && in.water;
+    alignas(64) LaneRow before[pose_fields], submerged;
     for (uint32_t i = 0; i < in.substeps; ++i) {
         for (size_t f = 0; f < pose_fields; ++f) std::copy_n(arrays.field[f], contact_lanes, before[f]);
         StepInput one = substep_of(in, i);
         states.lend_forces(one.external, first);
         step_lanes(*run.target, run.surface, {run.time.begin + i * run.time.h, run.time.h, 1}, one, arrays, batch,
-                   count, 0, lanes);
-        touch(run, group, states, near, arrays, before, first, i, in.faults);
+                   count, 0, lanes, submerged);
+        touch(run, group, states, near, arrays, before, wet ? submerged : nullptr, first, i, in.faults);
     }
 }
 
@@ -142,7 +144,7 @@ void step_near_colliders(const ContactRun& run, const StepInput& in, const Batch
 
 ContactPass::ContactPass(const ContactRun& run, const StepInput& in, const BatchArrays& arrays, uint32_t live,
                          uint32_t begin, uint32_t end, uint32_t substep)
-    : run_(&run), body_(&in.body), faults_(in.faults), arrays_(&arrays), substep_(substep),
+    : run_(&run), in_(&in), arrays_(&arrays), begin_(begin), substep_(substep),
       near_(run.step, arrays, live, begin, end, static_cast<float>(run.time.h)) {
     if (substep + 1 == run.time.substeps) leave(run.book, arrays.floor, near_, begin, std::min(end, live));
     arrange(run.book, *run.step.colliders, near_);
@@ -151,17 +153,19 @@ ContactPass::ContactPass(const ContactRun& run, const StepInput& in, const Batch
             before_[f][i] = arrays.field[f][near_.index(std::min(i, near_.count() - 1))];
 }
 
-void ContactPass::resolve() {
+void ContactPass::resolve(const float* submerged) {
     if (near_.count() == 0) return;
     States states;
     const auto index = [this](uint32_t i) { return near_.index(i); };
     states.take(*arrays_, near_.count(), index);
     for (uint32_t first = 0; first < near_.count(); first += lanes) {
         const BatchArrays arrays = states.arrays(first);
-        ContactGroup group(run_->step, *body_, arrays, bodies_from(states, first));
-        alignas(64) LaneRow before[pose_fields];
+        ContactGroup group(run_->step, *in_, arrays, bodies_from(states, first));
+        alignas(64) LaneRow before[pose_fields], own;
         for (size_t f = 0; f < pose_fields; ++f) std::copy_n(before_[f] + first, contact_lanes, before[f]);
-        touch(*run_, group, states, near_, arrays, before, first, substep_, faults_);
+        for (uint32_t i = 0; i < bodies_from(states, first) && submerged; ++i)
+            own[i] = submerged[near_.index(first + i) - begin_];
+        touch(*run_, group, states, near_, arrays, before, submerged ? own : nullptr, first, substep_, in_->faults);
     }
     states.put_back(*arrays_, index);
 }

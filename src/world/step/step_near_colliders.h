@@ -44,15 +44,14 @@ public:
     // Before substep `substep` of the step.
     ContactPass(const ContactRun& run, const StepInput& in, const BatchArrays& arrays, uint32_t live, uint32_t begin,
                 uint32_t end, uint32_t substep);
-    // After it.
-    void resolve();
+    // After it. submerged: the bodies' parts in water, from `begin` on; null without water.
+    void resolve(const float* submerged);
 
 private:
     const ContactRun* run_;
-    const BodyConstants* body_;
-    uint32_t* faults_;
+    const StepInput* in_;
     const BatchArrays* arrays_;
-    uint32_t substep_;
+    uint32_t begin_, substep_;
     NearContacts near_;
     alignas(64) float before_[pose_fields][field_block];
 };

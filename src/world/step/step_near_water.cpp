@@ -70,16 +70,19 @@ void NearBodies::run(const StepInput& in, lr_batch batch, uint32_t first, uint32
     }
 }
 
-void NearBodies::put_back(const BatchArrays& to) const {
+void NearBodies::put_back(const BatchArrays& to, float* submerged) const {
+    for (uint32_t i = 0; i < count_ && submerged; ++i) submerged[index_[i] - begin_] = fraction_[i];
     copies_.put_back(to, [this](uint32_t i) { return index_[i]; });
 }
 
 void step_lanes(const KernelTarget& target, const WaterStep* surface, const StepTime& time, const StepInput& in,
-                const BatchArrays& arrays, lr_batch batch, uint32_t live, uint32_t begin, uint32_t end) {
+                const BatchArrays& arrays, lr_batch batch, uint32_t live, uint32_t begin, uint32_t end,
+                float* submerged) {
     if (!surface || !in.water) {
         target.step(in, arrays, begin, end);
         return;
     }
+    if (submerged) std::fill_n(submerged, end - begin, 0.0f);
     WaterStep step = *surface;
     step.time = time;
     for (uint32_t at = begin; at < end; at += most) {
@@ -90,7 +93,7 @@ void step_lanes(const KernelTarget& target, const WaterStep* surface, const Step
             [&](uint32_t from, uint32_t to) { step.target->step(in, arrays, from, to); });
         if (!near.any()) continue;
         near.run(in, batch, 0, step.time.substeps);
-        near.put_back(arrays);
+        near.put_back(arrays, submerged ? submerged + (at - begin) : nullptr);
     }
 }
 } // namespace lr

@@ -30,7 +30,8 @@ public:
     void set_wind(const float (&wind)[3][field_block]);
     // Runs substeps first to first + count of the step, in uniform wind unless set_wind() was called.
     void run(const StepInput& in, lr_batch batch, uint32_t first, uint32_t count);
-    void put_back(const BatchArrays& to) const;
+    // submerged: receives the parts in water of those of [begin, end) that are here, by body from `begin` on; or null.
+    void put_back(const BatchArrays& to, float* submerged) const;
 
 private:
     void sample(double time, lr_batch batch, SurfaceInstant& plane, SurfaceBlock& block);
@@ -46,7 +47,9 @@ private:
     alignas(64) float fraction_[field_block];
 };
 
-// Steps [begin, end) through all substeps of a step in a uniform wind. surface: null without water; its time is not read.
+// Steps [begin, end) through all substeps of a step in a uniform wind. surface: null without water; its time is not read. submerged: receives each
+// body's part in water at the end, by body from `begin` on, if there is water; or null.
 void step_lanes(const KernelTarget& target, const WaterStep* surface, const StepTime& time, const StepInput& in,
-                const BatchArrays& arrays, lr_batch batch, uint32_t live, uint32_t begin, uint32_t end);
+                const BatchArrays& arrays, lr_batch batch, uint32_t live, uint32_t begin, uint32_t end,
+                float* submerged = nullptr);
 } // namespace lr
