@@ -60,14 +60,15 @@ const char* unknown_in(int32_t mode, int32_t frame) {
 }
 
 // The change of velocity and spin by an impulse or velocity, in the body frame.
-Kick kick_of(const Batch& batch, const BodyState& body, const Push& p) {
+Kick kick_of(const lr_world& world, Batch& batch, uint32_t index, const BodyState& body, const Push& p) {
     Kick kick{p.force, p.torque};
     if (p.frame == LR_FRAME_WORLD) {
         const Quaternion<double> to_body = inverse(to_double(rotation_of(body.value + field_qx)));
         kick = {rotate(to_body, p.force), rotate(to_body, p.torque)};
     }
     if (p.mode != LR_FORCE_MODE_IMPULSE) return kick;
-    return impulse_response(batch.step.body, wide(body.value[field_scale]), kick);
+    float stream[3];
+    return impulse_response(constants_at(world, batch, index, stream), wide(body.value[field_scale]), kick);
 }
 
 bool all_within(Double3 v, double most) {
@@ -75,9 +76,9 @@ bool all_within(Double3 v, double most) {
 }
 
 // The kernel divides a force by the reference mass, a lower bound of every body's inertia up to a small factor.
-const char* too_large(const Batch& batch, uint32_t index, const Push& p) {
+const char* too_large(const lr_world& world, Batch& batch, uint32_t index, const Push& p) {
     if (!continuous(p.mode)) {
-        const Kick kick = kick_of(batch, batch.read(index), p);
+        const Kick kick = kick_of(world, batch, index, batch.read(index), p);
         return all_within(kick.v, most_kick) && all_within(kick.w, most_kick)
                    ? nullptr
                    : "an impulse or velocity gives more than 1e6 m/s or rad/s";
@@ -92,7 +93,7 @@ const char* too_large(const Batch& batch, uint32_t index, const Push& p) {
 }
 
 // Wakes the body unless force and torque are zero. A body that wakes moves to a lower index.
-void apply(Batch& batch, uint32_t index, const Push& p) {
+void apply(const lr_world& world, Batch& batch, uint32_t index, const Push& p) {
     if (batch.asleep(index)) {
         if (dot(p.force, p.force) == 0.0 && dot(p.torque, p.torque) == 0.0) return;
         index = batch.wake(index);
@@ -104,7 +105,7 @@ void apply(Batch& batch, uint32_t index, const Push& p) {
         return;
     }
     BodyState body = batch.read(index);
-    const Kick kick = kick_of(batch, body, p);
+    const Kick kick = kick_of(world, batch, index, body, p);
     put(to_float(to_double(vector_of(body.value + field_vx)) + kick.v), body.value + field_vx);
     put(to_float(to_double(vector_of(body.value + field_wx)) + kick.w), body.value + field_wx);
     batch.write(index, body);
@@ -292,11 +293,11 @@ lr_status lr_body_add_force(lr_world* world, const lr_body_force* forces, uint32
     const auto add = [](lr_world& w, const Structs<lr_body_force>& all) -> Outcome {
         uint32_t index = 0;
         const Outcome outcome = all.check([&](const lr_body_force& f) -> Outcome {
-            const Batch* const batch = w.find(f.body, index);
+            Batch* const batch = w.find(f.body, index);
             if (!batch) return LR_ERROR_STALE_BODY;
             if (!finite(f.force, f.torque, f.point)) return LR_ERROR_NOT_FINITE;
             if (const char* why = wrong_in(f)) return invalid(why);
-            return invalid(too_large(*batch, index, push_of(f, *batch, index)));
+            return invalid(too_large(w, *batch, index, push_of(f, *batch, index)));
         });
         if (outcome.refused()) return outcome;
         bool reserved = accepted(w);
@@ -306,7 +307,7 @@ lr_status lr_body_add_force(lr_world* world, const lr_body_force* forces, uint32
         if (!reserved) return LR_ERROR_OUT_OF_MEMORY;
         all.visit([&](const lr_body_force& f) {
             Batch& batch = *w.find(f.body, index);
-            apply(batch, index, push_of(f, batch, index));
+            apply(w, batch, index, push_of(f, batch, index));
         });
         return {};
     };
@@ -330,11 +331,11 @@ lr_status lr_batch_add_forces(lr_world* world, lr_batch batch, const lr_force_ar
             const Push p = push(i);
             if (!finite(p.force.x, p.force.y, p.force.z, p.torque.x, p.torque.y, p.torque.z))
                 return LR_ERROR_NOT_FINITE;
-            if (const char* why = too_large(b, a.first + i, p)) return invalid(why);
+            if (const char* why = too_large(w, b, a.first + i, p)) return invalid(why);
         }
         if (!accepted(w) || (continuous(a.mode) && !b.reserve_forces())) return LR_ERROR_OUT_OF_MEMORY;
         // In ascending order: waking body i swaps it with a body below i, whose force has been applied.
-        for (uint32_t i = 0; i < a.count; ++i) apply(b, a.first + i, push(i));
+        for (uint32_t i = 0; i < a.count; ++i) apply(w, b, a.first + i, push(i));
         return {};
     };
     return change(world, __func__, args(batch, arrays), add);

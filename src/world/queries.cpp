@@ -195,6 +195,21 @@ uint32_t find_overlaps(const lr_world& world, const lr_overlap_desc& desc, const
     return count;
 }
 
+const BodyConstants& constants_at(const lr_world& world, Batch& batch, uint32_t i, float (&stream)[3]) {
+    bool failed = false;
+    const WaterBody* const water = world.surface.present() ? batch.water_body(world.surface.desc(), failed) : nullptr;
+    if (!water) return batch.step.body;
+    SurfaceBlock block;
+    for (size_t k = 0; k < 3; ++k) std::fill_n(block.position[k], lane_block, batch.arrays().field[field_x + k][i]);
+    const SurfaceInstant plane = world.surface.at(world.time);
+    world.target->surface.surface(plane, lane_block, block);
+    if (world.surface.callback()) world.surface.ask(world.time, world.handle(batch.slot()), 1, plane, block);
+    const Vector from = vector_in(batch.arrays().field, field_x, i) - vector_of(plane.point);
+    if (!(dot(vector_of(plane.up), from) < block.height[0])) return batch.step.body;
+    for (size_t k = 0; k < 3; ++k) stream[k] = block.velocity[k][0];
+    return water->water;
+}
+
 void find_loads(const lr_world& world, Batch& batch, uint32_t i, lr_body_loads& out) {
     if (batch.step.loads != Loads::aerodynamic) return;
     BodyCopies<lane_block> copy;
@@ -204,23 +219,11 @@ void find_loads(const lr_world& world, Batch& batch, uint32_t i, lr_body_loads& 
     StepInput in = batch.step;
     in.seed = world.seed;
     float fluid[3];
-    put(vector_in(copy.field, field_x, 0), fluid);
-    SurfaceBlock block;
-    const BodyConstants* body = &in.body;
-    bool failed = false;
-    if (const WaterBody* const water =
-            world.surface.present() ? batch.water_body(world.surface.desc(), failed) : nullptr) {
-        for (size_t k = 0; k < 3; ++k) std::fill_n(block.position[k], copy.padded, fluid[k]);
-        const SurfaceInstant plane = world.surface.at(world.time);
-        world.target->surface.surface(plane, copy.padded, block);
-        if (world.surface.callback()) world.surface.ask(world.time, world.handle(batch.slot()), 1, plane, block);
-        const Vector from = vector_in(copy.field, field_x, 0) - vector_of(plane.point);
-        if (dot(vector_of(plane.up), from) < block.height[0]) body = &water->water;
-    }
-    if (body != &in.body)
-        for (size_t k = 0; k < 3; ++k) fluid[k] = block.velocity[k][0];
-    else
+    const BodyConstants& body = constants_at(world, batch, i, fluid);
+    if (&body == &batch.step.body) {
+        put(vector_in(copy.field, field_x, 0), fluid);
         world.sample_wind(fluid, 1, fluid);
-    loads_on_body(in, *body, copy.arrays(), fluid, out);
+    }
+    loads_on_body(in, body, copy.arrays(), fluid, out);
 }
 } // namespace lr

@@ -205,6 +205,8 @@ lr_ray_hit cast_ray(const lr_world& world, const lr_ray& ray, const Batch* only)
 uint32_t find_overlaps(const lr_world& world, const lr_overlap_desc& desc, const Batch* only, lr_body* bodies,
                        uint32_t capacity);
 
+// The constants of body `i` in the fluid that its centre is in. stream: receives the velocity there if that is the water.
+const BodyConstants& constants_at(const lr_world& world, Batch& batch, uint32_t i, float (&stream)[3]);
 // The flow's loads on body `i` now. Writes all but `struct_size`.
 void find_loads(const lr_world& world, Batch& batch, uint32_t i, lr_body_loads& out);
 } // namespace lr

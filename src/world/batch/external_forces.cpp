@@ -21,6 +21,15 @@ void ExternalForces::set_batch(const float (&force)[force_components]) {
     on_batch_ = std::any_of(force, force + force_components, [](float f) { return f != 0.0f; });
 }
 
+void ExternalForces::forget_zeros(uint32_t count) {
+    const auto none = [&](size_t i) {
+        const float* const row = rows_ + i * stride_;
+        return std::all_of(row, row + count, [](float f) { return f == 0.0f; });
+    };
+    for (size_t i = 0; i < force_components && pending(); i += 3)
+        if (none(i) && none(i + 1) && none(i + 2)) used_ &= ~(1u << i / 3);
+}
+
 void ExternalForces::spread(float part, uint32_t count) {
     for (size_t i = 0; i < force_components; ++i)
         if (used_ >> i / 3 & 1u) std::for_each_n(rows_ + i * stride_, count, [=](float& f) { f *= part; });

@@ -22,6 +22,8 @@ public:
     const float (&batch() const)[force_components] { return batch_; }
     bool pending() const { return used_ != 0; } // on single bodies
 
+    // Forces that cancel, or whose bodies have ended, are none: adding zeros rounds otherwise than adding nothing.
+    void forget_zeros(uint32_t count);
     // Scales forces on single bodies by `part`: they act over 1/part of the intended time.
     void spread(float part, uint32_t count);
     void fill(ExternalInput& in) const; // for a step
