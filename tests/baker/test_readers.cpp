@@ -168,11 +168,62 @@ TEST_CASE("readers: STL in capitals, and glTF whose meshes are packed") {
              "stl", faults);
     REQUIRE(mesh.faces.size() == 1);
     CHECK(mesh.vertices[mesh.faces[0][2]].y() == 1.5);
-    for (const std::string name : {"KHR_mesh_quantization", "EXT_meshopt_compression"}) {
-        const std::string text =
-            R"({"asset":{"version":"2.0"},"extensionsRequired" : ["KHR_texture_transform",")" + name + R"("]})";
-        CHECK(contains(only_fault(text, "gltf"), "packed (" + name + ")"));
+    const std::string text = R"({"asset":{"version":"2.0"},"extensionsRequired" : ["KHR_mesh_quantization",)"
+                             R"("EXT_meshopt_compression"]})";
+    CHECK(contains(only_fault(text, "gltf"), "packed (EXT_meshopt_compression)"));
+}
+
+TEST_CASE("readers: glTF positions that are whole numbers") {
+    const Scratch scratch;
+    // Four triangles of the same place: shorts 8 bytes apart, their bytes as parts of the largest number, and so without a sign.
+    const int16_t wide[] = {0, 0, 0, 99, 32767, 0, 0, 99, 0, -32768, 16384, 99};
+    const int8_t narrow[] = {0, 0, 0, 99, 127, 0, 0, 99, 0, -128, 64, 99};
+    const uint16_t wide_up[] = {0, 0, 0, 99, 65535, 0, 0, 99, 0, 13107, 100, 99};
+    const uint8_t narrow_up[] = {0, 0, 0, 99, 255, 0, 0, 99, 0, 51, 100, 99};
+    std::string bytes;
+    for (const auto& [from, size] :
+         {std::pair<const void*, std::size_t>{wide, 24}, {narrow, 12}, {wide_up, 24}, {narrow_up, 12}})
+        bytes.append(static_cast<const char*>(from), size);
+    scratch.write("packed.bin", bytes);
+    const auto scene = [](const std::string& uri, const std::string& type, const std::string& begin,
+                          const char* stride) {
+        return R"({"asset":{"version":"2.0"},"extensionsRequired":["KHR_mesh_quantization"],"buffers":[{)" + uri +
+               R"("byteLength":72}],"bufferViews":[{"buffer":0,"byteOffset":)" + begin + R"(,"byteStride":)" + stride +
+               R"(,"byteLength":12}],"accessors":[{"bufferView":0,"count":3,"type":"VEC3",)" + type +
+               R"(}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0,"scale":[3,3,3]}],)"
+               R"("scenes":[{"nodes":[0]}],"scene":0})";
+    };
+    struct Case {
+        const char *type, *begin, *stride;
+        Eigen::Vector3d second, third;
+    };
+    for (const auto& [type, begin, stride, second, third] :
+         {Case{R"("componentType":5122,"normalized":true)", "0", "8", {3, 0, 0}, {0, -3, 3 * 16384.0 / 32767}},
+          Case{R"("componentType":5120,"normalized":true)", "24", "4", {3, 0, 0}, {0, -3, 3 * 64.0 / 127}},
+          Case{R"("componentType":5120)", "24", "4", {381, 0, 0}, {0, -384, 192}},
+          Case{R"("componentType":5123,"normalized":true)", "36", "8", {3, 0, 0}, {0, 0.6, 300.0 / 65535}},
+          Case{R"("componentType":5121,"normalized":true)", "60", "4", {3, 0, 0}, {0, 0.6, 300.0 / 255}}}) {
+        CAPTURE(type);
+        Mesh mesh;
+        Faults faults;
+        const std::string path = scratch.write("packed.gltf", scene(R"("uri":"packed.bin",)", type, begin, stride));
+        REQUIRE(read_mesh(path, MeshReadOptions{}, mesh, faults));
+        REQUIRE(mesh.vertices.size() == 3);
+        CHECK((mesh.vertices[1] - second).norm() < 1e-5);
+        CHECK((mesh.vertices[2] - third).norm() < 1e-5);
     }
+    // Bytes in the text; and what is not read.
+    Faults faults;
+    const std::string inside =
+        R"("uri":"data:application/octet-stream;base64,AAAAAAAAAAAFAAAAAAAAAAAABwAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA",)";
+    const Mesh mesh = read(scene(inside, R"("componentType":5123)", "0", "8"), "gltf", faults);
+    REQUIRE(mesh.vertices.size() == 3);
+    CHECK(mesh.vertices[1].isApprox(Eigen::Vector3d(15, 0, 0)));
+    CHECK(mesh.vertices[2].isApprox(Eigen::Vector3d(0, 21, 0)));
+    CHECK(contains(only_fault(scene(inside, R"("componentType":5123,"sparse":{"count":0})", "0", "8"), "gltf"),
+                   "(positions in KHR_mesh_quantization)"));
+    CHECK(
+        contains(only_fault(scene(R"("uri":"gone.bin",)", R"("componentType":5123)", "0", "8"), "gltf"), "is missing"));
 }
 
 TEST_CASE("readers: the joints of a skinned glTF mesh place it, not its node") {
@@ -340,6 +391,10 @@ TEST_CASE("readers: what a file is, and the way out, in a modeller's words") {
     CHECK(contains(only_fault("anything", "c4d"), "own file"));
     CHECK(contains(only_fault("anything", "txt"), "No reader knows this kind of file"));
     CHECK(contains(only_fault(std::string("glTF\1\0\0\0\x14\0\0\0", 12), "glb"), "glTF 1"));
+    CHECK(contains(only_fault(R"({"meshes":[]})", "gltf"), "does not state its version: it has no \"asset\""));
+    CHECK(contains(only_fault(R"({"meshes":{}})", "gltf"), "a draft of glTF 1"));
+    CHECK(contains(only_fault(R"({"asset":{"version":"3.0"}})", "gltf"), "This is glTF 3.0"));
+    CHECK(contains(only_fault(R"({"asset":{"version":"2.0"},"meshes":[)", "gltf"), "cut off or damaged"));
     CHECK(contains(only_fault("PK anything", "3mf"), "no 3MF archive"));
     CHECK(contains(only_fault("v 0 0 0\nv 1 0 0\nl 1 2\n", "obj"), "2 points, lines or curves"));
 }

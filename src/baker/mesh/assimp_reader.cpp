@@ -1,5 +1,6 @@
 #include "baker/mesh/assimp_reader.h"
 
+#include "baker/mesh/gltf_file.h"
 #include "baker/mesh/unknown_file.h"
 #include "baker/printable_text.h"
 
@@ -218,7 +219,6 @@ public:
     }
     void Close(Assimp::IOStream* stream) override { delete stream; }
 
-private:
     std::shared_ptr<const InputFiles::Bytes> read(const char* path) const {
         if (!files_ || !path) return nullptr;
         if (path == own_ || may_open(path)) return files_->read(path);
@@ -226,6 +226,7 @@ private:
         return nullptr;
     }
 
+private:
     bool may_open(const std::string& path) const {
         std::error_code error;
         // A relative path to nothing would stay relative, and seem to lie outside.
@@ -240,6 +241,22 @@ private:
     std::filesystem::path folder_;
     std::string& refused_; // the first path
 };
+
+bool is_quantized(const SceneFile& file) {
+    return (file.extension == "gltf" || file.extension == "glb") &&
+           has_quantized_positions({static_cast<const char*>(file.bytes), file.size});
+}
+
+// The file with positions that assimp can read; if that is empty, `why` says why.
+std::string float_positions(const SceneFile& file, const FileAccess& files, std::string& why) {
+    why = "positions in KHR_mesh_quantization";
+    return with_float_positions({static_cast<const char*>(file.bytes), file.size}, [&](const std::string& uri) {
+        const std::string path = file.path ? file.path->substr(0, file.path->find_last_of("/\\") + 1) + uri : "";
+        const auto bytes = files.read(path.c_str());
+        if (!bytes) why = "could not open referenced file \"" + uri + "\"";
+        return bytes ? std::string(bytes->begin(), bytes->end()) : std::string();
+    });
+}
 } // namespace
 
 // No post-processing by assimp: its steps drop or reorder faces silently and trust indices.
@@ -265,8 +282,12 @@ bool read_with_assimp(const SceneFile& file, PolygonSoup& soup, Faults& faults) 
         importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
         importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
         importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, !file.collada_ids);
-        importer.SetIOHandler(new FileAccess(file, refused)); // the importer owns it
-        const aiScene* scene = file.path
+        auto* files = new FileAccess(file, refused);
+        importer.SetIOHandler(files); // the importer owns it
+        std::string floats, why;
+        if (is_quantized(file) && (floats = float_positions(file, *files, why)).empty()) return fail(why.c_str());
+        const aiScene* scene = !floats.empty() ? importer.ReadFileFromMemory(floats.data(), floats.size(), 0, "glb")
+                               : file.path
                                    ? importer.ReadFile(*file.path, 0)
                                    : importer.ReadFileFromMemory(file.bytes, file.size, 0, file.extension.c_str());
         if (!scene || !scene->mRootNode) return fail(importer.GetErrorString());

@@ -3,6 +3,7 @@
 #include "baker/fault_text.h"
 #include "baker/mesh/assimp_reader.h"
 #include "baker/mesh/collada_check.h"
+#include "baker/mesh/gltf_file.h"
 #include "baker/mesh/input_files.h"
 #include "baker/mesh/obj_reader.h"
 #include "baker/mesh/off_reader.h"
@@ -349,8 +350,9 @@ bool read_any(SceneFile file, const MeshReadOptions& options, Mesh& out, Faults&
         } else if (const std::string_view extension = unread_gltf_extension(text); !extension.empty()) {
             report(faults, FaultId::mesh_unreadable, Severity::error, file.where,
                    "Its mesh is packed (" + std::string(extension) + "), which is not read here.",
-                   "Export it again without compression and quantisation, or unpack it, as with gltf-transform "
-                   "dequantize.");
+                   "Export it again without this compression (Draco is read), or unpack it: gltfpack -noq -i "
+                   "packed.glb -o "
+                   "model.glb.");
         } else {
             if (file.extension == "stl" && text.substr(0, 5) == "SOLID" && text.find('\0') == std::string_view::npos) {
                 storage = lower_case(std::string(text)); // assimp knows the words of STL in small letters alone

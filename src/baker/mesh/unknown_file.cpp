@@ -1,5 +1,6 @@
 #include "baker/mesh/unknown_file.h"
 
+#include "baker/mesh/gltf_file.h"
 #include "baker/printable_text.h"
 
 #include <array>
@@ -60,8 +61,12 @@ UnknownFile explain_unknown_file(std::string_view bytes, const std::string& exte
                 "Convert it with gltf-pipeline or COLLADA2GLTF 2, or export the model again as glTF 2 (.glb)."};
     for (const Kind& kind : kinds)
         if (matches(kind, bytes, extension)) return advice(kind);
+    const bool unknown = reason.find("No suitable reader") != std::string::npos;
+    if (const std::string why = unknown && (extension == "gltf" || extension == "glb") ? why_no_gltf(bytes) : "";
+        !why.empty())
+        return {printable(why), "Export the model again as glTF 2 (.glb), or convert it with gltf-pipeline."};
     const std::string ending = extension.empty() ? "no extension" : "the extension ." + printable(extension);
-    if (reason.find("No suitable reader") != std::string::npos)
+    if (unknown)
         return {"No reader knows this kind of file (it has " + ending + ").",
                 "Export the model as glTF (.glb), OBJ, STL or PLY, and keep the extension that the program gives."};
     const std::string_view missing = "could not open referenced file";
@@ -72,15 +77,6 @@ UnknownFile explain_unknown_file(std::string_view bytes, const std::string& exte
         "The file is damaged, or its content does not fit " + ending + " (" + printable(without_prefix(reason)) + ").",
         "Open it in your modelling program to see whether it is whole, and export it again as glTF (.glb), OBJ, STL or "
         "PLY."};
-}
-
-std::string_view unread_gltf_extension(std::string_view bytes) {
-    const std::size_t begin = bytes.find("\"extensionsRequired\"");
-    if (begin == std::string_view::npos) return {};
-    const std::string_view list = bytes.substr(begin, bytes.find(']', begin) - begin);
-    for (const std::string_view name : {"KHR_mesh_quantization", "EXT_meshopt_compression", "KHR_meshopt_compression"})
-        if (list.find(name) != std::string_view::npos) return name;
-    return {};
 }
 
 std::string_view as_utf8(std::string_view bytes, std::string& storage) {

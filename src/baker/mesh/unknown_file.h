@@ -13,9 +13,6 @@ struct UnknownFile {
 // bytes: of the file; extension: in small letters, without the dot; reason: in the words of the importer.
 UnknownFile explain_unknown_file(std::string_view bytes, const std::string& extension, const std::string& reason);
 
-// An extension that a glTF file requires and assimp reads as if it were absent, with wrong positions; empty if there is none.
-std::string_view unread_gltf_extension(std::string_view bytes);
-
 // Text in UTF-16 (with its byte order mark), as some Windows programs save it, as UTF-8; other text stays, without the mark
 // of UTF-8. `storage` keeps the new text.
 std::string_view as_utf8(std::string_view bytes, std::string& storage);

@@ -1,0 +1,192 @@
+#include "baker/mesh/gltf_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <exception>
+#include <limits>
+#include <set>
+#include <stdexcept>
+#include <vector>
+
+namespace lr::baker {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr int deepest = 64; // nesting; writing the text recurses
+constexpr std::size_t most_bytes = std::numeric_limits<uint32_t>::max() / 2;
+
+void demand(bool good) {
+    if (!good) throw std::runtime_error("damaged glTF");
+}
+
+uint32_t word(std::string_view bytes, std::size_t at) {
+    demand(at + 4 <= bytes.size());
+    uint32_t value = 0;
+    std::memcpy(&value, bytes.data() + at, 4);
+    return value;
+}
+
+std::string word_bytes(std::size_t value) {
+    const auto little = static_cast<uint32_t>(value);
+    std::string bytes(4, '\0');
+    std::memcpy(bytes.data(), &little, 4);
+    return bytes;
+}
+
+struct Gltf {
+    Json json;
+    std::string bytes; // all buffers, each from a multiple of 4 on
+};
+
+std::string_view json_and_body(std::string_view file, std::string_view& body) {
+    if (file.substr(0, 4) != "glTF") return file;
+    const std::size_t length = word(file, 12), next = 20 + length;
+    demand(next <= file.size());
+    if (next + 8 <= file.size()) body = file.substr(next + 8, word(file, next));
+    return file.substr(20, length);
+}
+
+std::string from_base64(std::string_view text) {
+    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string bytes;
+    uint32_t bits = 0;
+    int waiting = 0;
+    for (const char c : text) {
+        const std::size_t digit = digits.find(c);
+        if (digit == std::string_view::npos) break;
+        bits = bits << 6 | static_cast<uint32_t>(digit);
+        waiting += 6;
+        if (waiting < 8) continue;
+        waiting -= 8;
+        bytes += static_cast<char>(bits >> waiting & 0xff);
+    }
+    return bytes;
+}
+
+std::size_t number(const Json& object, const char* key) {
+    const std::size_t value = object.value(key, std::size_t{0});
+    demand(value <= most_bytes);
+    return value;
+}
+
+Gltf read_all(std::string_view file, const ReadGltfBuffer& read_buffer) {
+    std::string_view body;
+    const std::string_view text = json_and_body(file, body);
+    Gltf gltf;
+    gltf.json = Json::parse(text, [](int depth, Json::parse_event_t, const Json&) {
+        demand(depth < deepest);
+        return true;
+    });
+    std::vector<std::size_t> begins;
+    for (const Json& buffer : gltf.json.at("buffers")) {
+        const std::string uri = buffer.value("uri", "");
+        const std::size_t comma = uri.find(";base64,");
+        const std::string bytes = uri.empty() ? std::string(body)
+                                  : uri.substr(0, 5) == "data:" && comma != std::string::npos
+                                      ? from_base64(std::string_view(uri).substr(comma + 8))
+                                      : read_buffer(uri);
+        demand(bytes.size() >= number(buffer, "byteLength"));
+        begins.push_back(gltf.bytes.size());
+        gltf.bytes += bytes;
+        gltf.bytes.resize((gltf.bytes.size() + 3) / 4 * 4);
+        demand(gltf.bytes.size() < most_bytes);
+    }
+    for (Json& view : gltf.json.at("bufferViews")) {
+        view["byteOffset"] = number(view, "byteOffset") + begins.at(number(view, "buffer"));
+        view["buffer"] = 0;
+    }
+    return gltf;
+}
+
+template <class Number> float as_float(const char* from, bool normalized) {
+    Number value{};
+    std::memcpy(&value, from, sizeof value);
+    if (!normalized) return static_cast<float>(value);
+    return std::max(static_cast<float>(value) / static_cast<float>(std::numeric_limits<Number>::max()), -1.0F);
+}
+
+void unpack(Gltf& gltf, Json& accessor) {
+    const std::size_t type = number(accessor, "componentType");
+    if (type < 5120 || type > 5123 || !accessor.contains("bufferView")) return;
+    demand(accessor.at("type") == "VEC3" && !accessor.contains("sparse"));
+    const Json& view = gltf.json.at("bufferViews").at(number(accessor, "bufferView"));
+    const std::size_t size = type < 5122 ? 1 : 2, count = number(accessor, "count");
+    const std::size_t stride = std::max(number(view, "byteStride"), 3 * size);
+    const std::size_t begin = number(view, "byteOffset") + number(accessor, "byteOffset");
+    demand(count > 0 && count < most_bytes / stride / 12 &&
+           begin + (count - 1) * stride + 3 * size <= gltf.bytes.size());
+    const bool normalized = accessor.value("normalized", false);
+    std::string floats(12 * count, '\0');
+    for (std::size_t i = 0; i < 3 * count; ++i) {
+        const char* from = gltf.bytes.data() + begin + i / 3 * stride + i % 3 * size;
+        const float value = type == 5120   ? as_float<int8_t>(from, normalized)
+                            : type == 5121 ? as_float<uint8_t>(from, normalized)
+                            : type == 5122 ? as_float<int16_t>(from, normalized)
+                                           : as_float<uint16_t>(from, normalized);
+        std::memcpy(floats.data() + 4 * i, &value, 4);
+    }
+    accessor = {
+        {"bufferView", gltf.json["bufferViews"].size()}, {"componentType", 5126}, {"count", count}, {"type", "VEC3"}};
+    gltf.json["bufferViews"].push_back(
+        {{"buffer", 0}, {"byteOffset", gltf.bytes.size()}, {"byteLength", floats.size()}});
+    gltf.bytes += floats;
+    demand(gltf.bytes.size() < most_bytes);
+}
+} // namespace
+
+std::string why_no_gltf(std::string_view file) {
+    try {
+        std::string_view body;
+        const std::string_view text = json_and_body(file, body);
+        if (!Json::accept(text)) return "This glTF is cut off or damaged: it is no whole JSON text.";
+        const Json json = Json::parse(text);
+        const Json version = json.value("asset", Json::object()).value("version", Json());
+        if (version.is_string()) return "This is glTF " + version.get<std::string>() + "; glTF 2 is read.";
+        const bool old = json.value("meshes", Json()).is_object();
+        return std::string("This glTF does not state its version: it has no \"asset\" with a \"version\" in quotes") +
+               (old ? ". Its meshes are those of a draft of glTF 1; glTF 2 is read." : ".");
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception&) {
+        return {};
+    }
+}
+
+std::string_view unread_gltf_extension(std::string_view file) {
+    const std::size_t begin = file.find("\"extensionsRequired\"");
+    if (begin == std::string_view::npos) return {};
+    const std::string_view list = file.substr(begin, file.find(']', begin) - begin);
+    for (const std::string_view name : {"EXT_meshopt_compression", "KHR_meshopt_compression"})
+        if (list.find(name) != std::string_view::npos) return name;
+    return {};
+}
+
+bool has_quantized_positions(std::string_view file) {
+    return file.find("\"KHR_mesh_quantization\"") != std::string_view::npos;
+}
+
+std::string with_float_positions(std::string_view file, const ReadGltfBuffer& read_buffer) {
+    try {
+        Gltf gltf = read_all(file, read_buffer);
+        std::set<std::size_t> positions;
+        for (const Json& mesh : gltf.json.at("meshes"))
+            for (const Json& primitive : mesh.at("primitives"))
+                if (primitive.at("attributes").contains("POSITION"))
+                    positions.insert(number(primitive["attributes"], "POSITION"));
+        for (const std::size_t accessor : positions) unpack(gltf, gltf.json.at("accessors").at(accessor));
+        gltf.json["buffers"] = {{{"byteLength", gltf.bytes.size()}}};
+        std::string text = gltf.json.dump();
+        text.resize((text.size() + 3) / 4 * 4, ' ');
+        return "glTF" + word_bytes(2) + word_bytes(28 + text.size() + gltf.bytes.size()) + word_bytes(text.size()) +
+               "JSON" + text + word_bytes(gltf.bytes.size()) + std::string("BIN\0", 4) + gltf.bytes;
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception&) {
+        return {};
+    }
+}
+} // namespace lr::baker
