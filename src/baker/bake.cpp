@@ -2,11 +2,11 @@
 
 #include "asset/asset_file.h"
 #include "asset/closed_forms/ellipsoid_asset.h"
-#include "baker/added_mass/added_mass.h"
-#include "baker/added_mass/mixed_added_mass.h"
 #include "baker/aerodynamics/mesh_geometry.h"
 #include "baker/aerodynamics/principal_axes.h"
 #include "baker/aerodynamics/stations.h"
+#include "baker/added_mass/mixed_added_mass.h"
+#include "baker/bake_added_mass.h"
 #include "baker/bake_input.h"
 #include "baker/check_options.h"
 #include "baker/fault_text.h"
@@ -30,6 +30,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <new>
 
 namespace lr::baker {
@@ -193,6 +194,12 @@ private:
         if (sheets.size() == mesh_.faces.size()) return true;
         mesh_.faces = std::move(sheets);
         drop_unused_vertices(mesh_);
+        // The backs of sheets were counted as parts.
+        const auto counts_parts = [](const Fault& f) { return f.id == FaultId::mesh_several_components; };
+        std::erase_if(faults_, counts_parts);
+        Faults again;
+        check_sheet(mesh_, again);
+        std::copy_if(again.begin(), again.end(), std::back_inserter(faults_), counts_parts);
         return true;
     }
 
@@ -400,62 +407,23 @@ private:
         return points;
     }
 
-    // The narrowest face: what is wrong with a mesh that cannot be solved is most often there.
-    std::string narrowest_face() const {
-        const auto narrowest =
-            std::min_element(mesh_.faces.begin(), mesh_.faces.end(),
-                             [&](const Face& a, const Face& b) { return face_shape(mesh_, a) < face_shape(mesh_, b); });
-        const Face& f = *narrowest;
-        return "mesh, its narrowest face at " +
-               place_of(mesh_, (mesh_.vertices[f[0]] + mesh_.vertices[f[1]] + mesh_.vertices[f[2]]) / 3.0,
-                        std::to_string(narrowest - mesh_.faces.begin()));
-    }
-
-    bool solve_added_mass(AddedMass& added) {
-        const std::size_t before = faults_.size();
-        const bool good = solve_surface(added);
-        for (std::size_t i = before; !good && i < faults_.size(); ++i)
-            if (faults_[i].where == "mesh") faults_[i].where = narrowest_face();
-        return good;
-    }
-
-    bool solve_surface(AddedMass& added) {
-        const auto report = [&](double f) { advance(f); };
-        const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-        AddedMassOptions how;
-        how.threads = hooks_.threads;
-        how.patient = options_.strict || options_.card;
-        if (mixed_) return compute_mixed_added_mass(parts_, origin, added, faults_, report, how);
-        if (how.patient) return solve_as_modelled(origin, added, faults_, report, how);
-        Faults found;
-        if (solve_as_modelled(origin, added, found, report, how)) {
-            faults_.insert(faults_.end(), found.begin(), found.end());
-            return true;
-        }
-        parts_.mesh = mesh_;
-        parts_.solid_faces = is_sheet() ? 0 : mesh_.faces.size();
-        return compute_mixed_added_mass(parts_, origin, added, faults_, report, how);
-    }
-
-    bool solve_as_modelled(const Eigen::Vector3d& origin, AddedMass& added, Faults& faults, const Progress& report,
-                           const AddedMassOptions& how) const {
-        return is_sheet() ? compute_sheet_added_mass(mesh_, origin, Refinement{}, added, faults, report, how)
-                          : compute_added_mass(mesh_, origin, added, faults, report, how);
-    }
-
     bool make_added_mass() {
         // The solver refines coarse meshes, sheets to about twice as many faces.
         if (hooks_.before_solve)
             hooks_.before_solve(std::max<std::size_t>((is_sheet() ? 2 : 1) * mesh_.faces.size(), 5000));
         AddedMass added;
-        if (!solve_added_mass(added)) return false;
+        AddedMassOptions how;
+        how.threads = hooks_.threads;
+        how.patient = options_.strict || options_.card;
+        if (!solve_added_mass({mesh_, parts_, is_sheet(), mixed_}, how, added, faults_, [&](double f) { advance(f); }))
+            return false;
         for (std::size_t i = 0; i < 36; ++i) {
             const auto row = static_cast<Eigen::Index>(i / 6), column = static_cast<Eigen::Index>(i % 6);
             // Exactly symmetric bits; scaled products differ in the last one.
             out_.added_mass[i] = 0.5 * (added.value(row, column) + added.value(column, row));
             out_.added_mass_error[i] = 0.5 * (added.error(row, column) + added.error(column, row));
         }
-        drop_noise();
+        drop_noise(out_);
         share_added_mass(out_.aerodynamics, out_.added_mass, out_.stations);
         Eigen::Index broad = 0;
         out_.projected_area = solid_.projected_areas.maxCoeff(&broad);
@@ -477,37 +445,6 @@ private:
         out_.fluid_density = options_.fluid_density;
         out_.fluid_viscosity = options_.fluid_viscosity;
         return true;
-    }
-
-    // A body with three mirror planes has a diagonal matrix, for which the runtime has a fast path, but its triangles rarely have
-    // these planes. The error of a Galerkin energy is itself an energy: off the diagonal it is at most the geometric mean of the
-    // errors of the two diagonal entries. Couplings below that, and too weak to be visible, are noise. All or none are removed,
-    // which keeps the matrix positive; or those that a flat body's own mirror plane excludes, by the mean with its mirror image.
-    void drop_noise() {
-        constexpr double visible = 2e-3;
-        auto& m = out_.added_mass;
-        auto& error = out_.added_mass_error;
-        const auto size = [&](std::size_t n) {
-            return m[n * 7] + (n < 3 ? out_.volume : out_.inertia[(n - 3) * 4] / out_.density);
-        };
-        const auto is_noise = [&](const std::array<double, 36>& part) {
-            for (std::size_t i = 0; i < 36; ++i) {
-                const std::size_t row = i / 6, column = i % 6;
-                const double value = std::abs(part[i]);
-                if (value > std::sqrt(error[row * 7] * error[column * 7]) ||
-                    value > visible * std::sqrt(size(row) * size(column)))
-                    return false;
-            }
-            return true;
-        };
-        std::array<double, 36> part = m;
-        for (std::size_t i = 0; i < 6; ++i) part[i * 7] = 0.0;
-        if (!is_noise(part)) part = mirror_odd(m, out_.aerodynamics);
-        if (!is_noise(part)) return;
-        for (std::size_t i = 0; i < 36; ++i) {
-            error[i] = std::max(error[i], std::abs(part[i]));
-            m[i] -= part[i];
-        }
     }
 
     bool make_turbulence() {

@@ -1,6 +1,6 @@
 // Meshes as artists make them: parts told apart and repaired, and bodies of solids and sheets against closed forms.
+#include "bake_mesh.h"
 #include "baker/added_mass/mixed_added_mass.h"
-#include "baker/bake.h"
 #include "baker/mesh/body_parts.h"
 #include "baker/mesh/solid_region.h"
 
@@ -77,21 +77,9 @@ double volume_of(const BodyParts& parts) {
 }
 
 bool baked(const Mesh& mesh, AssetData& out, bool strict = false, Faults* told = nullptr) {
-    std::vector<double> positions;
-    std::vector<uint32_t> indices;
-    for (const Vector& v : mesh.vertices) positions.insert(positions.end(), v.data(), v.data() + 3);
-    for (const Face& f : mesh.faces) indices.insert(indices.end(), f.begin(), f.end());
     BakeOptions options;
-    options.mesh_path = "mesh";
-    options.mesh_arrays = MeshArrays{positions, indices};
-    options.cells = {8, 8, 8};
-    options.stations = 1;
     options.strict = strict;
-    Faults faults;
-    const bool good = bake(options, out, faults);
-    for (const Fault& f : faults) INFO(f.what);
-    if (told) *told = faults;
-    return good;
+    return test::bake_mesh(mesh, out, options, told);
 }
 
 void turn_inside_out(Mesh& mesh) {

@@ -1,5 +1,5 @@
 // Sheets that are modelled as a front and a back face.
-#include "baker/bake.h"
+#include "bake_mesh.h"
 #include "baker/mesh/double_sheets.h"
 
 #include <doctest/doctest.h>
@@ -143,32 +143,27 @@ TEST_CASE("double sheets: the two sides of a closed leaf that is baked as a shee
 }
 
 TEST_CASE("bake: open leaves with a back weigh what leaves without one do") {
-    const auto bake_it = [](const Mesh& mesh, AssetData& out, bool strict) {
-        std::vector<double> positions;
-        std::vector<uint32_t> indices;
-        for (const Eigen::Vector3d& v : mesh.vertices) positions.insert(positions.end(), v.data(), v.data() + 3);
-        for (const Face& f : mesh.faces) indices.insert(indices.end(), f.begin(), f.end());
-        BakeOptions options;
-        options.mesh_path = "mesh";
-        options.mesh_arrays = MeshArrays{positions, indices};
-        options.cells = {8, 8, 8};
-        options.stations = 1;
-        options.thickness = 0.0003;
-        options.strict = strict;
-        if (strict) {
-            options.sheet = SheetOptions{};
-            options.thickness.reset();
-        }
-        Faults faults;
-        return bake(options, out, faults);
-    };
+    BakeOptions plain, strict;
+    plain.thickness = 0.0003;
+    strict.strict = true;
+    strict.sheet = SheetOptions{};
     const Mesh front = blade(20, 8, 0.0, false), both = twice(front, blade(20, 8, 1e-4, true));
     AssetData one, two, refused;
-    REQUIRE(bake_it(front, one, false));
-    REQUIRE(bake_it(both, two, false));
+    Faults faults;
+    REQUIRE(test::bake_mesh(front, one, plain));
+    REQUIRE(test::bake_mesh(both, two, plain, &faults));
     CHECK(two.mass == doctest::Approx(one.mass).epsilon(1e-9));
     for (std::size_t k = 0; k < 6; ++k)
         CHECK(two.added_mass[7 * k] == doctest::Approx(one.added_mass[7 * k]).epsilon(0.01));
-    CHECK(bake_it(front, refused, true));
-    CHECK_FALSE(bake_it(both, refused, true));
+    // What is left is one part.
+    CHECK(std::none_of(faults.begin(), faults.end(),
+                       [](const Fault& f) { return f.id == FaultId::mesh_several_components; }));
+    CHECK(test::bake_mesh(front, refused, strict));
+    CHECK_FALSE(test::bake_mesh(both, refused, strict));
+    const Mesh apart = twice(both, blade(20, 8, 0.05, false));
+    REQUIRE(test::bake_mesh(apart, two, plain, &faults));
+    CHECK(std::count_if(faults.begin(), faults.end(), [](const Fault& f) {
+              return f.id == FaultId::mesh_several_components &&
+                     f.what.find("has 2 separate parts") != std::string::npos;
+          }) == 1);
 }

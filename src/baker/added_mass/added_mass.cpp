@@ -406,14 +406,17 @@ bool compute_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMa
             break;
         }
     }
-    if (!better && !options.patient && !is_within(poor_estimate, out)) return refuse_dear(faults);
-    faults.insert(faults.end(), found.begin(), found.end());
+    const bool poor = good && !better && !options.patient && !is_within(poor_estimate, out);
+    if (poor)
+        refuse_dear(faults);
+    else
+        faults.insert(faults.end(), found.begin(), found.end());
     if (!good) return false;
     // How the faces are read has nothing to do with how well the solution does for them: independent errors add in squares.
     out.error = (out.error.array().square() + reading.array().square()).sqrt().matrix().eval();
     scale_to_size(size, out);
     report(1.0);
-    return true;
+    return !poor;
 }
 
 bool compute_sheet_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, const Refinement& refinement,

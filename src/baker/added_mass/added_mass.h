@@ -11,12 +11,17 @@ namespace lr::baker {
 // [[A, B], [B^T, D]] for fluid density 1 about `centre`, axes of the mesh, order vx vy vz wx wy wz.
 // Units: A m^3, B m^4, D m^5.
 struct AddedMass {
-    Eigen::Matrix<double, 6, 6> value;
-    Eigen::Matrix<double, 6, 6> error; // estimated, per entry, same units
-    double condition_estimate = 0.0;   // of the linear system; if iterative, of the preconditioned system
-    double asymmetry = 0.0;            // largest |M - M^T| before symmetrising, over the scale of its entry
-    double residual = 0.0;             // of the linear system, relative
-    std::size_t iterations = 0;        // of conjugate gradients; 0: Cholesky
+    Eigen::Matrix<double, 6, 6> value = Eigen::Matrix<double, 6, 6>::Zero();
+    Eigen::Matrix<double, 6, 6> error = Eigen::Matrix<double, 6, 6>::Zero(); // estimated, per entry, same units
+    double condition_estimate = 0.0; // of the linear system; if iterative, of the preconditioned system
+    double asymmetry = 0.0;          // largest |M - M^T| before symmetrising, over the scale of its entry
+    double residual = 0.0;           // of the linear system, relative
+    std::size_t iterations = 0;      // of conjugate gradients; 0: Cholesky
+
+    // Of translation: the largest error over the largest entry.
+    double largest_share() const {
+        return error.topLeftCorner<3, 3>().maxCoeff() / value.topLeftCorner<3, 3>().diagonal().maxCoeff();
+    }
 };
 
 using Progress = std::function<void(double fraction)>;
@@ -31,7 +36,7 @@ struct AddedMassOptions {
     bool as_given = false;
 };
 
-// The mesh must be closed and outward (check_and_repair).
+// The mesh must be closed and outward (check_and_repair). If false, `out` is zero, or rough: without patience, an error above 5 %.
 bool compute_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMass& out, Faults& faults,
                         const Progress& progress = {}, const AddedMassOptions& options = {});
 
