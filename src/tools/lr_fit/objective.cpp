@@ -16,6 +16,8 @@ double square(double x) {
     return x * x;
 }
 
+constexpr double lightest = 1e-3; // I*
+
 double excess(double x, double limit) {
     return std::max(0.0, std::abs(x) - limit);
 }
@@ -83,7 +85,7 @@ Score Objective::score(const PlateCoefficients& coefficients, const Effort& effo
     };
     parallel(threads, cells.size(), run_cell, part_of(0.0, paper_part));
     for (size_t i = 0; i < cells.size(); ++i) add_cell(measured_cells()[i], cells[i], out);
-    constexpr double most_of_rest = 80.0; // more than the terms below can add up to
+    constexpr double most_of_rest = 200.0; // more than the terms below can add up to
     if (!std::isfinite(out.misfit)) out.misfit = 1e9;
     if (out.misfit >= effort.hopeless) {
         out.misfit += most_of_rest;
@@ -95,6 +97,7 @@ Score Objective::score(const PlateCoefficients& coefficients, const Effort& effo
     phase.seeds = effort.map_seeds;
     const size_t points = (map_.size() + effort.map_stride - 1) / effort.map_stride;
     std::vector<double> agreeing(points); // share of the releases
+    std::vector<double> drag(points);     // of the lightest discs
     const auto run_rest = [&](size_t i) { // the longest jobs first
         if (i < small_.size()) {
             out.tumbling[i] = drop_small_disc(small_discs[i], small_[i], effort.small_falls, 300.0, loads).tumbling;
@@ -103,6 +106,7 @@ Score Objective::score(const PlateCoefficients& coefficients, const Effort& effo
         const MapPoint& p = map_[(i - small_.size()) * effort.map_stride];
         const PhaseResult fell = run_phase_point(map_discs_[p.disc], p.expected.at, phase);
         agreeing[i - small_.size()] = fell.share[static_cast<size_t>(p.expected.regime)];
+        if (p.expected.at.inertia < lightest) drag[i - small_.size()] = fell.drag;
     };
     parallel(threads, small_.size() + points, run_rest, part_of(paper_part, 1.0));
     double mean = 0.0;
@@ -112,6 +116,9 @@ Score Objective::score(const PlateCoefficients& coefficients, const Effort& effo
     }
     // The map: half by points that agree, half by releases, which change more smoothly.
     out.misfit += 60.0 * (1.0 - 0.5 * out.map - 0.5 * mean);
+    // Discs whose inertia hardly counts do not hover.
+    out.drag = *std::max_element(drag.begin(), drag.end());
+    for (double d : drag) out.misfit += 2.0 * std::clamp(d - 2.0, 0.0, 4.0);
     // Most discs of 1 mm tumble, and more than of 3 mm.
     out.misfit +=
         10.0 * std::max(0.0, 0.6 - out.tumbling[0]) + 5.0 * std::max(0.0, out.tumbling[1] - out.tumbling[0] + 0.2);
@@ -129,10 +136,10 @@ std::string describe(const Score& s) {
                   "spreads of the descent within 20 %%: %d of %zu\n"
                   "quantiles of the descent within 0.12 m/s: %d of %zu\n"
                   "times to 5 cm sideways within 0.35 to 0.6 s: %d of %td\n"
-                  "phase map: %.2f of the points\n"
+                  "phase map: %.2f of the points; drag of the lightest discs up to %.1f times that broadside\n"
                   "tumbling: %.2f of the discs of 1 mm, %.2f of 3 mm\n",
                   s.misfit, s.means, 5 * cells, 100.0 * s.worst_mean, s.spreads, cells, s.quantiles, 5 * cells,
-                  s.sideways, flat, s.map, s.tumbling[0], s.tumbling[1]);
+                  s.sideways, flat, s.map, s.drag, s.tumbling[0], s.tumbling[1]);
     return text;
 }
 } // namespace lr::fit

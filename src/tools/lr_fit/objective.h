@@ -22,7 +22,8 @@ struct Score {
     double misfit = 0.0;
     int means = 0, spreads = 0, quantiles = 0, sideways = 0; // how many the scorecard's tolerances accept
     double worst_mean = 0.0;                                 // relative
-    double map = 0.0; // share of the points where most discs fall as the map says
+    double map = 0.0;  // share of the points where most discs fall as the map says
+    double drag = 0.0; // largest mean drag of the lightest discs of the map, over that broadside
     std::array<double, scorecard::small_discs.size()> tumbling{};
 };
 

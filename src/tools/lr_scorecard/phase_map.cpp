@@ -87,6 +87,7 @@ PhaseResult run_phase_point(const Asset& disc, const PhasePoint& point, const Ph
     run.viscosity = options.speed * d / point.reynolds;
     run.gravity = 0.5 * fluid_density * options.speed * options.speed * drag_coefficient(point.reynolds) /
                   (areal_density(point.inertia, options) - fluid_density * options.thickness_ratio * d);
+    const double broadside = run.gravity;
     const std::vector<Start> released = starts(options);
     run.dt = static_cast<float>(std::min(options.step * unit, 1e-3));
     run.interval = 0.1 * unit;
@@ -104,6 +105,7 @@ PhaseResult run_phase_point(const Asset& disc, const PhasePoint& point, const Ph
     }
     std::vector<Track> tracks = fall(options.duration);
     result.measured = {speed * d / run.viscosity, point.inertia};
+    result.drag = run.gravity / broadside * (options.speed / speed) * (options.speed / speed);
     result.regimes = classify_all(tracks, options.limits);
     for (Regime r : result.regimes) result.share[static_cast<size_t>(r)] += 1.0;
     for (double& share : result.share) share /= static_cast<double>(tracks.size());

@@ -31,6 +31,7 @@ struct PhasePoint {
 
 struct PhaseResult {
     PhasePoint asked, measured;
+    double drag = 0.0;             // mean drag coefficient of the fall over that broadside
     std::array<double, 4> share{}; // fraction of the seeds in each Regime
     std::vector<Regime> regimes;   // one per seed
     std::vector<Track> tracks;     // if asked for

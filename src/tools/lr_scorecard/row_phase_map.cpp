@@ -197,6 +197,10 @@ RowResult run_phase_map(const Context& context) {
         result.add("share of these that is periodic", Rule::at_least, onsets[i].periodic, 0.5, 0.0);
     }
     add_agreement(result, points);
+    double slowest = 0.0;
+    for (const Point& p : points)
+        if (p.expected.at.inertia < 1e-3) slowest = std::max(slowest, p.result.drag);
+    result.add("largest mean drag below I* 0.001, over that broadside", Rule::at_most, slowest, 2.0, 0.0);
     result.add("discs of 1 mm in air: share that tumbles, beyond that of 3 mm", Rule::at_least,
                small[0].tumbling - small[1].tumbling, 0.05, 0.0);
     for (size_t i = 0; i < small.size(); ++i) {
