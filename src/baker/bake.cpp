@@ -2,10 +2,10 @@
 
 #include "asset/asset_file.h"
 #include "asset/closed_forms/ellipsoid_asset.h"
+#include "baker/added_mass/mixed_added_mass.h"
 #include "baker/aerodynamics/mesh_geometry.h"
 #include "baker/aerodynamics/principal_axes.h"
 #include "baker/aerodynamics/stations.h"
-#include "baker/added_mass/mixed_added_mass.h"
 #include "baker/bake_added_mass.h"
 #include "baker/bake_input.h"
 #include "baker/check_options.h"
