@@ -318,17 +318,14 @@ void ContactGroup::take_out(uint32_t i) {
     filled_[i] = 0;
 }
 
-// With the added mass of the fluid that a body is in: with another one impulses would add energy.
-void ContactGroup::resolve(const ContactSubstep& substep, const float* submerged) {
-    bool any_wet = false;
-    for (uint32_t i = 0; i < count_; ++i) {
-        wet_[i] = water_ && submerged && water_->carries(submerged[i]);
-        any_wet = any_wet || wet_[i];
-    }
+// With the added mass of the fluid that a body is in: with another one impulses would add energy. And with its fall there: the static lock would hold a
+// thin leaf, which falls with some thousandths of gravity, at whatever it falls away from.
+void ContactGroup::resolve(const ContactSubstep& substep) {
     ContactBodies bodies = this->bodies(substep);
-    if (!any_wet) return step_->target->resolve(bodies, slots_);
+    if (std::find(wet_, wet_ + count_, true) == wet_ + count_) return step_->target->resolve(bodies, slots_);
     for (const bool wet : {false, true}) {
         bodies.body = wet ? &water_->water : body_;
+        bodies.gravity = wet ? water_->fall * step_->gravity : step_->gravity;
         ContactSlots part = slots_;
         const auto each = [&](bool which, const auto& function) {
             for (uint32_t i = 0; i < count_; ++i)
@@ -341,8 +338,9 @@ void ContactGroup::resolve(const ContactSubstep& substep, const float* submerged
 }
 
 void ContactGroup::solve(const ContactSubstep& substep, const float* submerged) {
+    for (uint32_t i = 0; i < count_; ++i) wet_[i] = water_ && submerged && water_->carries(submerged[i]);
     if (slots_.used == 0) return;
-    resolve(substep, submerged);
+    resolve(substep);
     leave_floors(substep);
     stay_in_front(substep);
     for (uint32_t i = 0; i < count_; ++i)

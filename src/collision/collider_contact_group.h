@@ -182,6 +182,8 @@ public:
     // The touch with one of them in that substep: its strongest contact, and the impulse of all.
     Touch touch_with(uint32_t lane, uint32_t collider, const ContactSubstep& substep) const;
     bool touches(uint32_t lane) const { return touches_[lane]; }
+    // m/s^2, of its fall from rest in the fluid that it is in.
+    float fall(uint32_t lane) const { return step_->gravity * (wet_[lane] ? water_->fall : 1.0f); }
 
 private:
     // If there are too many candidates, only grounds are stored: the others are searched again in each substep, a list at a time.
@@ -193,7 +195,7 @@ private:
     template <class Found> void each_candidate(uint32_t lane, const Box& around, Found&& found) const;
     template <class Found> void any_order(uint32_t lane, const Box& around, Found&& found) const;
     ContactBodies bodies(const ContactSubstep& substep) const;
-    void resolve(const ContactSubstep& substep, const float* submerged);
+    void resolve(const ContactSubstep& substep);
     void ground_effect(const ContactSubstep& substep);
     void find_floors(const ContactSubstep& substep);
     void leave_floors(const ContactSubstep& substep);

@@ -402,6 +402,9 @@ bool make_water_body(const AssetData& a, const AerodynamicData& loads, const Gai
 
     const double ratio = (a.mass + water_density * a.volume) / (a.mass + air_density * a.volume);
     const Matrix6 dry = kernel_mass(a, diagonal, air_density), wet = kernel_mass(a, diagonal, water_density);
+    double squares = 0.0; // of the translations' mass: the largest counts most
+    for (size_t i = 0; i < 9; ++i) squares += wet[i / 3 * 6 + i % 3] * wet[i / 3 * 6 + i % 3];
+    out.fall = static_cast<float>(std::max(std::abs(static_cast<double>(out.water.weight)) / std::sqrt(squares), 1e-4));
     out.diagonal = air.diagonal && model != Loads::aerodynamic;
     if (out.diagonal) {
         for (size_t i = 0; i < 6; ++i) out.lambda[i] = static_cast<float>(ratio * wet[i * 7] / dry[i * 7] - 1.0);

@@ -383,6 +383,32 @@ TEST_CASE("bodies that fall on the ground under water gain no energy from it or 
             }
 }
 
+// Under water they fall with some thousandths of gravity, which the static lock and the sleepers' trial have to know.
+TEST_CASE("a stack of heavy leaves under water falls when its ground goes") {
+    const Asset asset = make(ellipsoid(0.05, 0.03, 0.0003, 1100.0));
+    const World world = make(world_desc());
+    const lr_batch batch = add_batch(world, batch_desc(), asset, 12);
+    set_pair(world, batch, batch);
+    lr_collider_desc box = collider_desc(LR_COLLIDER_BOX);
+    box.size[0] = box.size[2] = 0.5f, box.size[1] = 0.1f;
+    box.position[1] = -0.1f;
+    const lr_collider floor = add_collider(world, box);
+    lr_water_desc water = water_desc();
+    water.position[1] = 1.0f;
+    set_water(world, water);
+    for (int i = 0; i < 12; ++i) {
+        lr_body_desc leaf = at_rest_at({0.0, 0.005 + 0.004 * i, 0.0});
+        leaf.orientation[0] = leaf.orientation[3] = std::sqrt(0.5f);
+        add_body(world, batch, leaf);
+    }
+    for (int i = 0; i < 600 && view_of(world, batch).awake_count != 0; ++i) steps(world, 1, 1.0f / 60.0f, 2);
+    REQUIRE(view_of(world, batch).awake_count == 0);
+    REQUIRE(lr_collider_destroy(world.get(), &floor, 1) == LR_OK);
+    steps(world, 300, 1.0f / 60.0f, 2);
+    const lr_batch_view view = view_of(world, batch);
+    CHECK(*std::max_element(view.position[1], view.position[1] + view.count) < -0.01f);
+}
+
 TEST_CASE("floats of every kind come to rest at the step of a game") {
     const double shapes[][4] = {{0.005, 0.0025, 0.00005, 700.0}, {0.02, 0.01, 0.0001, 400.0},
                                 {0.001, 0.001, 0.001, 500.0},    {0.01, 0.01, 0.01, 30.0},

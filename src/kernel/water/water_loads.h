@@ -50,6 +50,7 @@ struct WaterBody {
     float semi_axes_squared[3];       // m^2
     float center[3];                  // m, of buoyancy, from the centre of mass
     float radius;                     // m: no part of the ellipsoid is farther from the centre of mass
+    float fall;                       // share of gravity with which it falls or rises from rest, across its widest side
     // Modes of the mass matrices: X^T M_a X = 1, X^T (M_w U_w/U_a - M_a) X = lambda, so with the fraction f in water X^-1 twists scale with 1 + f
     // lambda. On the diagonal path, never with AERODYNAMIC loads, X is diagonal and not used.
     float lambda[6], to[36], from[36];

@@ -178,6 +178,9 @@ void WakeByFlow::take_substep(const StepItem& item, const SleepingNeighbours& ne
     const WaterStep* const surface = world_->surface.present() ? &surface_ : nullptr;
     ContactRun run = contact_run(*world_, batch, surface, time_, static_cast<float>(time_.h));
     if (neighbours.any()) run.step.sleeping = &neighbours;
+    float fall[most];
+    std::fill_n(fall, count, run.step.gravity);
+    run.fall = fall;
     if (world_->wind.active() || felt)
         step_in_field({world_->target, &world_->wind, time_, 0, 1, surface, felt}, one, &run, arrays, item.handle,
                       count, 0, padded);
@@ -187,7 +190,10 @@ void WakeByFlow::take_substep(const StepItem& item, const SleepingNeighbours& ne
     for (uint32_t i = 0; i < count; ++i) {
         const auto size = [&](size_t f) { return length(vector_in(copies.field, f, i)); };
         const float reach = batch.asset().shape.reach * copies.field[field_scale][i];
-        moves[i] = size(field_vx) + reach * size(field_wx) > limit;
+        // In water a body can fall with less than that share: it lies on nothing if it falls half as fast as it can.
+        const Vector v = rotate(pose_of(arrays, i).rotation, vector_in(copies.field, field_vx, i));
+        moves[i] = size(field_vx) + reach * size(field_wx) > limit ||
+                   std::abs(dot(v, vector_of(world_->gravity))) > 0.5f * fall[i] * run.step.gravity * one.h;
     }
 }
 

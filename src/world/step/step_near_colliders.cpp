@@ -25,6 +25,8 @@ void touch(const ContactRun& run, ContactGroup& group, const States& states, con
     group.solve(now, submerged);
     for (uint32_t i = 0; i < contact_lanes; ++i)
         hold_if_insane(arrays, i, faults, [&](size_t f) { return before[f][i]; });
+    for (uint32_t i = 0; i < bodies_from(states, first) && run.fall; ++i)
+        run.fall[near.index(first + i)] = group.fall(i);
     if (!run.book.still_time) return;
     for (uint32_t i = 0; i < bodies_from(states, first); ++i) {
         if (is_held(states.field[field_age_remainder][first + i])) continue;

@@ -14,7 +14,8 @@ struct ContactRun {
     const WaterStep* surface; // null without water
     StepTime time;
     ContactCache book;
-    float still; // m/s over sqrt(reach in m): bodies in contact that are slower lie still
+    float still;           // m/s over sqrt(reach in m): bodies in contact that are slower lie still
+    float* fall = nullptr; // by body: receives ContactGroup::fall() after one substep. Null: not asked.
 };
 
 // Substep `substep` of the step, at whose beginning bodies were as in `before`.
