@@ -1,8 +1,6 @@
 // std::bit_cast, which standard libraries older than their compiler lack: Emscripten's before LLVM 14, so Unity's for the web.
 #pragma once
 
-#include "base/bit_cast.h"
-
 #include <type_traits>
 
 namespace lr {

@@ -155,7 +155,7 @@ TEST_CASE("bake: open leaves with a back weigh what leaves without one do") {
     CHECK(two.mass == doctest::Approx(one.mass).epsilon(1e-9));
     for (std::size_t k = 0; k < 6; ++k)
         CHECK(two.added_mass[7 * k] == doctest::Approx(one.added_mass[7 * k]).epsilon(0.01));
-    // What is left is one part.
+    // One part is left.
     CHECK(std::none_of(faults.begin(), faults.end(),
                        [](const Fault& f) { return f.id == FaultId::mesh_several_components; }));
     CHECK(test::bake_mesh(front, refused, strict));

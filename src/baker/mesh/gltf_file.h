@@ -1,5 +1,5 @@
-// What assimp 5.2 lacks for glTF: words for a file that it does not know, and positions that are whole numbers (KHR_mesh_quantization),
-// which it reads as if they were floats.
+// For glTF that assimp 5.2 cannot read: why it refuses a file, and float positions in place of whole numbers (KHR_mesh_quantization), which it
+// reads as if they were floats.
 #pragma once
 
 #include <functional>
