@@ -52,8 +52,9 @@ bool slot_of(const SourceDesc& d, Double3& out) {
     return std::abs(along) < 0.999 && normalise(across, out);
 }
 
+// A time below a nanosecond counts as one: its inverse must stay finite in single precision.
 double duration(const SourceDesc& d) {
-    if (d.period > 0.0f) return static_cast<double>(d.period);
+    if (d.period > 0.0f) return std::max(static_cast<double>(d.period), 1e-9);
     if (d.kind == SourceDesc::gusts) return gust_period;
     if (d.kind == SourceDesc::turbulence)
         return static_cast<double>(d.size) / std::max(static_cast<double>(d.speed), 1e-3);
@@ -256,7 +257,11 @@ void WindSource::at(double time, uint64_t world_seed, const double drift[3], con
     put(to_float(side), s.side);
     s.core = desc.size;
     s.half_length = desc.half_length;
-    const auto limit = [](float length) { return length > 0.0f ? 1.0f / (length * length) : 0.0f; };
+    // A limit below a micrometre counts as one, likewise.
+    const auto limit = [](float length) {
+        const float held = std::max(length, 1e-6f);
+        return length > 0.0f ? 1.0f / (held * held) : 0.0f;
+    };
     const auto square = [](float v) { return static_cast<double>(v) * static_cast<double>(v); };
     const double size = static_cast<double>(desc.size);
     // Slightly above 1, so that rounding of the test cuts nothing off.
@@ -297,8 +302,8 @@ void WindSource::at(double time, uint64_t world_seed, const double drift[3], con
         s.outside = desc.outside;
         if (desc.outside == LR_WIND_OUTSIDE_ZERO) s.reach = narrow(margin * std::sqrt(span) + 1e-3);
         const double frame = time / duration(desc);
-        const double whole = std::floor(frame), loop = static_cast<double>(desc.frames);
-        const auto first = static_cast<uint64_t>(whole - loop * std::floor(whole / loop)) % desc.frames;
+        const double whole = std::floor(frame);
+        const auto first = static_cast<uint64_t>(std::fmod(whole, static_cast<double>(desc.frames)));
         const uint64_t stride = sample_count(desc) / desc.frames;
         s.frame[0] = grid->values.data() + first * stride;
         s.frame[1] = grid->values.data() + (first + 1) % desc.frames * stride;

@@ -241,6 +241,49 @@ TEST_CASE("sources add up, however many and wherever they are") {
     check_near(wind_at(world, x), {1.0, 2.0, 3.0}, 0.0);
 }
 
+TEST_CASE("sources with lengths, times and grounds at the ends of their ranges give finite wind and lose no body") {
+    const auto check_sound = [](const char* what, const AnySource& any, int count = 1, float height = 0.0f) {
+        CAPTURE(what);
+        const World world = make(world_desc());
+        const lr_batch batch = add_batch(world, leaf(), 2);
+        set_wind(world, 2.0f, 0.0f, 0.0f);
+        for (int i = 0; i < count; ++i) add_source(world, any);
+        lr_body_desc d = body_desc();
+        for (float x : {0.0f, 1.0f}) {
+            set(d.position, x, height, 0.0f);
+            add_body(world, batch, d);
+        }
+        steps(world, 3, 1.0f / 60.0f, 2);
+        CHECK(length(wind_at(world, {0.0, wide(height), 0.0})) < 1e9);
+        lr_batch_counts counts = initialised(lr_batch_counts_init);
+        REQUIRE(lr_batch_get_counts(world.get(), batch, &counts) == LR_OK);
+        CHECK(counts.total_diverged == 0);
+    };
+    for (float least : {1e-45f, 1e-38f, 1e-20f}) {
+        lr_vortex_desc vortex = vortex_desc();
+        vortex.outer_radius = least;
+        check_sound("outer radius", vortex);
+        vortex.outer_radius = 0.0f, vortex.half_length = least;
+        check_sound("half length", vortex);
+        lr_turbulence_desc turbulence = initialised(lr_turbulence_desc_init);
+        turbulence.eddy_life = least;
+        check_sound("eddy life", turbulence);
+        lr_gusts_desc gusts = initialised(lr_gusts_desc_init);
+        gusts.integral_time = least;
+        check_sound("integral time", gusts);
+        const std::vector<float> samples(9, 1.0f);
+        lr_wind_grid_desc grid = initialised(lr_wind_grid_desc_init);
+        grid.counts[0] = grid.counts[1] = grid.counts[2] = 1, grid.frames = 3;
+        grid.samples = samples.data();
+        grid.outside = LR_WIND_OUTSIDE_CLAMP;
+        grid.frame_time = least;
+        check_sound("frame time", grid);
+    }
+    lr_ground_wind_desc ground = initialised(lr_ground_wind_desc_init);
+    ground.roughness_length = ground.reference_height = 1e-4f;
+    check_sound("many grounds", ground, LR_MAX_WIND_SOURCES, 1e9f);
+}
+
 TEST_CASE("samples are the same bits on every instruction set, in any number and order") {
     const std::vector<float> samples = grid_samples();
     const World world = make(world_desc());

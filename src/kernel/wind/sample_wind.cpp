@@ -361,13 +361,17 @@ HWY_INLINE bool flow_of(const SourceInstant& s, Vec3 x, Flow& flow) {
 struct Sum {
     Vec3 wind, change, rate;
     Matrix gradient;
+    VF grounds; // product of their factors
 };
 
 // The ground multiplies the uniform wind, before anything is added to it.
 HWY_INLINE void put_ground(const SourceInstant& s, Vec3 x, Sum& sum) {
     const Vec3 none = zero3();
     Vec3 slopes;
-    const VF factor = ground_factor(s, x, slopes);
+    VF factor = ground_factor(s, x, slopes);
+    // 64 grounds far below would overflow; one makes no more than 47.
+    factor = hn::IfThenElse(sum.grounds > constant(40.0f), hn::Min(factor, constant(1.0f)), factor);
+    sum.grounds *= factor;
     const Matrix lifted = outer(sum.wind, slopes);
     // Plus zero: removes negative zeros, or a source that adds nothing could change a sign.
     sum.gradient = factor * sum.gradient + lifted + Matrix{{none, none, none}};
@@ -388,7 +392,7 @@ void evaluate(const FieldInstant& instant, size_t count, FieldBlock* blocks) {
         FieldBlock& b = blocks[i / lane_block];
         const size_t at = i % lane_block;
         const Vec3 x = load3(b.position, at), none = zero3();
-        Sum sum{broadcast(instant.wind), broadcast(instant.change), none, {{none, none, none}}};
+        Sum sum{broadcast(instant.wind), broadcast(instant.change), none, {{none, none, none}}, constant(1.0f)};
         for (const SourceInstant* s = instant.sources; s != end; ++s)
             if (s->kind == SourceKind::ground) put_ground(*s, x, sum);
         for (const SourceInstant* s = instant.sources; s != end; ++s) {
