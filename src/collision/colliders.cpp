@@ -156,6 +156,15 @@ void Colliders::delist(uint32_t slot) {
     slots_[last].link = s.link;
 }
 
+void Colliders::sort_lists() {
+    for (List* list : {&active_, &unbounded_}) {
+        uint32_t* const slots = list->slots.data();
+        if (std::is_sorted(slots, slots + list->count)) continue;
+        std::sort(slots, slots + list->count);
+        for (uint32_t i = 0; i < list->count; ++i) slots_[slots[i]].link = i;
+    }
+}
+
 lr_collider Colliders::id(uint32_t slot) const {
     return pack(ColliderHandle{slot, slots_[slot].generation});
 }

@@ -165,13 +165,15 @@ public:
     template <class F> void for_fresh(F&& f) {
         if (!any_fresh_) return;
         any_fresh_ = false;
+        sort_lists();
         each_listed([&](uint32_t slot) {
             if (slots_[slot].fresh) f(slot);
             slots_[slot].fresh = false;
         });
     }
     // Calls f for each collider that moves in this step.
-    template <class F> void for_moving(F&& f) const {
+    template <class F> void for_moving(F&& f) {
+        sort_lists();
         each_listed([&](uint32_t slot) {
             if (colliders_[slot].moves) f(slot);
         });
@@ -222,6 +224,7 @@ private:
     void set_shared(uint32_t slot, SharedGeometry* shared);
     void enlist(uint32_t slot);
     void delist(uint32_t slot);
+    void sort_lists(); // by slot: their order depends on when colliders began to move, which no snapshot has
     void release(uint32_t slot);
     void add_proxies(uint32_t slot, ColliderBroadPhase& to) const;
     void rebuild_still();

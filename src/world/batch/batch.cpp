@@ -6,8 +6,10 @@
 #include "world/batch/lifecycle.h"
 #include "world/schedule/step_chunks.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <utility>
 
 namespace lr {
@@ -233,18 +235,30 @@ void Batch::wake_near(const Box& box, double share, double round) {
     if (awake_ == count_) return;
     const auto greatest = [](Double3 a) { return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}); };
     const Double3 low = to_double(box.low), high = to_double(box.high);
-    const auto look_at = [&](uint32_t index) {
+    const auto touches = [&](uint32_t index) {
         const Double3 x = to_double(vector_in(arrays_.field, field_x, index));
         const double reach = reach_ * wide(arrays_.field[field_scale][index]) * (1.0 + share) + round * greatest(x);
-        if (x.x + reach >= low.x && x.x - reach <= high.x && x.y + reach >= low.y && x.y - reach <= high.y &&
-            x.z + reach >= low.z && x.z - reach <= high.z)
-            wake(index);
+        return x.x + reach >= low.x && x.x - reach <= high.x && x.y + reach >= low.y && x.y - reach <= high.y &&
+               x.z + reach >= low.z && x.z - reach <= high.z;
     };
     const double far = std::max(greatest(low), greatest(high));
     const Box around = grown(box, static_cast<float>(1.01 * round * far));
-    if (sleeping_->grid.visit(around, count_ - awake_, [&](uint32_t slot) { look_at(dense_[slot]); })) return;
+    // By index, not in the grid's order: that depends on the order in which bodies fell asleep, which no snapshot has.
+    uint32_t found[1024];
+    size_t n = 0;
+    const auto note = [&](uint32_t slot) {
+        if (n > std::size(found) || !touches(dense_[slot])) return;
+        if (n < std::size(found)) found[n] = dense_[slot];
+        ++n;
+    };
+    if (sleeping_->grid.visit(around, count_ - awake_, note) && n <= std::size(found)) {
+        std::sort(found, found + n);
+        std::for_each(found, std::unique(found, found + n), [&](uint32_t i) { wake(i); });
+        return;
+    }
     // A body that wakes swaps places with one that was already visited.
-    for (uint32_t i = awake_; i < count_; ++i) look_at(i);
+    for (uint32_t i = awake_; i < count_; ++i)
+        if (touches(i)) wake(i);
 }
 
 // Spheres around the bodies' places, and around the places that they can have reached since.
