@@ -78,8 +78,9 @@ class AirMixin:
     if TYPE_CHECKING:
         def _ask(self, name: str, *arguments: Any) -> None: ...
         def _change(self, name: str, *arguments: Any) -> None: ...
-        def _keep(self, name: str, function: Any) -> None: ...
+        def _give(self, place: str, callback: Any, name: str, *arguments: Any) -> None: ...
         _handle: Any
+        _changes: int
 
     def set_uniform_wind(self, velocity: "ArrayLike") -> None:
         """Sets the uniform wind, m/s. The wind changes linearly over the next step."""
@@ -147,8 +148,8 @@ class AirMixin:
             raise TypeError(f"{function!r} cannot be called")
         guard = self._handle.guard if self._handle is not None else None
         callback = field_callback(kind, query, function, guard) if function is not None and guard is not None else kind()
-        self._change(name, callback, None)
-        self._keep(name, callback)
+        self._changes += 1
+        self._give(name, callback, name, callback, None)
 
     def sample_wind(self, positions: "ArrayLike") -> NDArray[Any]:
         """The velocity of the fluid at positions (..., 3), m/s, at the world's time."""

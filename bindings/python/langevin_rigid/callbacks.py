@@ -32,10 +32,6 @@ class Guard:
         if self.pending is None:
             self.pending = exception
 
-    def take(self) -> Optional[BaseException]:
-        exception, self.pending = self.pending, None
-        return exception
-
 
 def _copy_in(pointers: Any, count: int) -> NDArray[Any]:
     array = np.empty((len(pointers), count), np.float32)
@@ -128,8 +124,8 @@ def uninterrupted(function: Callable[..., Any], *arguments: Any) -> Any:
     if threading.current_thread() is not threading.main_thread() or not callable(before):
         return function(*arguments)
     interrupts: List[Tuple[Any, ...]] = []
-    signal.signal(signal.SIGINT, lambda *interrupt: interrupts.append(interrupt))
     try:
+        signal.signal(signal.SIGINT, lambda *interrupt: interrupts.append(interrupt))
         return function(*arguments)
     finally:
         signal.signal(signal.SIGINT, before)

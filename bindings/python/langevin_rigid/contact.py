@@ -166,7 +166,8 @@ class ContactMixin:
 
     def keep_events(self, capacity: int = 4096, kinds: int = EventKinds.ALL) -> None:
         """Keeps at most `capacity` events of each step; 0 disables events."""
-        self._change("lr_world_set_events", integer(capacity, ctypes.c_uint32, "capacity"), int(kinds))
+        self._change("lr_world_set_events", integer(capacity, ctypes.c_uint32, "capacity"),
+                     integer(kinds, ctypes.c_uint32, "kinds"))
 
     @property
     def events(self) -> Events:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import threading
 from concurrent.futures import Executor
 from typing import TYPE_CHECKING, Any, Callable, List, Optional, SupportsFloat, Tuple, Union
 
@@ -37,11 +36,11 @@ class Handle:
         self.destroy = destroy
         self.guard = guard
         self.keep = keep
-        self.lock = threading.Lock()
+        self.idle = [True]  # empty during a call. No lock: Ctrl-C could be raised between its acquire() and `try`, but not after `del`
 
     def calls_python(self) -> bool:
         """Whether a call can call back into Python, but for its log."""
-        return any(callback for name, callback in self.keep.items() if name != "log")
+        return any(any(callbacks) for name, callbacks in self.keep.items() if name != "log")
 
     def __del__(self) -> None:
         self.destroy(self.pointer)
@@ -72,12 +71,12 @@ class World(WorldPlain, AirMixin, ContactMixin, QueryMixin):
         guard = Guard()
         desc = make(native.lr_world_desc, options, [])
         desc.log = log_callback(log, guard)
-        keep = {"log": desc.log}
+        keep = {"log": (desc.log,)}
         if executor is not None:
             desc.jobs = job_callbacks(executor, guard)
             if desc.worker_count == 0:  # only Python's own executors say how many; for others the library guesses, and warns
                 desc.worker_count = min(getattr(executor, "_max_workers", 0), 64)
-            keep["jobs"] = desc.jobs
+            keep["jobs"] = (desc.jobs,)
         pointer = ctypes.POINTER(native.lr_world)()
         status = library().lr_world_create(ctypes.byref(desc), ctypes.byref(pointer))
         if status:
@@ -86,24 +85,25 @@ class World(WorldPlain, AirMixin, ContactMixin, QueryMixin):
 
     # # Calls.
 
-    def _use(self) -> Handle:
-        handle = self._handle
-        if handle is None:
+    def _open(self) -> Handle:
+        if self._handle is None:
             raise ClosedError("the world was closed")
-        if not handle.lock.acquire(blocking=False):
-            raise BusyError("the world is already in a call: use one thread at a time, and do not call it from its callbacks")
-        return handle
+        return self._handle
 
     def _call(self, name: str, *arguments: Any) -> Tuple[int, str]:
         """A function's result, and its error message."""
-        handle = self._use()
+        handle = self._open()
+        try:
+            del handle.idle[0]
+        except IndexError:
+            raise BusyError("the world is already in a call: use one thread at a time, and do not call it from its callbacks") from None
         try:
             handle.guard.message = ""
             function = getattr(library(), name)
             result = uninterrupted(function, handle.pointer, *arguments) if handle.calls_python() else function(handle.pointer, *arguments)
         finally:
-            pending = handle.guard.take()
-            handle.lock.release()
+            pending, handle.guard.pending = handle.guard.pending, None
+            handle.idle.append(True)
         if pending is not None:
             raise pending
         return result, handle.guard.message
@@ -119,17 +119,23 @@ class World(WorldPlain, AirMixin, ContactMixin, QueryMixin):
         self._changes += 1
         self._ask(name, *arguments)
 
-    def _keep(self, name: str, function: Any) -> None:
-        """Keeps a callback alive until it is replaced."""
-        assert self._handle is not None
-        self._handle.keep[name] = function
+    def _give(self, place: str, callback: Any, name: str, *arguments: Any) -> None:
+        """Makes a call that gives the library a callback. One that raises, by Ctrl-C or in a recording's `write`, can have given it:
+        the callback before is then kept as well."""
+        keep = self._open().keep
+        before = keep.get(place, ())
+        keep[place] = (*before, callback)
+        status, message = self._call(name, *arguments)
+        keep[place] = before if status else (callback,)
+        if status:
+            raise error(status, name, message)
 
     # # Lifetime.
 
     def close(self) -> None:
         """Destroys the world. Its memory is freed once no array uses it."""
         handle = self._handle
-        if handle is not None and handle.lock.locked():
+        if handle is not None and not handle.idle:
             raise BusyError("the world is in a call")
         self._handle = None
 
@@ -176,11 +182,7 @@ class World(WorldPlain, AirMixin, ContactMixin, QueryMixin):
 
     def save(self) -> bytes:
         """A snapshot as bytes."""
-        handle = self._use()
-        try:
-            size = library().lr_world_snapshot_size(handle.pointer)
-        finally:
-            handle.lock.release()
+        size, _ = self._call("lr_world_snapshot_size")
         memory, written = ctypes.create_string_buffer(size), ctypes.c_uint64()
         self._ask("lr_world_snapshot_save", memory, size, ctypes.byref(written))
         return memory.raw[:written.value]
@@ -195,22 +197,14 @@ class World(WorldPlain, AirMixin, ContactMixin, QueryMixin):
         """Starts a recording for `lr_replay`: `write` (`open("bug.lrr", "wb").write`) receives every call that can change the world.
 
         Calls on this world call `write`. An exception in it ends the recording, and that call raises it."""
-        handle = self._use()
-        handle.lock.release()
         desc = make(native.lr_recording_desc, options, [])
-        desc.write = record_callback(write, handle.guard)
-        before = handle.keep.get("record")
-        self._keep("record", desc.write)
-        try:
-            self._ask("lr_world_record_start", ctypes.byref(desc))
-        except BaseException:
-            self._keep("record", before)
-            raise
+        desc.write = record_callback(write, self._open().guard)
+        self._give("record", desc.write, "lr_world_record_start", ctypes.byref(desc))
 
     def record_stop(self) -> None:
         """Ends the recording after writing its last bytes."""
         self._ask("lr_world_record_stop")
-        self._keep("record", None)
+        self._open().keep["record"] = ()
 
     # Batches and bodies.
 

@@ -289,6 +289,9 @@ class Forces(WorldCase):
         for wrong in ({"force": np.zeros((5, 3))}, {"force": np.zeros((4, 2))}, {"force": np.zeros((2, 3)), "torque": np.zeros((3, 3))}):
             with self.assertRaises(ValueError):
                 self.batch.add_forces(**wrong)
+        for first in (2**32 + 1, -1):
+            with self.assertRaises(OverflowError):
+                self.batch.add_forces(force=np.zeros((2, 3)), first=first)
 
     def test_batch_force_until_changed(self):
         self.batch.create(1)
