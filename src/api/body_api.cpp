@@ -59,16 +59,20 @@ const char* unknown_in(int32_t mode, int32_t frame) {
     return nullptr;
 }
 
-// The change of velocity and spin by an impulse or velocity, in the body frame.
-Kick kick_of(const lr_world& world, Batch& batch, uint32_t index, const BodyState& body, const Push& p) {
+// The change of velocity and spin by an impulse or velocity, in the body frame. constants: in the fluid that an impulse moves.
+Kick kick_of(const BodyConstants& constants, const BodyState& body, const Push& p) {
     Kick kick{p.force, p.torque};
     if (p.frame == LR_FRAME_WORLD) {
         const Quaternion<double> to_body = inverse(to_double(rotation_of(body.value + field_qx)));
         kick = {rotate(to_body, p.force), rotate(to_body, p.torque)};
     }
-    if (p.mode != LR_FORCE_MODE_IMPULSE) return kick;
+    return p.mode == LR_FORCE_MODE_IMPULSE ? impulse_response(constants, wide(body.value[field_scale]), kick) : kick;
+}
+
+Kick kick_here(const lr_world& world, Batch& batch, uint32_t index, const BodyState& body, const Push& p) {
     float stream[3];
-    return impulse_response(constants_at(world, batch, index, stream), wide(body.value[field_scale]), kick);
+    const bool impulse = p.mode == LR_FORCE_MODE_IMPULSE;
+    return kick_of(impulse ? constants_at(world, batch, index, stream) : batch.step.body, body, p);
 }
 
 bool all_within(Double3 v, double most) {
@@ -78,8 +82,10 @@ bool all_within(Double3 v, double most) {
 // The kernel divides a force by the reference mass, a lower bound of every body's inertia up to a small factor.
 const char* too_large(const lr_world& world, Batch& batch, uint32_t index, const Push& p) {
     if (!continuous(p.mode)) {
-        const Kick kick = kick_of(world, batch, index, batch.read(index), p);
-        return all_within(kick.v, most_kick) && all_within(kick.w, most_kick)
+        const BodyState body = batch.read(index);
+        const auto fits = [](const Kick& k) { return all_within(k.v, most_kick) && all_within(k.w, most_kick); };
+        // Water only makes a body heavier: its surface, perhaps a callback's, is not asked for if the impulse is small enough without.
+        return fits(kick_of(batch.step.body, body, p)) || fits(kick_here(world, batch, index, body, p))
                    ? nullptr
                    : "an impulse or velocity gives more than 1e6 m/s or rad/s";
     }
@@ -105,7 +111,7 @@ void apply(const lr_world& world, Batch& batch, uint32_t index, const Push& p) {
         return;
     }
     BodyState body = batch.read(index);
-    const Kick kick = kick_of(world, batch, index, body, p);
+    const Kick kick = kick_here(world, batch, index, body, p);
     put(to_float(to_double(vector_of(body.value + field_vx)) + kick.v), body.value + field_vx);
     put(to_float(to_double(vector_of(body.value + field_wx)) + kick.w), body.value + field_wx);
     batch.write(index, body);

@@ -182,6 +182,26 @@ TEST_CASE("an impulse changes the momentum of body and fluid by itself, a veloci
     }
 }
 
+TEST_CASE("an impulse asks a water callback once, and its limit is that of the fluid that it moves") {
+    const World world = weightless();
+    const Asset film = make(ellipsoid(0.1, 0.1, 1e-5, 100.0));
+    const lr_batch batch = add_batch(world, batch_desc(), film, 1);
+    const lr_body id = add_body(world, batch, body_desc());
+    const Vec impulse{0.0, 0.0, 1.5e6 * (info_of(film).mass + info_of(film).added_mass[14])};
+    const lr_body_force strong = force_on(id, LR_FORCE_MODE_IMPULSE, LR_FRAME_BODY, impulse, {});
+    CHECK(lr_body_add_force(world.get(), &strong, 1) == LR_ERROR_INVALID_ARGUMENT);
+    uint32_t asked = 0;
+    const auto count = [](void* sum, const lr_water_query* q) { *static_cast<uint32_t*>(sum) += q->count; };
+    REQUIRE(lr_world_set_water_callback(world.get(), count, &asked) == LR_OK);
+    lr_water_desc water = water_desc();
+    water.position[1] = 1.0f;
+    set_water(world, water);
+    push(world, force_on(id, LR_FORCE_MODE_IMPULSE, LR_FRAME_BODY, 1e-6 * impulse, {}));
+    CHECK(asked == 1);
+    push(world, strong);
+    CHECK(state_of(world, id).linear_velocity[2] < 1e5f);
+}
+
 TEST_CASE("an acceleration is the body's, whatever its mass and the fluid's") {
     Random random(3);
     lr_ellipsoid_desc shape = in_water(ellipsoid(0.04, 0.02, 0.001, 300.0));
