@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import logging
 import signal
+import sys
 import threading
 from concurrent.futures import Executor, Future
 from typing import TYPE_CHECKING, Any, Callable, Dict, List, Optional, Tuple
@@ -123,14 +124,14 @@ def uninterrupted(function: Callable[..., Any], *arguments: Any) -> Any:
     before = signal.getsignal(signal.SIGINT)
     if threading.current_thread() is not threading.main_thread() or not callable(before):
         return function(*arguments)
-    interrupts: List[Tuple[Any, ...]] = []
+    interrupts: List[int] = []  # without their frames: those refer to this list, and so would keep the world until a garbage collection
     try:
-        signal.signal(signal.SIGINT, lambda *interrupt: interrupts.append(interrupt))
+        signal.signal(signal.SIGINT, lambda number, _: interrupts.append(number))
         return function(*arguments)
     finally:
         signal.signal(signal.SIGINT, before)
         if interrupts:
-            before(*interrupts[0])
+            before(interrupts[0], sys._getframe())
 
 
 def field_callback(kind: Any, query: Any, function: Callable[[Any], Any], guard: Guard) -> Any:

@@ -134,10 +134,9 @@ class World(WorldPlain, AirMixin, ContactMixin, QueryMixin):
 
     def close(self) -> None:
         """Destroys the world. Its memory is freed once no array uses it."""
-        handle = self._handle
-        if handle is not None and not handle.idle:
+        if self._handle is not None and not self._handle.idle:
             raise BusyError("the world is in a call")
-        self._handle = None
+        uninterrupted(setattr, self, "_handle", None)  # Python drops an exception in __del__
 
     @property
     def closed(self) -> bool:
