@@ -562,6 +562,31 @@ TEST_CASE("a callback's surface is as good as a plane there, and one that is non
     CHECK(same_bits(run(0.25f, 2.0f, true), run(0.25f, 0.0f, true))); // beyond its reach
 }
 
+TEST_CASE("bodies that wind or forces carry into the water enter it, however many substeps a step has") {
+    for (const bool blown : {true, false}) {
+        const Asset asset = blown ? leaf() : make(ellipsoid(0.05, 0.05, 0.05, 300.0));
+        const auto depth = [&](int count) {
+            const World world = make(world_desc());
+            lr_batch_desc desc = loads(LR_LOADS_AERODYNAMIC);
+            const lr_batch batch = add_batch(world, desc, asset, 1);
+            lr_load_gains gains = initialised(lr_load_gains_init);
+            gains.turbulence = 0.0f;
+            REQUIRE(lr_batch_set_load_gains(world.get(), batch, &gains) == LR_OK);
+            lr_batch_force force = initialised(lr_batch_force_init);
+            force.acceleration[1] = blown ? 0.0f : -200.0f;
+            REQUIRE(lr_batch_set_force(world.get(), batch, &force) == LR_OK);
+            if (blown) REQUIRE(lr_world_set_uniform_wind(world.get(), 0.0f, -20.0f, 0.0f) == LR_OK);
+            set_water(world, water_desc());
+            const lr_body body = add_body(world, batch, at_height(2.0));
+            steps(world, count, 0.3f / static_cast<float>(count), 24 / static_cast<uint32_t>(count));
+            return state_of(world, body).position[1];
+        };
+        CAPTURE(blown);
+        CHECK(depth(24) < 0.0f);
+        CHECK(std::abs(depth(1) - depth(24)) < 0.05f);
+    }
+}
+
 // Bound on gains: test_water_energy.cpp.
 TEST_CASE("bodies that cross the surface stay finite, with noise and among waves") {
     for (uint32_t i = 0; i < 600; ++i) {

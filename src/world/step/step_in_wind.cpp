@@ -102,7 +102,7 @@ void step_in_field(const FieldSlice& slice, const StepInput& in, const ContactRu
         if (submerged) std::fill_n(submerged, last - at, 0.0f);
         const auto step = [&] {
             if (!surface) return target.step(part, bodies, at, last);
-            NearBodies near(*slice.surface, in, arrays, live, at, last, slice.time.h, false);
+            NearBodies near(*slice.surface, in, arrays, live, at, last, slice.time.h, 0.0, false);
             target.step(part, bodies, at, last);
             if (!near.any()) return;
             alignas(64) float wind[3][field_block];

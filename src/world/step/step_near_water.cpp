@@ -6,13 +6,21 @@ namespace lr {
 namespace {
 
 constexpr auto lanes = static_cast<uint32_t>(lane_block), most = static_cast<uint32_t>(field_block);
+
+// m, besides the way at their velocity, that wind and forces can carry bodies in all substeps but the first.
+double carried(const StepInput& in, const StepTime& time) {
+    const float wind = std::max(length(vector_of(in.wind_begin)), length(vector_of(in.wind)));
+    const float forced = in.external.any ? 50.0f : 0.0f; // m/s, as for contact
+    return time.h * (time.substeps - 1.0) * wide(wind + forced);
+}
 } // namespace
 
 NearBodies::NearBodies(const WaterStep& step, const StepInput& in, const BatchArrays& from, uint32_t live,
-                       uint32_t begin, uint32_t end, double dt, bool forget)
+                       uint32_t begin, uint32_t end, double dt, double reach, bool forget)
     : step_(&step), begin_(begin), live_(live) {
-    step.target->surface.near(step.surface->at(step.time.begin), step.surface->highest(), *in.water,
-                              static_cast<float>(dt), length(vector_of(step.gravity)), from, begin, end, near_);
+    step.target->surface.near(step.surface->at(step.time.begin), step.surface->highest() + static_cast<float>(reach),
+                              *in.water, static_cast<float>(dt), length(vector_of(step.gravity)), from, begin, end,
+                              near_);
     for (uint32_t i = begin; i < std::min(end, live); ++i)
         if (near_[i - begin] != 0) index_[count_++] = i;
     if (count_ == 0) return;
@@ -85,9 +93,10 @@ void step_lanes(const KernelTarget& target, const WaterStep* surface, const Step
     if (submerged) std::fill_n(submerged, end - begin, 0.0f);
     WaterStep step = *surface;
     step.time = time;
+    const double reach = carried(in, time);
     for (uint32_t at = begin; at < end; at += most) {
         const uint32_t last = std::min(at + most, end);
-        NearBodies near(step, in, arrays, live, at, last, step.time.h * step.time.substeps, true);
+        NearBodies near(step, in, arrays, live, at, last, step.time.h * step.time.substeps, reach, true);
         step_others(
             at, last, [&](uint32_t block) { return near.others(block); },
             [&](uint32_t from, uint32_t to) { step.target->step(in, arrays, from, to); });

@@ -18,9 +18,9 @@ struct WaterStep {
 class NearBodies {
 public:
     // The bodies of [begin, end), at most field_block, that can touch the water within `dt`. live: the batch's bodies.
-    // forget: their forces apply to the following substeps only.
+    // reach: m, how much farther than at their velocity and by gravity they can get in that time. forget: their forces apply to the following substeps only.
     NearBodies(const WaterStep& step, const StepInput& in, const BatchArrays& from, uint32_t live, uint32_t begin,
-               uint32_t end, double dt, bool forget);
+               uint32_t end, double dt, double reach, bool forget);
 
     bool any() const { return count_ != 0; }
     // Whether this lane block, within the range, has a body that was not copied.
