@@ -43,6 +43,7 @@ export class Host {
   #nextCallback = 1;
   #thrown = null; // by a callback; kept until the call around it has returned
   #broken = null;
+  result = null; // of the last C function, also where invoke() throws the exception of a callback
 
   static async create(source) {
     const host = new Host();
@@ -111,9 +112,9 @@ export class Host {
     if (this.#broken) throw new Error(`the module stopped in ${this.#broken} and can't be used any more: load() another`);
     const stack = this.#exports.__stack_pointer;
     const top = stack.value;
-    let result;
+    this.result = null;
     try {
-      result = this.#exports[name](...values);
+      this.result = this.#exports[name](...values);
     } catch (error) {
       stack.value = top;
       if (error === outOfMemory) return LR.ERROR_OUT_OF_MEMORY;
@@ -128,7 +129,7 @@ export class Host {
       this.#thrown = null;
       throw error;
     }
-    return result;
+    return this.result;
   }
 
   /** Frees an object of the module, if the module still works. Never throws, because finalizers call it too. */

@@ -20,9 +20,7 @@ export class World extends WorldPlain {
   #address = 0;
   #said = '';
   #kept; // freed with the world: its address and the numbers of its callbacks
-  #wind = 0;
-  #record = 0;
-  #surface = 0;
+  #placed = { wind: 0, surface: 0, record: 0 }; // numbers of callbacks
 
   /** @internal The library's log of a refused call becomes part of the thrown message. */
   hear(message) {
@@ -142,13 +140,13 @@ export class World extends WorldPlain {
   }
 
   startRecording(write, desc = {}) {
-    this.#record = this.#exchange(this.#record, this.#host.addCallback(write), (id) =>
+    this.#exchange('record', this.#host.addCallback(write), (id) =>
       this.#host.scratch((scratch) => this.call('lr_world_record_start',
         scratch.struct('lr_recording_desc', { ...desc, write: this.#host.raw.lr_web_record(), user: id }))));
   }
 
   stopRecording() {
-    this.#record = this.#exchange(this.#record, 0, () => this.call('lr_world_record_stop'));
+    this.#exchange('record', 0, () => this.call('lr_world_record_stop'));
   }
 
   // The fluid.
@@ -210,27 +208,27 @@ export class World extends WorldPlain {
     return this.#isValid('lr_wind_source_is_valid', source);
   }
 
-  /** Replaces a callback, unless `install` is refused. */
-  #exchange(before, id, install) {
+  /** Replaces the callback of a place, unless `install` is refused: also where a recording's callback throws in the call. */
+  #exchange(place, id, install) {
+    this.#host.result = null;
     try {
       install(id);
-    } catch (error) {
-      this.#host.removeCallback(id);
-      throw error;
+    } finally {
+      const [gone, here] = this.#host.result === LR.OK ? [this.#placed[place], id] : [id, this.#placed[place]];
+      this.#host.removeCallback(gone);
+      this.#kept.callbacks.delete(gone);
+      this.#kept.callbacks.add(here);
+      this.#placed[place] = here;
     }
-    this.#host.removeCallback(before);
-    this.#kept.callbacks.delete(before);
-    this.#kept.callbacks.add(id);
-    return id;
   }
 
-  #setCallback(before, callback, name, pointer) {
+  #setCallback(place, callback, name, pointer) {
     const id = callback === null ? 0 : this.#host.addCallback(callback);
-    return this.#exchange(before, id, () => this.call(name, callback === null ? 0 : this.#host.raw[pointer](), id));
+    this.#exchange(place, id, () => this.call(name, callback === null ? 0 : this.#host.raw[pointer](), id));
   }
 
   setWindCallback(callback) {
-    this.#wind = this.#setCallback(this.#wind, callback, 'lr_world_set_wind_callback', 'lr_web_wind');
+    this.#setCallback('wind', callback, 'lr_world_set_wind_callback', 'lr_web_wind');
   }
 
   sampleWind(positions) {
@@ -249,7 +247,7 @@ export class World extends WorldPlain {
   }
 
   setWaterCallback(callback) {
-    this.#surface = this.#setCallback(this.#surface, callback, 'lr_world_set_water_callback', 'lr_web_surface');
+    this.#setCallback('surface', callback, 'lr_world_set_water_callback', 'lr_web_surface');
   }
 
   // Bodies of any batch.

@@ -60,6 +60,13 @@ test('recordings', () => {
   assert.equal(length(), before);
   assert.throws(() => world.startRecording(() => { throw new RangeError('no room'); }), /no room/);
   world.step(1 / 60);
+  // A call in which the recording fails has taken effect.
+  let [full, asked] = [false, 0];
+  world.startRecording(() => { if (full) throw new RangeError('full'); });
+  full = true;
+  assert.throws(() => world.setWindCallback(() => { ++asked; }), /full/);
+  world.step(1 / 60);
+  assert.ok(asked > 0);
   world.dispose();
 });
 
