@@ -71,6 +71,81 @@ Mesh folded(double gap) {
     fill_grid(mesh, 12, 6);
     return mesh;
 }
+
+// A leaf of 10 cm folded along its middle by 100 degrees, its sides 0.1 mm apart. `rounded`: that side turns in steps there and is one smooth patch, else at
+// one sharp edge. closed: with walls around the rim. The back has its diagonals the other way and, if it is finer, a vertex in each face.
+struct FoldedLeaf {
+    bool front_rounded, back_rounded, closed, finer_back;
+    Mesh mesh;
+    std::size_t front = 0, back = 0; // faces
+
+    void make() {
+        constexpr int cells = 12;
+        constexpr double half = 50.0 / 57.29577951308232, thickness = 1e-4;
+        std::vector<Eigen::Vector2d> lines[2]; // y, z
+        for (const int side : {0, 1}) {
+            const double radius = side == 0 ? 2e-4 : 2e-4 + thickness; // of the bend, about the same axis
+            std::vector<Eigen::Vector2d>& line = lines[side];
+            const auto add_wing = [&](int sign) {
+                const Eigen::Vector2d along(sign * std::cos(half), std::sin(half)),
+                    out(sign * std::sin(half), -std::cos(half));
+                for (int i = 0; i <= 4; ++i) {
+                    const int step = sign < 0 ? 4 - i : i;
+                    line.push_back(radius * out + 0.01 * step * along);
+                }
+            };
+            add_wing(-1);
+            const bool rounded = side == 0 ? front_rounded : back_rounded;
+            if (rounded)
+                for (int i = 1; i < 4; ++i)
+                    line.push_back(
+                        radius * Eigen::Vector2d(std::sin(half * (0.5 * i - 1.0)), -std::cos(half * (0.5 * i - 1.0))));
+            else
+                line.resize(line.size() - 1), line.emplace_back(0.0, -radius / std::cos(half));
+            const std::size_t wing = line.size();
+            add_wing(1);
+            if (!rounded) line.erase(line.begin() + static_cast<std::ptrdiff_t>(wing));
+        }
+        const auto m = static_cast<uint32_t>(lines[0].size()), n = static_cast<uint32_t>(lines[1].size());
+        for (const std::vector<Eigen::Vector2d>& line : lines)
+            for (int i = 0; i <= cells; ++i)
+                for (const Eigen::Vector2d& p : line) mesh.vertices.emplace_back(0.1 * i / cells, p.x(), p.y());
+        const auto a = [&](uint32_t i, uint32_t j) { return i * m + j; };
+        const auto b = [&](uint32_t i, uint32_t j) { return (cells + 1) * m + i * n + j; };
+        const auto quad = [&](uint32_t p, uint32_t q, uint32_t r, uint32_t s) {
+            mesh.faces.push_back({p, q, r});
+            mesh.faces.push_back({p, r, s});
+        };
+        for (uint32_t i = 0; i < cells; ++i)
+            for (uint32_t j = 0; j + 1 < m; ++j) quad(a(i, j), a(i + 1, j), a(i + 1, j + 1), a(i, j + 1));
+        front = mesh.faces.size();
+        for (uint32_t i = 0; i < cells; ++i)
+            for (uint32_t j = 0; j + 1 < n; ++j) quad(b(i + 1, j), b(i, j), b(i, j + 1), b(i + 1, j + 1));
+        if (finer_back)
+            for (std::size_t t = front, end = mesh.faces.size(); t < end; ++t) {
+                const Face f = mesh.faces[t];
+                const auto middle = static_cast<uint32_t>(mesh.vertices.size());
+                mesh.vertices.push_back((mesh.vertices[f[0]] + mesh.vertices[f[1]] + mesh.vertices[f[2]]) / 3.0);
+                mesh.faces[t] = {f[0], f[1], middle};
+                mesh.faces.push_back({f[1], f[2], middle});
+                mesh.faces.push_back({f[2], f[0], middle});
+            }
+        back = mesh.faces.size() - front;
+        if (!closed) return;
+        for (uint32_t i = 0; i < cells; ++i) {
+            quad(a(i, 0), b(i, 0), b(i + 1, 0), a(i + 1, 0));
+            quad(a(i + 1, m - 1), b(i + 1, n - 1), b(i, n - 1), a(i, m - 1));
+        }
+        for (const uint32_t i : {0U, static_cast<uint32_t>(cells)})
+            for (uint32_t j = 0, k = 0; j + 1 < m || k + 1 < n;) {
+                const bool first = k + 1 == n || (j + 1 < m && j * (n - 1) <= k * (m - 1));
+                Face f = first ? Face{a(i, j), a(i, j + 1), b(i, k)} : Face{a(i, j), b(i, k + 1), b(i, k)};
+                if (i > 0) std::swap(f[0], f[1]);
+                mesh.faces.push_back(f);
+                ++(first ? j : k);
+            }
+    }
+};
 } // namespace
 
 TEST_CASE("double sheets: a front and a back face a hair apart are one sheet, however the back is cut into faces") {
@@ -123,6 +198,9 @@ TEST_CASE("double sheets: narrow pleats that lie on each other all count") {
     fill_grid(paper, 20, 20);
     Faults faults;
     CHECK(left_of(paper, faults) == paper.faces.size());
+    // Each is long, so that most of its rim is folds.
+    for (Eigen::Vector3d& v : paper.vertices) v = {v.x(), 5.0 * v.y(), 20.0 * v.z()};
+    CHECK(left_of(paper, faults) == paper.faces.size());
 }
 
 TEST_CASE("double sheets: the two sides of a closed leaf that is baked as a sheet count once, and its rim not at all") {
@@ -140,6 +218,24 @@ TEST_CASE("double sheets: the two sides of a closed leaf that is baked as a shee
     Faults faults;
     CHECK(left_of(closed, faults) == single.faces.size());
     CHECK(faults.size() == 1);
+}
+
+TEST_CASE("double sheets: a leaf with a sharp crease in front, at the back or in both counts once") {
+    Faults faults;
+    for (const bool front_rounded : {false, true})
+        for (const bool back_rounded : {false, true})
+            for (const bool closed : {false, true})
+                for (const bool finer_back : {false, true}) {
+                    CAPTURE(front_rounded);
+                    CAPTURE(back_rounded);
+                    CAPTURE(closed);
+                    CAPTURE(finer_back);
+                    FoldedLeaf leaf{front_rounded, back_rounded, closed, finer_back, {}};
+                    leaf.make();
+                    const std::size_t left = left_of(leaf.mesh, faults);
+                    CHECK((left == leaf.front || left == leaf.back));
+                    CHECK(faults.size() == 1);
+                }
 }
 
 TEST_CASE("bake: open leaves with a back weigh what leaves without one do") {

@@ -21,6 +21,7 @@ constexpr double same_patch = 0.3; // cosine between neighbours: walls and the o
 constexpr double opposed = -0.9;   // cosine between the faces of a pair
 constexpr double covered = 0.9;    // of the area of each patch
 constexpr double wall = 0.1;       // largest area of what joins the two sides of a closed surface, over that of a side
+constexpr double touch = 0.1;      // of the area of the smaller of two patches: less is an edge that overlaps
 constexpr double mostly_closed = 0.1; // free share of the rim of a side: tips of both sides that coincide went before
 constexpr std::size_t most_entries = 4000000; // of the grid: needles longer than the gap by orders are not searched
 
@@ -50,37 +51,40 @@ public:
         find_patches();
         if (patch_area_.size() < 2 || !make_grid()) return out;
         match();
-        std::vector<char> gone(patch_area_.size(), 0), halved(patch_area_.size(), 0); // patches, parts
-        double weight = 0.0;
         out.total = std::accumulate(area_.begin(), area_.end(), 0.0);
+        find_sides();
+        std::vector<double> both(part_area_.size(), 0.0); // area of the sides of a part that are joined to something
+        for (uint32_t p = 0; p < patch_area_.size(); ++p)
+            if (is_side_[p] && closed_[p] && is_in_two_pieces(p)) both[part_[p]] += patch_area_[p];
+        // Of a closed surface that has nothing but two sides and a rim, or of two.
+        const auto counts_twice = [&](uint32_t a, uint32_t b) {
+            return part_[a] != part_[b] || both[part_[a]] > (1.0 - wall) * part_area_[part_[a]];
+        };
+        std::vector<char> doubled(2 * patch_area_.size(), 0), halved(part_area_.size(), 0); // bodies, parts
+        std::vector<std::array<double, 2>> side_area(2 * patch_area_.size(), {0.0, 0.0});   // of bodies
+        double weight = 0.0;
         for (const auto& [pair, cover] : covers_) {
             const auto [a, b] = pair;
-            if (a > b) continue;
-            const auto back = covers_.find({b, a});
-            if (back == covers_.end() || cover.area < covered * patch_area_[a] ||
-                back->second.area < covered * patch_area_[b])
-                continue;
-            const bool one_part = part_[a] == part_[b];
-            if (one_part && !are_both_sides(a, b)) {
-                out.folded += (cover.area + back->second.area) / out.total;
-                continue;
-            }
-            if (gone[a] || gone[b]) continue;
-            gone[patch_area_[b] > patch_area_[a] ? a : b] = 1;
-            if (one_part) halved[part_[a]] = 1;
+            if (!are_opposite(a, b)) continue;
+            if (!counts_twice(a, b)) out.folded += cover.area / out.total;
+            if (a > b || !counts_twice(a, b)) continue;
+            doubled[body_of(a)] = 1;
+            if (part_[a] == part_[b]) halved[part_[a]] = 1;
             out.gap += cover.distance;
             weight += cover.area;
         }
         if (weight == 0.0) return out;
         out.gap /= weight;
-        std::vector<double> kept_area(patch_area_.size(), 0.0); // the largest of each part
-        for (std::size_t p = 0; p < patch_area_.size(); ++p)
-            if (!gone[p]) kept_area[part_[p]] = std::max(kept_area[part_[p]], patch_area_[p]);
-        for (std::size_t p = 0; p < patch_area_.size(); ++p)
-            if (halved[part_[p]] && !gone[p] && patch_area_[p] < wall * kept_area[part_[p]]) gone[p] = 1;
+        for (uint32_t p = 0; p < patch_area_.size(); ++p)
+            if (is_side_[p]) side_area[body_of(p)][side_of(p)] += patch_area_[p];
         out.kept.clear();
         for (std::size_t i = 0; i < faces_.size(); ++i) {
-            if (!gone[patch_[i]]) {
+            const uint32_t p = patch_[i];
+            const std::size_t body = body_of(p);
+            const std::array<double, 2>& areas = side_area[body];
+            const bool gone = is_side_[p] ? doubled[body] && side_of(p) == (areas[1] > areas[0] ? 0U : 1U)
+                                          : halved[part_[p]] != 0; // what joins the two sides
+            if (!gone) {
                 out.kept.push_back(faces_[i]);
                 continue;
             }
@@ -95,9 +99,64 @@ private:
         double area = 0.0, distance = 0.0; // the second: times the area
     };
 
-    // Of a closed surface that has nothing but these two sides and a rim. Pleats have other layers on both sides.
-    bool are_both_sides(uint32_t a, uint32_t b) const {
-        return closed_[a] && closed_[b] && patch_area_[a] + patch_area_[b] > (1.0 - wall) * part_area_[part_[a]];
+    // A patch counts as a side if other sides cover it. Sides that cover each other are opposite, and those that meet at a crease the
+    // same: of the front of a leaf either all goes or nothing.
+    void find_sides() {
+        is_side_.assign(patch_area_.size(), 1);
+        for (bool stable = false; !stable;) {
+            std::vector<double> area(patch_area_.size(), 0.0);
+            for (const auto& [pair, cover] : covers_)
+                if (is_side_[pair.second]) area[pair.first] += cover.area;
+            stable = true;
+            for (uint32_t p = 0; p < patch_area_.size(); ++p)
+                if (is_side_[p] && area[p] < covered * patch_area_[p]) stable = false, is_side_[p] = 0;
+        }
+        struct Link {
+            double size;
+            std::array<uint32_t, 2> patches;
+        };
+        std::vector<Link> covering, meeting;
+        for (const auto& [pair, cover] : covers_)
+            if (cover.area > touch * std::min(patch_area_[pair.first], patch_area_[pair.second]))
+                covering.push_back({cover.area, {pair.first, pair.second}});
+        for (const auto& [pair, length] : meets_) meeting.push_back({length, {pair.first, pair.second}});
+        const auto join = [&](std::vector<Link>& links, uint32_t turn) {
+            std::stable_sort(links.begin(), links.end(), [](const Link& a, const Link& b) { return a.size > b.size; });
+            for (const auto& [size, p] : links) {
+                if (!is_side_[p[0]] || !is_side_[p[1]] || sides_.find(2 * p[0]) == sides_.find(2 * p[1] + (1 - turn)))
+                    continue;
+                sides_.join(2 * p[0], 2 * p[1] + turn);
+                sides_.join(2 * p[0] + 1, 2 * p[1] + (1 - turn));
+            }
+        };
+        join(covering, 1);
+        join(meeting, 0);
+    }
+    // Whether nearly all of each side of its body hangs together: layers of pleats take turns.
+    bool is_in_two_pieces(uint32_t p) {
+        if (piece_area_.empty()) {
+            DisjointSets pieces(patch_area_.size());
+            for (const auto& [pair, length] : meets_) {
+                const auto [a, b] = pair;
+                if (is_side_[a] && is_side_[b] && sides_.find(2 * a) == sides_.find(2 * b)) pieces.join(a, b);
+            }
+            std::vector<double> area(patch_area_.size(), 0.0);
+            for (uint32_t q = 0; q < patch_area_.size(); ++q) area[pieces.find(q)] += patch_area_[q];
+            piece_area_.assign(2 * patch_area_.size(), {0.0, 0.0, 0.0});
+            for (uint32_t q = 0; q < patch_area_.size(); ++q) {
+                if (!is_side_[q] || area[q] == 0.0) continue;
+                std::array<double, 3>& of = piece_area_[body_of(q)]; // the largest of each side, all
+                of[side_of(q)] = std::max(of[side_of(q)], area[q]);
+                of[2] += area[q];
+            }
+        }
+        const std::array<double, 3>& of = piece_area_[body_of(p)];
+        return of[0] + of[1] > (1.0 - wall) * of[2];
+    }
+    std::size_t body_of(uint32_t p) { return std::min(sides_.find(2 * p), sides_.find(2 * p + 1)); }
+    std::size_t side_of(uint32_t p) { return sides_.find(2 * p) < sides_.find(2 * p + 1) ? 0 : 1; }
+    bool are_opposite(uint32_t a, uint32_t b) {
+        return is_side_[a] && is_side_[b] && sides_.find(2 * a) == sides_.find(2 * b + 1);
     }
 
     const Eigen::Vector3d& at(uint32_t v) const { return mesh_.vertices[v]; }
@@ -113,7 +172,7 @@ private:
         DisjointSets patches(faces_.size()), parts(faces_.size());
         for (std::size_t i = 0, end = 0; i < halves.size(); i = end) {
             while (end < halves.size() && same_edge(halves[i], halves[end])) ++end;
-            for (std::size_t k = i + 1; k < end; ++k) parts.join(halves[i].face, halves[k].face);
+            for (std::size_t k = i; k < end; ++k) parts.join(halves[i].face, halves[k].face);
             if (end - i == 2 && normal_[halves[i].face].dot(normal_[halves[i + 1].face]) > same_patch)
                 patches.join(halves[i].face, halves[i + 1].face);
         }
@@ -132,12 +191,15 @@ private:
             part_area_[part->second] += area_[i];
         }
         closed_.assign(patch_area_.size(), 0);
+        sides_ = DisjointSets(2 * patch_area_.size());
         std::vector<std::array<double, 2>> rim(patch_area_.size(), {0.0, 0.0}); // lengths: free, all
         for (std::size_t i = 0, end = 0; i < halves.size(); i = end) {
             while (end < halves.size() && same_edge(halves[i], halves[end])) ++end;
             const double length = (at(halves[i].low) - at(halves[i].high)).norm();
-            if (end - i == 1) rim[patch_[halves[i].face]][0] += length;
-            if (end - i == 2 && patch_[halves[i].face] == patch_[halves[i + 1].face]) continue;
+            const uint32_t a = patch_[halves[i].face], b = patch_[halves[end - 1].face];
+            if (end - i == 1) rim[a][0] += length;
+            if (end - i == 2 && a == b) continue;
+            if (end - i == 2) meets_[std::minmax(a, b)] += length;
             for (std::size_t k = i; k < end; ++k) rim[patch_[halves[k].face]][1] += length;
         }
         for (std::size_t p = 0; p < rim.size(); ++p) closed_[p] = rim[p][0] <= mostly_closed * rim[p][1];
@@ -229,21 +291,23 @@ private:
     std::vector<double> area_, patch_area_, part_area_;
     std::vector<Eigen::Vector3d> normal_;
     std::vector<uint32_t> patch_, part_; // of each face; of each patch
-    std::vector<char> closed_;           // of each patch: its rim is joined to others
+    std::vector<char> closed_, is_side_; // of each patch: its rim is joined to others; others cover it
+    std::map<std::pair<uint32_t, uint32_t>, double> meets_; // length of the edges between two patches
+    std::vector<std::array<double, 3>> piece_area_;         // of bodies
+    DisjointSets sides_{0};                                 // of patches, as they are and as the other side
     std::vector<std::pair<Cell, uint32_t>> entries_;
     std::map<std::pair<uint32_t, uint32_t>, Cover> covers_; // of the first patch by the second
 };
 
-DoubleSheets find_double_sheets(const Mesh& mesh, const std::vector<Face>& sheets, double gap) {
-    return Search(mesh, sheets, gap).run();
+double hair_of(const Mesh& mesh, const std::vector<Face>& sheets) {
+    return 0.01 * sheet_length(mesh, sheets);
 }
 } // namespace
 
 bool take_double_sheets_once(const Mesh& mesh, double thickness, bool strict, std::vector<Face>& sheets,
                              Faults& faults) {
-    constexpr double hair = 0.01; // of the typical length
-    const double gap = std::max(thickness, hair * sheet_length(mesh, sheets));
-    DoubleSheets found = find_double_sheets(mesh, sheets, gap);
+    const double gap = std::max(thickness, hair_of(mesh, sheets));
+    DoubleSheets found = Search(mesh, sheets, gap).run();
     const auto percent = [](double share) {
         return std::to_string(static_cast<int>(std::lround(100.0 * share))) + " % of the area";
     };
@@ -267,5 +331,13 @@ bool take_double_sheets_once(const Mesh& mesh, double thickness, bool strict, st
                           "None needed for folded paper. If one layer is the back of the other, delete it."});
     sheets = std::move(found.kept);
     return true;
+}
+
+bool find_one_side(const Mesh& solid, Mesh& side) {
+    side = solid;
+    DoubleSheets found = Search(solid, solid.faces, hair_of(solid, solid.faces)).run();
+    side.faces = std::move(found.kept);
+    drop_unused_vertices(side);
+    return found.removed > 0 && found.area > (1.0 - wall) * (found.total - found.area);
 }
 } // namespace lr::baker
