@@ -358,6 +358,11 @@ Mesh refine(const Mesh& unit, std::size_t most, std::vector<uint32_t>& origin) {
         Mesh fine = refine_solid(curved, {min_refined_panels, strips}, &origin);
         if (fine.faces.size() <= most) return fine;
     }
+    // Of a long thin bar at least the flow along it.
+    origin = first;
+    Refinement halved{min_refined_panels, 1};
+    halved.most_halved = most / 2;
+    if (Mesh fine = refine_solid(curved, halved, &origin); fine.faces.size() <= most) return fine;
     origin = first;
     return curved;
 }

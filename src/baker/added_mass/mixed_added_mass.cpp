@@ -87,7 +87,7 @@ Matrix6 trapped_fluid(const BodyParts& parts, const Eigen::Vector3d& centre, Mat
 }
 
 // Rounding and coarseness can leave less than nothing in a direction in which the body hardly moves fluid. Returns how much less, over the most, and
-// adds it to the error of such directions and all like them.
+// adds that and what it adds to the values to the error of such directions and all like them.
 double make_positive(Matrix6& m, Matrix6& error, double size) {
     Eigen::Matrix<double, 6, 1> scale;
     scale.head<3>().setOnes();
@@ -103,7 +103,7 @@ double make_positive(Matrix6& m, Matrix6& error, double size) {
     const Matrix6 good = back.asDiagonal() * (vectors * values.asDiagonal() * vectors.transpose()) * back.asDiagonal();
     m = 0.5 * (good + good.transpose());
     const double less = std::max(0.0, -solver.eigenvalues().minCoeff());
-    error.diagonal() += less * back.cwiseAbs2();
+    error.diagonal() += (less + 1e-3 * largest) * back.cwiseAbs2();
     return less / largest;
 }
 

@@ -19,8 +19,6 @@ namespace {
 constexpr double narrow = 0.25;
 // Longest edge over that of a square as large as the mean panel. A fan of thousands of needles has enough panels, but is too coarse along them.
 constexpr double most_long = 8.0;
-// Halving long edges stops at this many panels: then the caller needs a coarser surface.
-constexpr std::size_t most_halved = 10000;
 
 class Refiner {
 public:
@@ -32,7 +30,7 @@ public:
     }
 
     // Halves the longest edge until there are enough panels, and none is much longer than they are wide on average.
-    void halve_longest(std::size_t panels) {
+    void halve_longest(std::size_t panels, std::size_t most_halved) {
         struct Candidate {
             float square; // single precision keeps equal edges equal when the body is turned
             Edge edge;
@@ -233,7 +231,7 @@ private:
 };
 
 Mesh refine(Refiner refiner, const Refinement& how, std::vector<uint32_t>* origin) {
-    refiner.halve_longest(how.panels);
+    refiner.halve_longest(how.panels, how.most_halved);
     refiner.open_corners();
     if (how.strips > 1) refiner.cut_strips(how.strips);
     return refiner.take(origin);

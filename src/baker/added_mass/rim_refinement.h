@@ -11,6 +11,8 @@ struct Refinement {
     std::size_t panels = 2000; // least number before rims are cut into strips
     std::size_t strips = 4;    // between a rim and the adjacent vertices
     bool creases = false;      // of a sheet that bounds solids: rims as well
+    // Halving long edges stops at this many panels: then the caller needs a coarser surface.
+    std::size_t most_halved = 10000;
 };
 
 // Refines the surface: halves the longest edges until the panels are small and uniform, then cuts the panels at a free rim into
