@@ -178,7 +178,7 @@ def bake(lr_bake, path):
     _, status, usage = os.wait4(run.pid, 0)
     run.returncode = os.waitstatus_to_exitcode(status)
     solved = next((line.split("surface of ")[1].split()[0] + " faces" for line in text.splitlines() if "coarser surface of " in line),
-                  "convex hull" if "that of the convex hull" in text else "all")
+                  "one side" if "that of a sheet" in text else "convex hull" if "that of the convex hull" in text else "all")
     return usage.ru_utime + usage.ru_stime, usage.ru_maxrss // 1024, solved, run.returncode
 
 

@@ -3,7 +3,12 @@
 #include "asset/asset_file.h"
 #include "baker/added_mass/mixed_added_mass.h"
 #include "baker/fault_text.h"
+#include "baker/mesh/double_sheets.h"
+#include "baker/mesh/mass_properties.h"
 #include "baker/mesh/mesh_check.h"
+#include "baker/mesh/simplify.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -34,6 +39,51 @@ Fault roughness(double share) {
             "None needed: the report has the error. Divide long faces across to make it smaller."};
 }
 
+bool are_mostly_needles(const Mesh& mesh) {
+    constexpr double needle = 0.02; // face_shape()
+    double narrow = 0.0, all = 0.0;
+    for (const Face& f : mesh.faces) {
+        const double area =
+            (mesh.vertices[f[1]] - mesh.vertices[f[0]]).cross(mesh.vertices[f[2]] - mesh.vertices[f[0]]).norm();
+        all += area;
+        if (face_shape(mesh, f) < needle) narrow += area;
+    }
+    return 2.0 * narrow > all;
+}
+
+// The same body with needles joined to broad faces; a very thin solid, between whose sides the equations hardly have a solution, as one of its sides.
+bool solve_plainer(const BodyMesh& body, const AddedMassOptions& how, AddedMass& out, Faults& faults,
+                   const Progress& report) {
+    constexpr std::size_t most_faces = 5000, few_needles = 1000;
+    constexpr double nowhere_else = 1e-4,
+                     thin = 0.05; // the distance that faces may move, over the size and the thickness
+    const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+    const double size = box_sides(body.mesh).maxCoeff();
+    const MassProperties solid = body.is_sheet ? MassProperties{} : compute_mass_properties(body.mesh);
+    double distance = nowhere_else * size;
+    if (!body.is_sheet) distance = std::min(distance, thin * 2.0 * solid.volume / solid.area);
+    const Mesh plain = simplified(body.mesh, distance);
+    if (plain.faces.size() > most_faces) return false;
+    const auto solve_it = [&](const Mesh& mesh, bool is_sheet) {
+        faults.clear();
+        return is_sheet ? compute_sheet_added_mass(mesh, origin, {}, out, faults, report, how)
+                        : compute_added_mass(mesh, origin, out, faults, report, how);
+    };
+    Mesh side;
+    if (!body.is_sheet && find_one_side(plain, side) && solve_it(side, true)) {
+        out.error.diagonal().head<3>().array() += solid.volume;
+        out.error.diagonal().tail<3>() +=
+            solid.inertia.diagonal() + solid.volume * solid.centroid.squaredNorm() * Eigen::Vector3d::Ones();
+        faults.push_back({FaultId::mesh_ill_conditioned, Severity::warning, "mesh",
+                          "The added mass is that of a sheet without thickness: the solid is very thin.",
+                          "None needed: the report has the error."});
+        return true;
+    }
+    return 4 * plain.faces.size() < 3 * body.mesh.faces.size() &&
+           (body.is_sheet || plain.faces.size() < few_needles || !are_mostly_needles(plain)) &&
+           solve_it(plain, body.is_sheet);
+}
+
 bool solve(BodyMesh& body, const AddedMassOptions& how, AddedMass& out, Faults& faults, const Progress& report) {
     const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
     const auto as_modelled = [&](Faults& found) {
@@ -43,7 +93,25 @@ bool solve(BodyMesh& body, const AddedMassOptions& how, AddedMass& out, Faults& 
     if (body.is_mixed) return compute_mixed_added_mass(body.parts, origin, out, faults, report, how);
     if (how.patient) return as_modelled(faults);
     Faults found;
-    bool good = as_modelled(found), rough = good && out.largest_share() > rough_share;
+    bool good = false;
+    const auto is_rough = [&] { return good && out.largest_share() > rough_share; };
+    const auto try_plainer = [&] {
+        AddedMass plain;
+        Faults found_then;
+        if (!solve_plainer(body, how, plain, found_then, report) ||
+            plain.largest_share() > (good ? out.largest_share() : rough_share))
+            return;
+        out = plain;
+        found = found_then;
+        good = true;
+    };
+    const bool needles = are_mostly_needles(body.mesh); // which take long and end nowhere
+    if (needles) try_plainer();
+    if (!good) {
+        good = as_modelled(found);
+        if (!needles && (!good || is_rough())) try_plainer();
+    }
+    bool rough = is_rough();
     if (!good) {
         const AddedMass direct = out;
         body.parts.mesh = body.mesh;
