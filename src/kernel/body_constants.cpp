@@ -171,9 +171,31 @@ AerodynamicData widest_last(const AerodynamicData& from) {
     return to;
 }
 
+// The fluid's share of the moment of inertia, about that axis in the plate where it is larger. mass: with the fluid, of `unit` kg m^2/rho.
+double fluid_inertia(const AssetData& a, const AerodynamicData& loads, const Matrix6& mass, double unit) {
+    double most = 0.0;
+    for (size_t axis = 0; axis < 2; ++axis) {
+        const double* const q = loads.axes.data() + 3 * axis;
+        double all = 0.0, fluid = 0.0;
+        for (size_t i = 0; i < 3; ++i)
+            for (size_t j = 0; j < 3; ++j) {
+                all += q[i] * mass[(i + 3) * 6 + j + 3] * q[j];
+                fluid += q[i] * a.added_mass[(i + 3) * 6 + j + 3] * q[j];
+            }
+        most = std::max(most, fluid / (all * unit));
+    }
+    return most;
+}
+
+// Of the drag broadside.
+template <class Loads> double plate_share(const Loads& loads) {
+    const double whole = loads.plate_drag + loads.drag[2] + loads.drag_blunt[2];
+    return whole > 0.0 ? loads.plate_drag / whole : 0.0;
+}
+
 // drag, lift: rho over the mass unit, with the gains.
-void set_plate(const AssetData& a, const AerodynamicData& loads, double drag, double lift, double rho,
-               BodyConstantsOf<double>& c) {
+void set_plate(const AssetData& a, const AerodynamicData& loads, const Matrix6& mass, double drag, double lift,
+               double rho, BodyConstantsOf<double>& c) {
     AerodynamicConstantsOf<double>& out = c.aerodynamics;
     const double d = a.length_d;
     for (size_t i = 0; i < 3; ++i) out.normal[i] = loads.axes[6 + i];
@@ -190,12 +212,19 @@ void set_plate(const AssetData& a, const AerodynamicData& loads, double drag, do
     out.most_shed = added;
     out.separated_shed = added * loads.plate_separated_shedding;
     out.plate_drag = 0.5 * drag * d * loads.plate_drag;
-    out.start_drag = loads.start_drag * out.plate_drag;
+    // The wake of a light plate is that of its swing, not of a stream: docs/maintainers/physics.md, "Light plates".
+    constexpr double half_light = 2.0 / 3.0, swing = 30.0;
+    const double light = fluid_inertia(a, loads, mass, c.unit_mass * d * d / rho);
+    const double square = light * light / (half_light * half_light);
+    out.streaming = 1.0 / (1.0 + square * square);
+    for (size_t i = 0; i < 2; ++i) out.spin_lift[i] *= 1.0 - plate_share(loads) * (1.0 - out.streaming);
+    out.start_drag = out.streaming * loads.start_drag * out.plate_drag;
     out.wake_rate = d / (loads.wake_lag * loads.wake_length);
     out.wake_share = loads.wake_share;
     out.shedding_rate = 2.0 * std::numbers::pi * loads.strouhal * d / loads.wake_length;
     out.shedding_growth = loads.shedding_growth;
     out.shedding_reynolds = loads.shedding_reynolds * d / loads.wake_length;
+    out.steady_reynolds = out.shedding_reynolds * std::sqrt(swing * light / (1.0 + swing * light));
     out.shedding_noise = loads.shedding_noise;
     out.shedding_moment = lift * loads.shedding_moment;
     out.shedding_rate_moment = lift * loads.shedding_rate_moment;
@@ -236,7 +265,8 @@ bool make_aerodynamics(const AssetData& a, const AerodynamicData& data, const Ga
         out.arm[k] = (a.center_of_buoyancy[k] + loads.center[k]) / d;
     }
     std::copy(loads.axes.begin(), loads.axes.end(), out.axes);
-    set_plate(a, loads, drag, lift, rho, c);
+    const Matrix6 mass = kernel_mass(a, diagonal, rho);
+    set_plate(a, loads, mass, drag, lift, rho, c);
     out.fluid[0] = drag;
     out.fluid[1] = lift;
     out.fluid[2] = spin_drag;
@@ -250,7 +280,7 @@ bool make_aerodynamics(const AssetData& a, const AerodynamicData& data, const Ga
     out.gust_gain = gains.turbulence * gains.turbulence;
 
     Matrix6 inverse;
-    if (!invert_spd(kernel_mass(a, diagonal, rho), inverse)) return false;
+    if (!invert_spd(mass, inverse)) return false;
     upper_triangle(inverse, 0, 6, c.full_inverse);
     derived::set_frame(0.0, 1.0, c);
     // M^-1 P^T for each direction of P: the response to a force or couple.
@@ -466,6 +496,7 @@ void make_station(const StationData& from, double d, double start_drag, StationC
         to.lift_arm[k] = static_cast<float>(from.lift_arm[k] / d);
         to.stall[k] = static_cast<float>(1.0 / std::max(from.plate_stall[k], 1e-3));
     }
+    to.plate_share = static_cast<float>(plate_share(from));
     to.plate_drag = static_cast<float>(0.5 * d * from.plate_drag);
     to.start_drag = static_cast<float>(0.5 * d * from.plate_drag * start_drag);
     to.separated_shedding = static_cast<float>(from.separated_shedding);

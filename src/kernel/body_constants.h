@@ -18,7 +18,7 @@ struct StationConstants {
     float spin_lift[3], spin_drag[3], spin_drag_stream[3], spin_drag_stokes[3], spin_weight[3];
     float lift[2], vortex[2], stall[2]; // along chord and span; stall: the inverse
     float plate_drag, start_drag;
-    float lift_arm[2], separated_shedding;
+    float lift_arm[2], separated_shedding, plate_share;
     float camber;
 };
 
@@ -42,7 +42,8 @@ template <class T> struct FluidLoadsOf {
     T lift[3], lift_layer[3], lift_stokes[3], spin_lift[3];
     T spin_drag[3], spin_drag_stream[3], spin_drag_stokes[3];
     T plate_lift[2], plate_vortex[2], plate_drag, start_drag;
-    T separated_shed, most_shed; // of the added mass along the normal
+    T separated_shed, most_shed;  // of the added mass along the normal
+    T streaming, steady_reynolds; // of a light plate's wake; below the second no momentum is shed
     T shedding_moment, shedding_rate_moment;
     // Of stations: the fluid's density over the mass unit, with the gains of drag, lift and spin drag, and alone.
     T fluid[4];

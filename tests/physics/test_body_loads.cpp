@@ -61,6 +61,7 @@ TEST_CASE("loads on a body: those of the equations, at its stations or at its lo
             if (stations != 0) {
                 ReferenceStations parts{data.stations,        data.aerodynamics, scale, info.fluid_density,
                                         info.fluid_viscosity, info.length_d,     arm};
+                parts.light = parts.fluid_inertia_of(info);
                 const ReferenceStations::Loads sum = parts(v, w);
                 force = sum.force, torque = sum.torque;
             } else {
@@ -69,6 +70,7 @@ TEST_CASE("loads on a body: those of the equations, at its stations or at its lo
                 REQUIRE(lr_batch_get_aerodynamics(world.get(), batch, &whole.at) == LR_OK);
                 whole.scale = scale, whole.density = info.fluid_density, whole.viscosity = info.fluid_viscosity;
                 whole.length = info.length_d, whole.arm = arm;
+                whole.light = fluid_inertia(info, whole.at.axes, whole.normal());
                 const ReferenceLoads::Wrench sum = whole(v, w);
                 force = sum.force, torque = sum.torque;
             }

@@ -132,6 +132,7 @@ Error compare(const Case& c, int32_t integrator, double time, int count, uint32_
         reference.aerodynamic = true;
         reference.loads = {lively(c, asset),     c.scale,       info.fluid_density,
                            info.fluid_viscosity, info.length_d, reference.buoyancy_arm};
+        reference.loads.light = fluid_inertia(info, reference.loads.at.axes, reference.loads.normal());
         for (size_t i = 0; i < 3; ++i) reference.loads.arm[i] += c.scale * reference.loads.at.center[i];
         REQUIRE(lr_batch_set_aerodynamics(world.get(), batch, &reference.loads.at) == LR_OK);
     }

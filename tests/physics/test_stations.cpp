@@ -71,6 +71,7 @@ Error compare(const Case& c, int32_t integrator, double time, int count, uint32_
     ReferenceStations loads{c.asset.stations, c.asset.aerodynamics,  c.scale, info.fluid_density, info.fluid_viscosity,
                             info.length_d,    reference.buoyancy_arm};
     loads.arm = loads.arm + c.scale * c.asset.aerodynamics.center;
+    loads.light = loads.fluid_inertia_of(info);
     reference.stations = [&](Vec v, Vec w) { return loads(v, w); };
 
     Random random(4);

@@ -10,12 +10,34 @@
 
 namespace test {
 
+// The fluid's share of the moment of inertia, about that axis across the normal where it is larger. axes: of the loads.
+inline double fluid_inertia(const lr_asset_info& info, const double* axes, size_t normal) {
+    double most = 0.0;
+    for (size_t k = 0; k < 3; ++k) {
+        if (k == normal) continue;
+        double own = 0.0, fluid = 0.0;
+        for (size_t i = 0; i < 3; ++i)
+            for (size_t j = 0; j < 3; ++j) {
+                own += axes[3 * k + i] * info.inertia[3 * i + j] * axes[3 * k + j];
+                fluid += axes[3 * k + i] * info.added_mass[(i + 3) * 6 + j + 3] * axes[3 * k + j];
+            }
+        most = std::max(most, fluid / (own + fluid));
+    }
+    return most;
+}
+
+// Share of the loads that need a wake that streams away; light: fluid_inertia.
+inline double streaming(double light) {
+    return 1.0 / (1.0 + std::pow(light / (2.0 / 3.0), 4.0));
+}
+
 struct ReferenceLoads {
     lr_aerodynamics at{}; // at scale 1
     double scale = 1.0;
     double density = 0.0, viscosity = 0.0; // of the fluid
     double length = 0.0;                   // d, scale 1
     Vec arm{};                             // centre of mass to that of the loads, at this scale
+    double light = 0.0;                    // fluid_inertia
 
     struct Wrench {
         Vec force, torque;
@@ -50,7 +72,8 @@ struct ReferenceLoads {
         const double attached =
             along > 0.0 ? (1.0 - sine2) / (1.0 - sine2 + (1.0 - limit) * std::pow(sine2 / limit, 4.0)) : 0.0;
         const Vec behind = lag - v;
-        const double start = at.start_drag * at.plate_drag * test::length(behind) * -dot(behind, v) / (s * s);
+        const double start =
+            streaming(light) * at.start_drag * at.plate_drag * test::length(behind) * -dot(behind, v) / (s * s);
         const double separated = at.plate_drag * (s + 0.8 * (s * s - v[n] * v[n]) / s);
         const double force = attached * u[n] * (slope * std::sqrt(along) + vortex * std::abs(u[n])) +
                              ((1.0 - attached) * separated + start) * v[n];
@@ -58,7 +81,7 @@ struct ReferenceLoads {
     }
     double shedding_share(double s) const {
         const double x = at.shedding_reynolds * viscosity / (s * at.wake_length * scale);
-        return std::max(1.0 - x * x, 0.0);
+        return std::max(1.0 - std::pow(x, 4.0) * std::pow(30.0 * light / (1.0 + 30.0 * light), 2.0), 0.0);
     }
     Vec along_axes(Vec a) const {
         Vec out{};
@@ -84,19 +107,21 @@ struct ReferenceLoads {
         for (size_t i = 0; i < 3; ++i)
             if (most > 0.0) whirl += at.spin_drag[i] / most * w[i] * w[i];
         whirl = std::sqrt(whirl);
+        const size_t n = normal(), first = (n + 1) % 3, second = (n + 2) % 3;
+        const double plate_share = at.plate_drag / (at.plate_drag + at.drag[n] + at.drag_blunt[n]);
         Vec force{}, torque{}, circulation{};
         for (size_t k = 0; k < 3; ++k) {
             const size_t i = (k + 1) % 3, j = (k + 2) % 3;
-            circulation[k] = at.spin_lift[k] * s3 * w[k] - at.lift[k] * s2 * v[i] * v[j] / s;
+            const double turning =
+                k == n || !(at.plate_drag > 0.0) ? 1.0 : 1.0 - plate_share * (1.0 - streaming(light));
+            circulation[k] = turning * at.spin_lift[k] * s3 * w[k] - at.lift[k] * s2 * v[i] * v[j] / s;
             torque[k] = -density *
                         (at.spin_drag[k] * s5 * whirl + at.spin_drag_stream[k] * s4 * s +
                          at.spin_drag_stokes[k] * s3 * viscosity) *
                         w[k];
         }
-        const size_t n = normal(), first = (n + 1) % 3, second = (n + 2) % 3;
-        const double on = shedding_share(s);
         const auto moment = [&](size_t i) {
-            return density * s3 * v[n] * v[n] * on *
+            return density * s3 * v[n] * v[n] *
                    (at.shedding_moment * shedding[i] + at.shedding_rate_moment * shedding[i + 2]);
         };
         torque[second] += moment(0);

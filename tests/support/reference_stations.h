@@ -3,6 +3,7 @@
 #pragma once
 
 #include "asset/asset_data.h"
+#include "support/reference_aerodynamics.h"
 #include "support/vector.h"
 
 #include <algorithm>
@@ -18,11 +19,18 @@ struct ReferenceStations {
     double density = 0.0, viscosity = 0.0; // of the fluid
     double length = 0.0;                   // d, scale 1
     Vec arm{};                             // centre of mass to the centre of the whole body's loads, at this scale
+    double light = 0.0;                    // fluid_inertia
 
     struct Loads {
         Vec force{}, torque{};
         Vec lost{}, lost_moment{}; // momentum of the fluid that has been shed
     };
+
+    double fluid_inertia_of(const lr_asset_info& info) const {
+        const auto& broadside = whole.broadside;
+        const auto widest = std::max_element(broadside.begin(), broadside.end()); // the first of equals
+        return fluid_inertia(info, whole.axes.data(), static_cast<size_t>(widest - broadside.begin()));
+    }
 
     Loads operator()(Vec velocity, Vec spin) const {
         Loads sum;
@@ -63,8 +71,8 @@ private:
                              (cx * s.plate_vortex[0] + cy * s.plate_vortex[1]) * std::abs(incidence));
         const double tilt = 1.0 - u[2] * u[2] / (speed * speed);
         const double broadside = half * s.plate_drag * (1.0 - attached) * speed * (1.0 + 0.8 * tilt);
-        const double start =
-            -half * s.plate_drag * whole.start_drag * test::length(behind) * dot(behind, stream) / (speed * speed);
+        const double start = -half * streaming(light) * s.plate_drag * whole.start_drag * test::length(behind) *
+                             dot(behind, stream) / (speed * speed);
         const double normal = std::max(lift + broadside + start, 0.0);
         // Its attached part acts aft of the place, whichever way the stream goes; that point's stream resists.
         const Vec aft = -scale / along * (s.lift_arm[0] * fx * chord + s.lift_arm[1] * fy * span);
@@ -89,7 +97,8 @@ private:
         for (size_t k = 0; k < 3; ++k) whirl += s.spin_drag[k] / most * w[k] * w[k];
         Vec circulation{};
         for (size_t k = 0; k < 3; ++k) {
-            circulation = circulation + s3 * s.spin_lift[k] * w[k] * axes[k];
+            const double part = k == 2 ? 0.0 : s.plate_drag / (s.plate_drag + s.drag[2] + s.drag_blunt[2]);
+            circulation = circulation + (1.0 - part * (1.0 - streaming(light))) * s3 * s.spin_lift[k] * w[k] * axes[k];
             const double resists = s5 * s.spin_drag[k] * std::sqrt(whirl) +
                                    s4 * s.spin_drag_stream[k] * std::abs(u[2]) + s3 * s.spin_drag_stokes[k] * viscosity;
             sum.torque = sum.torque - density * resists * w[k] * axes[k];

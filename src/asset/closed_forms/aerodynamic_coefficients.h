@@ -34,11 +34,11 @@ struct PlateCoefficients {
     double spin_stream = 1.192;                      // of stroke2
     double start = 2.462;                            // drag while the wake is being made, of that broadside
     double lag = 2.033, share = 0.7341;              // of the wake's memory
-    double strouhal = 0.1633, growth = 0.3853, critical_reynolds = 96.35;
+    double strouhal = 0.159, growth = 0.3853, critical_reynolds = 96.35;
     double moment = 0.04745, rate_moment = -0.01302; // by shedding, of the area times the wake's length
-    double noise = 5.315;                            // of shedding, over the intensity
-    double intensity = 0.1255, correlation = 0.9264; // of gusts; in largest extents
-    double wake_reynolds = 600;
+    double noise = 4.8;                              // of shedding, over the intensity
+    double intensity = 0.167, correlation = 0.9264;  // of gusts; in largest extents
+    double wake_reynolds = 1700;
 };
 
 // The default coefficients: one set of rules for all shapes.

@@ -24,12 +24,6 @@ HWY_INLINE VF speed_squared(Vec3 v) {
     return dot(v, v) + constant(1e-20f);
 }
 
-// A steady wake, below the critical Reynolds number, sheds nothing.
-template <class A> HWY_INLINE VF shedding_share(const A& c, VF nu, VF inverse_s) {
-    const VF x = constant(c.shedding_reynolds) * nu * inverse_s;
-    return hn::Max(constant(1.0f) - x * x, constant(0.0f));
-}
-
 // The flow past a plate: the stream that its attached part follows, which is partly that of the wake, and the share that is attached.
 struct PlateFlow {
     VF across, x2, y2, along2, inverse_along2, attached; // x2, y2, along2: squares along the plate
@@ -58,9 +52,12 @@ template <class A> HWY_INLINE PlateFlow plate_flow(const A& c, Vec3 lag, Vec3 v)
     out.attached = kept / (kept + s2 * (stall - one) * (x * x) + constant(1e-30f));
     return out;
 }
-// The added mass along the normal that stays in the wake.
+// The added mass along the normal that stays in the wake; a steady wake keeps none.
 template <class A> HWY_INLINE VF shed_mass(const A& c, const PlateFlow& flow, VF nu, VF inverse_s) {
-    return (constant(1.0f) - flow.attached) * shedding_share(c, nu, inverse_s) * constant(c.separated_shed);
+    VF x = constant(c.steady_reynolds) * nu * inverse_s;
+    x *= x;
+    const VF share = hn::Max(constant(1.0f) - x * x, constant(0.0f));
+    return (constant(1.0f) - flow.attached) * share * constant(c.separated_shed);
 }
 
 // Loads of a stream: the force is -drag v + circulation x v, per mass unit.
@@ -103,9 +100,8 @@ template <class A> HWY_INLINE Stream stream_loads(const A& c, const Held& held, 
 }
 
 // Couple of the vortices that the wake sheds.
-template <class A> HWY_INLINE Vec3 shedding_couple(const A& c, const Held& held, const VF q[4], VF nu, Vec3 v) {
-    const VF inverse_s = constant(1.0f) / hn::Sqrt(speed_squared(v));
-    const VF size = held.lift * (v.z * v.z) * shedding_share(c, nu, inverse_s);
+template <class A> HWY_INLINE Vec3 shedding_couple(const A& c, const Held& held, const VF q[4], Vec3 v) {
+    const VF size = held.lift * (v.z * v.z);
     const auto moment = [&](int i) LR_LAMBDA {
         return size * (constant(c.shedding_moment) * q[i] + constant(c.shedding_rate_moment) * q[i + 2]);
     };
@@ -145,7 +141,8 @@ HWY_INLINE void advance_wake(const StepInput& in, const A& c, const Held& held, 
         size2 = q[i] * q[i] + (q[i + 2] * q[i + 2] + size2);
     }
     // size' = growth angle (limit - size) size, by its exact solution; size: half the square of (q, r).
-    const VF limit = hn::Max((hn::Abs(v.z) - constant(c.shedding_reynolds) * nu) * inverse_s, constant(-3.0f));
+    const VF steady = constant(c.shedding_reynolds) * nu * inverse_s;
+    const VF limit = hn::Max(hn::Abs(v.z) * inverse_s - steady * steady, constant(-3.0f));
     const VF rate = constant(c.shedding_growth) * angle, y = rate * limit, yy = hn::Abs(y);
     const VF rise = half * yy + one, exponential = hn::Min(yy * rise + one, constant(1e15f));
     const auto grows = y >= zero;
@@ -202,7 +199,7 @@ static HWY_NOINLINE Twist aerodynamic_loads(const A& c, const Held& held, const 
     shed = stream.shed;
     const Vec3 force = cross(stream.circulation, v) - stream.drag * v;
     const VF s = hn::Sqrt(speed_squared(v));
-    const Vec3 torque = shedding_couple(c, held, b.shedding, nu, v) - times(spin_drag_rate(c, held.drag, nu, s, u), u);
+    const Vec3 torque = shedding_couple(c, held, b.shedding, v) - times(spin_drag_rate(c, held.drag, nu, s, u), u);
     const Vec3 f = columns(c.axes, force);
     return {f, columns(c.axes, torque) + cross(broadcast(c.arm), f)};
 }
@@ -257,7 +254,7 @@ template <class A> HWY_INLINE Moment moment_at(const A& c, const Held& held, VF 
             s,
             stream.circulation,
             spin_drag_rate(c, held.drag, nu, s, t.u),
-            shedding_couple(c, held, b.shedding, nu, t.v)};
+            shedding_couple(c, held, b.shedding, t.v)};
 }
 
 // An implicit stage of M' v' = k x v - drag v, with k and drag times its length: v = r + M'^-1 (k x v - drag v) moves v from r by S^-1 (k x r - drag r),

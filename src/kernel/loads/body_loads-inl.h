@@ -40,7 +40,7 @@ HWY_INLINE void body_loads(const StepInput& in, const BodyConstants& c, const Ba
         sum = aerodynamic_loads(a, held, b, t, shed);
         add(a.arm, sum.v);
     } else {
-        sum = {zero3(), columns(a.axes, shedding_couple(a, held, b.shedding, nu, centre_velocity<true>(a, t)))};
+        sum = {zero3(), columns(a.axes, shedding_couple(a, held, b.shedding, centre_velocity<true>(a, t)))};
         for (uint32_t i = 0; i < c.stations.count; ++i) {
             StationSet one;
             one.station[0] = c.stations.station[i];

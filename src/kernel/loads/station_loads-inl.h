@@ -57,14 +57,17 @@ HWY_INLINE void add_station(const StationConstants& k, const A& a, const Held& h
         fluid_lift * attached * (by_direction(k.lift) * hn::Sqrt(along) + by_direction(k.vortex) * hn::Abs(across));
     const VF growing = hn::Sqrt(speed_squared(behind)) * dot(behind, u) * inverse_s2;
     const VF broad = constant(k.plate_drag) * separated * (constant(0.8f) * (one - part.z) + one) * s;
-    const VF stiff = hn::Max(lift + fluid_drag * (broad - constant(k.start_drag) * growing), zero);
+    const VF stiff =
+        hn::Max(lift + fluid_drag * (broad - constant(k.start_drag) * constant(a.streaming) * growing), zero);
     const VF normal = inverse_s2 * lift * (across - u.z);
 
     const VF late = s / (constant(8710.0f) * nu + s); // Re/(Re + 8710)
     const VF form = late * weighted(k.drag_blunt, part) + weighted(k.drag, part);
     const VF layer = root * weighted(k.drag_layer, part);
     const VF drag = fluid_drag * (s * form + (nu * weighted(k.drag_stokes, part) + layer));
-    const auto circulation = [&](int i, VF wi) LR_LAMBDA { return fluid_lift * constant(k.spin_lift[i]) * wi; };
+    const VF pitching = fluid_lift * (one - constant(k.plate_share) * (one - constant(a.streaming)));
+    const auto circulation = [&](int i, VF wi)
+                                 LR_LAMBDA { return (i < 2 ? pitching : fluid_lift) * constant(k.spin_lift[i]) * wi; };
     const Vec3 turn =
         columns(k.axes, {circulation(0, w.x) - normal * u.y, circulation(1, w.y) + normal * u.x, circulation(2, w.z)});
 
@@ -99,7 +102,8 @@ HWY_INLINE void add_station(const StationConstants& k, const A& a, const Held& h
     out.spin_drag[4] += push.y * at.z;
     out.spin_drag[5] += push.z * at.z;
     // A separated stream leaves the momentum of its added mass behind.
-    const VF shed = separated * shedding_share(a, nu, hn::Sqrt(inverse_s2)) * constant(k.separated_shedding) *
+    const VF critical = constant(a.shedding_reynolds) * nu * hn::Sqrt(inverse_s2);
+    const VF shed = separated * hn::Max(one - critical * critical, zero) * constant(k.separated_shedding) *
                     constant(a.fluid[3]) * u.z;
     out.lost += Twist{shed * n, shed * arm};
 }
@@ -215,9 +219,8 @@ template <class C> HWY_INLINE Twist applied(const C& c, const Held& held, Quater
 }
 
 // Of shed vortices, body axes, at most what spins the rim up to a few times the stream within the substep.
-template <class C>
-HWY_INLINE Vec3 body_shedding_couple(float h, const C& c, const Held& held, const VF q[4], VF nu, Vec3 v) {
-    const Vec3 couple = columns(c.aerodynamics.axes, shedding_couple(c.aerodynamics, held, q, nu, v));
+template <class C> HWY_INLINE Vec3 body_shedding_couple(float h, const C& c, const Held& held, const VF q[4], Vec3 v) {
+    const Vec3 couple = columns(c.aerodynamics.axes, shedding_couple(c.aerodynamics, held, q, v));
     const VF rim = constant(most_rim / h) * hn::Sqrt(speed_squared(v));
     const auto bound = [&](VF x, const auto& inverse) LR_LAMBDA {
         const VF most = rim / constant(inverse);
@@ -251,7 +254,7 @@ HWY_INLINE Vec3 station_motion(const StepInput& in, float h, const C& c, const H
                                 LR_LAMBDA { return held.sheared ? to_body(q, held.fluid_spin) : zero3(); };
     Twist push;
     Quaternion q = normalised(turn(b.q, b.q, turning, start.u));
-    Vec3 couple = body_shedding_couple(h, c, held, b.shedding, nu, centre_velocity<true>(a, start));
+    Vec3 couple = body_shedding_couple(h, c, held, b.shedding, centre_velocity<true>(a, start));
     Resistance k = resistance(in, c, held, nu, b, start, fluid_spin(b.q), push);
     Products p = products(c, held.inverse_length, start);
     Factors f = factors(c, constant(0.25f * h), k, p);
@@ -259,7 +262,7 @@ HWY_INLINE Vec3 station_motion(const StepInput& in, float h, const C& c, const H
     const Twist middle = start + half;
 
     q = normalised(turn(b.q, b.q, turning, start.u + constant(0.5f) * half.u));
-    couple = body_shedding_couple(h, c, held, b.shedding, nu, centre_velocity<true>(a, middle));
+    couple = body_shedding_couple(h, c, held, b.shedding, centre_velocity<true>(a, middle));
     k = resistance(in, c, held, nu, b, middle, fluid_spin(q), push);
     p = products(c, held.inverse_length, middle);
     f = factors(c, constant(stage_gamma * h), k, p);
@@ -298,7 +301,7 @@ static HWY_NOINLINE Twist station_loads(const StepInput& in, const C& c, const H
     Twist out = resisted(k, through);
     const Vec3 p = held.inverse_length * k.lost.v, l = held.inverse_length * k.lost.u;
     out += Twist{cross(t.u, p), cross(t.u, l) + cross(t.v, p)};
-    out.u += body_shedding_couple(in.h, c, held, b.shedding, nu, centre_velocity<true>(c.aerodynamics, through));
+    out.u += body_shedding_couple(in.h, c, held, b.shedding, centre_velocity<true>(c.aerodynamics, through));
     return out;
 }
 } // namespace lr::LR_KERNEL_NAMESPACE

@@ -49,8 +49,8 @@ std::span<const Coefficient> fitted_coefficients() {
                                           {"critical_reynolds", &P::critical_reynolds, 90.0, 110.0},
                                           {"moment", &P::moment, -0.15, 0.15},
                                           {"rate_moment", &P::rate_moment, -0.15, 0.15},
-                                          {"noise", &P::noise, 0.3, 10.0},
-                                          {"intensity", &P::intensity, 0.03, 0.2},
+                                          {"noise", &P::noise, 0.1, 10.0},
+                                          {"intensity", &P::intensity, 0.03, 0.4},
                                           {"correlation", &P::correlation, 0.4, 2.0}};
     return all;
 }

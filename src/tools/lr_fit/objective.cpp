@@ -56,6 +56,14 @@ Objective::Objective(uint32_t threads) {
         if (inertia.empty() || inertia.back() != e.at.inertia) inertia.push_back(e.at.inertia);
         map_.push_back({e, inertia.size() - 1});
     }
+    for (const double onset :
+         {0.001, 0.004, 0.01, 0.02, 0.04}) { // I*; three points each, so that half of all has some of both
+        inertia.push_back(onset);
+        for (const double reynolds : {83.0, 140.0, 155.0})
+            map_.push_back(
+                {{{reynolds, onset}, reynolds < first_onset ? falls::Regime::steady : falls::Regime::periodic},
+                 inertia.size() - 1});
+    }
     paper_.resize(measured_cells().size());
     map_discs_.resize(inertia.size());
     parallel(threads, paper_.size(), [&](size_t i) { paper_[i] = bake_cell(measured_cells()[i]); });
@@ -100,7 +108,7 @@ Score Objective::score(const PlateCoefficients& coefficients, const Effort& effo
     std::vector<double> drag(points);     // of the lightest discs
     const auto run_rest = [&](size_t i) { // the longest jobs first
         if (i < small_.size()) {
-            out.tumbling[i] = drop_small_disc(small_discs[i], small_[i], effort.small_falls, 300.0, loads).tumbling;
+            out.tumbling[i] = drop_small_disc(small_discs[i], small_[i], effort.small_falls, 1000.0, loads).tumbling;
             return;
         }
         const MapPoint& p = map_[(i - small_.size()) * effort.map_stride];

@@ -1130,8 +1130,8 @@ export interface Aerodynamics {
   wakeShare: number;
   /**
    * Vortex shedding above the Reynolds number shedding_reynolds of wake_length: an oscillator q in the plate with the
-   * frequency strouhal s/wake_length and the moment rho v_n^2 n x (shedding_moment q + shedding_rate_moment r) times
-   * 1 - (shedding_reynolds/Re)^2, r the rate of q over 2 pi times the frequency. It starts from the fluctuations.
+   * frequency strouhal s/wake_length and the moment rho v_n^2 n x (shedding_moment q + shedding_rate_moment r), r the
+   * rate of q over 2 pi times the frequency. It starts from the fluctuations.
    */
   strouhal: number;
   /** >= 0 */
