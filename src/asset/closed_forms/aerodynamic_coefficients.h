@@ -36,9 +36,9 @@ struct PlateCoefficients {
     double lag = 2.033, share = 0.7341;              // of the wake's memory
     double strouhal = 0.159, growth = 0.3853, critical_reynolds = 96.35;
     double moment = 0.04745, rate_moment = -0.01302; // by shedding, of the area times the wake's length
-    double noise = 4.8;                              // of shedding, over the intensity
-    double intensity = 0.167, correlation = 0.9264;  // of gusts; in largest extents
-    double wake_reynolds = 1700;
+    double noise = 4.95;                             // of shedding, over the intensity
+    double intensity = 0.159, correlation = 0.9264;  // of gusts; in largest extents
+    double wake_reynolds = 1600;
 };
 
 // The default coefficients: one set of rules for all shapes.
