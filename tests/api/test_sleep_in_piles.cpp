@@ -165,29 +165,35 @@ TEST_CASE("a body at rest takes the momentum of what hits it") {
 
 TEST_CASE("wind below lift-off leaves a pile at rest, and a stronger one takes it apart" *
           doctest::test_suite("native")) {
-    const World world = make(world_desc());
-    const Asset card = make(rigid_box(0.06, 0.0005, 0.04, 500.0));
-    add_collider(world, collider_desc(LR_COLLIDER_PLANE));
-    lr_batch_desc bd = batch_desc();
-    bd.load_model = LR_LOADS_AERODYNAMIC;
-    const lr_batch batch = add_batch(world, bd, card, 32);
-    set_contact(world, batch, resting_contact());
-    set_pair(world, batch, batch);
-    std::vector<lr_body> bodies;
-    for (int i = 0; i < 20; ++i) {
-        const int tower = i / 4;
-        bodies.push_back(add_body(world, batch, at_rest_at({0.1 * tower, 0.0003 + 0.0006 * (i % 4), 0.0})));
-    }
-    steps(world, 180, frame, 2);
-    REQUIRE(view_of(world, batch).awake_count == 0);
-    set_wind(world, 0.4f, 0.0f, 0.0f);
-    steps(world, 120, frame, 2);
-    CHECK(view_of(world, batch).awake_count == 0);
-    set_wind(world, 25.0f, 0.0f, 0.0f);
-    steps(world, 90, frame, 2); // the lowest card goes last, once the others have left
+    const uint64_t seeds = 10;
     uint32_t gone = 0;
-    for (lr_body b : bodies) gone += state_of(world, b).position[0] > 1.0f;
-    CHECK(gone == 20);
+    for (uint64_t seed = 0; seed < seeds; ++seed) {
+        lr_world_desc wd = world_desc();
+        wd.seed = seed;
+        const World world = make(wd);
+        const Asset card = make(rigid_box(0.06, 0.0005, 0.04, 500.0));
+        add_collider(world, collider_desc(LR_COLLIDER_PLANE));
+        lr_batch_desc bd = batch_desc();
+        bd.load_model = LR_LOADS_AERODYNAMIC;
+        const lr_batch batch = add_batch(world, bd, card, 32);
+        set_contact(world, batch, resting_contact());
+        set_pair(world, batch, batch);
+        std::vector<lr_body> bodies;
+        for (int i = 0; i < 20; ++i) {
+            const int tower = i / 4;
+            bodies.push_back(add_body(world, batch, at_rest_at({0.1 * tower, 0.0003 + 0.0006 * (i % 4), 0.0})));
+        }
+        steps(world, 180, frame, 2);
+        REQUIRE(view_of(world, batch).awake_count == 0);
+        set_wind(world, 0.4f, 0.0f, 0.0f);
+        steps(world, 120, frame, 2);
+        CHECK(view_of(world, batch).awake_count == 0);
+        set_wind(world, 25.0f, 0.0f, 0.0f);
+        steps(world, 120, frame, 2); // the lowest card goes last, once the others have left
+        for (lr_body b : bodies) gone += state_of(world, b).position[0] > 1.0f;
+    }
+    // A card that slides onto another may come to rest there.
+    CHECK(gone >= 20 * seeds * 95 / 100);
 }
 
 TEST_CASE("however a batch that sleeps as a whole wakes, its bodies' age is the time that has passed") {
