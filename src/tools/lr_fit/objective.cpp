@@ -56,13 +56,13 @@ Objective::Objective(uint32_t threads) {
         if (inertia.empty() || inertia.back() != e.at.inertia) inertia.push_back(e.at.inertia);
         map_.push_back({e, inertia.size() - 1});
     }
-    for (const double onset :
-         {0.001, 0.004, 0.01, 0.02, 0.04}) { // I*; three points each, so that half of all has some of both
-        inertia.push_back(onset);
-        for (const double reynolds : {83.0, 140.0, 155.0})
-            map_.push_back(
-                {{{reynolds, onset}, reynolds < first_onset ? falls::Regime::steady : falls::Regime::periodic},
-                 inertia.size() - 1});
+    // Next to the onset: three points for each I*, so that every other point of the map has some of both sides.
+    for (const double i : {0.001, 0.004, 0.01, 0.02, 0.04}) {
+        inertia.push_back(i);
+        for (const double reynolds : {83.0, 140.0, 155.0}) {
+            const auto regime = reynolds < first_onset ? falls::Regime::steady : falls::Regime::periodic;
+            map_.push_back({{{reynolds, i}, regime}, inertia.size() - 1});
+        }
     }
     paper_.resize(measured_cells().size());
     map_discs_.resize(inertia.size());
