@@ -12,7 +12,7 @@ int main() {
     roller.axis[1] = 0, roller.axis[2] = 1, roller.position[0] = -48, roller.position[1] = 0.7f;
     roller.velocity[0] = 13.9f, roller.half_length = 1, roller.core_radius = 0.6f, roller.outer_radius = 3;
     roller.circulation = 50, world.add(roller); // m^2/s: 8 m/s at 0.6 m
-    for (int n = 1; n <= 300; ++n) {
+    for (int n = 1; n <= 360; ++n) {
         float low[3], high[3];
         world.step(1.0f / 60, 2), lr_batch_get_bounds(world.get(), leaves, low, high);
         if (n % 30 == 0) std::printf("%.1f s: %d fly to %.2f m\n", n / 60.0, int(world.info().awake_count), high[1]);
