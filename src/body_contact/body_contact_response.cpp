@@ -29,10 +29,33 @@ float lasting_speed(const BodyAfter& body, Vector v0, Vector w0, Vector v, Vecto
     return std::min({before, now, fastest(body.extent, 0.5f * (v0 + v), 0.5f * (w0 + w))});
 }
 
-// The velocity of a body that falls as soon as it has woken, else 0. It has lost its support, and so has a body that it falls away from, which is
-// out of reach a substep later.
-Vector fall_from_rest(const ContactCache& book, const BodyAfter& body, Vector v0, Vector w0, Vector v) {
-    return book.stay[0][body.index] == 0.0f && dot(v0, v0) + dot(w0, w0) == 0.0f ? v : Vector{};
+// How a body moves away from sleeping ones that may lie on it; world frame.
+struct Leaving {
+    // m/s, of a body that falls as soon as it has woken, else 0: it has lost its support, and so has a body that it falls away from, which is out of
+    // reach a substep later.
+    Vector falls;
+    float fast;  // m/s, half of the fall in a substep
+    bool moved;  // since the substep before, however little
+    bool gone;   // out of the place where it has been
+    float clear; // m: half of the gap beyond which a contact is not found
+    Vector down; // of length 2
+
+    bool falls_from(Vector normal) const { return dot(normal, falls) > fast; }
+    // Whether what it bears, by a normal from that to the body, can have lost it, at any speed.
+    bool leaves(Vector normal, float gap) const { return dot(normal, down) > 1.0f && (gone || (moved && gap > clear)); }
+};
+
+// v0, w0, v: before and after the substep, body frame.
+Leaving leaving(const ContactStep& step, Vector gravity, const ContactCache& book, const BodyAfter& body,
+                const Pose& now, Vector v0, Vector w0, Vector v, float h) {
+    Leaving out{};
+    if (book.stay[0][body.index] == 0.0f && dot(v0, v0) + dot(w0, w0) == 0.0f) out.falls = rotate(now.rotation, v);
+    out.fast = 0.5f * step.gravity * h;
+    out.moved = body.moved;
+    out.gone = !(way_in_place(book, body) < body.place);
+    out.clear = 0.5f * contact_margin(body.reach, now.position, step.gravity, h);
+    if (step.gravity > 0.0f) out.down = 2.0f / step.gravity * gravity;
+    return out;
 }
 
 Pose began(const SolverBody& b) {
@@ -51,6 +74,10 @@ bool one_frame(const BodyContactFrame& a, const BodyContactFrame& b) {
 
 void BodyContactStep::wake(const ContactGroup::Asleep& at_rest) const {
     world_->batches[at_rest.batch].batch->note_sleep(at_rest.index);
+}
+
+void BodyContactStep::doubt(const ContactGroup::Asleep& at_rest) const {
+    world_->batches[at_rest.batch].batch->doubt(at_rest.index);
 }
 
 void BodyContactStep::hold(uint32_t substep, Held which) {
@@ -108,11 +135,15 @@ void BodyContactStep::hold_group(const BodyContactBatch& member, uint32_t first,
             body.place = place_in_heap(body, least, *member.run.step.shape, field[field_scale][i], fall * taken.h);
             body.speed = lasting_speed(body, v0, w0, v, w, fall);
         }
-        const Vector falls = fall_from_rest(member.run.book, body, v0, w0, v);
+        const Leaving leaves = leaving(member.run.step, vector_of(world_->gravity), member.run.book, body,
+                                       pose_in(field, i), v0, w0, v, taken.h);
         enter_body(member.run.book, body, may_sleep(*member.run.step.settings), taken.h, last(substep),
                    [&](uint32_t collider) { return group.touch_with(i, collider, taken); });
         group.visit_asleep(i, [&](const ContactGroup::Asleep& other, const SlotContact& s, bool touched) {
-            if (dot(s.normal, falls) > 0.5f * fall || (touched && body.speed > body.moving)) wake(other);
+            if ((touched && body.speed > body.moving) || leaves.falls_from(s.normal))
+                wake(other);
+            else if (leaves.leaves(s.normal, s.gap))
+                doubt(other);
         });
     }
 }
@@ -269,21 +300,29 @@ void BodyContactStep::put_back(uint32_t place, uint32_t substep) {
     const float fall = member.run.step.gravity * h;
     const Vector v0 = vector_of(from.v0), w0 = vector_of(from.w0), v = vector_of(from.v);
     body.speed = lasting_speed(body, v0, w0, v, vector_of(from.w), fall);
-    const Vector falls = fall_from_rest(member.run.book, body, v0, w0, v);
     body.still *= heap_still;
     TouchList touched;
     float least = c.deepest[place];
     each_held(place, [&](uint32_t k, float impulse) {
         const uint32_t at = c.first_held[place] + k;
         const bool asleep = c.held[at].collider == ContactGroup::a_body;
-        const bool touches = impulse >= 0.0f, leaves = dot(c.held_frames[at].normal, falls) > 0.5f * fall;
-        if (asleep && (leaves || (touches && body.speed > body.moving))) wake(c.held[at].at_rest);
-        if (!touches) return;
+        if (!(impulse >= 0.0f)) return;
         touched.take(c.held[at].collider + 1, impulse);
         if (!asleep) return;
         least = std::min(least, c.held_contacts[at].gap);
     });
     if (least < no_contact) body.place = place_in_heap(body, least, *member.run.step.shape, from.scale, fall * h);
+    const Leaving leaves =
+        leaving(member.run.step, vector_of(world_->gravity), member.run.book, body, now(from), v0, w0, v, h);
+    each_held(place, [&](uint32_t k, float impulse) {
+        const uint32_t held = c.first_held[place] + k;
+        if (c.held[held].collider != ContactGroup::a_body) return;
+        const Vector normal = c.held_frames[held].normal;
+        if ((impulse >= 0.0f && body.speed > body.moving) || leaves.falls_from(normal))
+            wake(c.held[held].at_rest);
+        else if (leaves.leaves(normal, c.held_contacts[held].gap))
+            doubt(c.held[held].at_rest);
+    });
     if (c.deepest[place] < no_contact) touched.take(touching_body, 0.0f);
     body.touches = touched.id[0] != 0;
     std::copy_n(touched.id, most_touches, body.now);

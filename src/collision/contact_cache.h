@@ -45,7 +45,8 @@ struct ContactCache {
     float* still_time = nullptr; // s, time it has lain still; null: nothing is recorded
     // Time it has stayed in place, s, and its way and turn since then: m, world frame; rad, body frame.
     float* stay[stay_rows] = {};
-    // The share of the wind's speed that others keep from it; lee_unknown, which counts as 0: not known since it woke.
+    // The share of the wind's speed that others keep from it; lee_unknown, which counts as 0: not known since it woke. Of a sleeping body lee_unknown
+    // if it can have lost what it lies on, else 0.
     float* lee = nullptr;
     uint32_t* touching[most_touches] = {}; // slots + 1 of colliders, touching_body; 0: none
     void (*falls_asleep)(void* batch, uint32_t index) = nullptr;
@@ -105,13 +106,20 @@ inline BodyAfter body_moved(uint32_t index, const BodyShape& shape, float scale,
     return body;
 }
 
+// m: a bound of the way of any of its points since its stay began, this substep included. sum: of way and turn, 6 values; null: not wanted.
+inline float way_in_place(const ContactCache& book, const BodyAfter& body, float* sum = nullptr) {
+    const float parts[6] = {body.way.x, body.way.y, body.way.z, body.turn.x, body.turn.y, body.turn.z};
+    float own[6];
+    float* const s = sum ? sum : own;
+    for (size_t k = 0; k < 6; ++k) s[k] = book.stay[1 + k][body.index] + parts[k];
+    return length(Vector{s[0], s[1], s[2]}) + farthest(body.extent, {s[3], s[4], s[5]});
+}
+
 // Whether it has stayed in place long enough; adds this substep.
 inline bool stays(const ContactCache& book, const BodyAfter& body, float seconds) {
     const uint32_t at = body.index;
-    const float sums[6] = {body.way.x, body.way.y, body.way.z, body.turn.x, body.turn.y, body.turn.z};
     float sum[6];
-    for (size_t k = 0; k < 6; ++k) sum[k] = book.stay[1 + k][at] + sums[k];
-    const float far = length(Vector{sum[0], sum[1], sum[2]}) + farthest(body.extent, {sum[3], sum[4], sum[5]});
+    const float far = way_in_place(book, body, sum);
     const float lasted = book.stay[0][at] + seconds;
     // A time of 0 means that nothing is recorded: a step below the smallest float must therefore record no way either.
     if (!(far < body.place) || lasted == 0.0f) {

@@ -165,9 +165,8 @@ TEST_CASE("a body at rest takes the momentum of what hits it") {
 
 TEST_CASE("wind below lift-off leaves a pile at rest, and a stronger one takes it apart" *
           doctest::test_suite("native")) {
-    const uint64_t seeds = 10;
-    uint32_t gone = 0;
-    for (uint64_t seed = 0; seed < seeds; ++seed) {
+    for (uint64_t seed = 0; seed < 10; ++seed) {
+        CAPTURE(seed);
         lr_world_desc wd = world_desc();
         wd.seed = seed;
         const World world = make(wd);
@@ -189,11 +188,62 @@ TEST_CASE("wind below lift-off leaves a pile at rest, and a stronger one takes i
         steps(world, 120, frame, 2);
         CHECK(view_of(world, batch).awake_count == 0);
         set_wind(world, 25.0f, 0.0f, 0.0f);
-        steps(world, 120, frame, 2); // the lowest card goes last, once the others have left
-        for (lr_body b : bodies) gone += state_of(world, b).position[0] > 1.0f;
+        steps(world, 600, frame, 2);
+        // A card can stay that leans on the next one with its upper face to the wind, and that one: it is pressed down by many times its weight
+        // (docs/maintainers/contact.md, 14). None hangs where others held it up.
+        float leans = 1.0f;
+        std::vector<lr_body> stayed;
+        for (lr_body b : bodies) {
+            const lr_body_state state = state_of(world, b);
+            if (state.position[0] > 1.0f) continue;
+            stayed.push_back(b);
+            leans = std::min(leans, narrow(to_world(quat(state.orientation), {0.0, 1.0, 0.0})[0]));
+        }
+        CHECK((stayed.empty() || (stayed.size() <= 4 && leans < -0.02f)));
+        set_wind(world, 0.0f, 0.0f, 0.0f);
+        for (lr_body b : stayed) {
+            const float y = state_of(world, b).position[1];
+            REQUIRE(lr_body_set_sleep(world.get(), &b, 1, LR_SLEEP_AWAKE) == LR_OK);
+            steps(world, 60, frame, 2);
+            CHECK(std::abs(state_of(world, b).position[1] - y) < 1e-3f);
+        }
     }
-    // A card that slides onto another may come to rest there.
-    CHECK(gone >= 20 * seeds * 95 / 100);
+}
+
+// Upper bodies once hung in the air: those of turned towers at any speed, the others at less than 4 cm/s.
+TEST_CASE("a tower leaves with its ground, however it is turned and however slowly that goes") {
+    const double half_turn = std::sqrt(0.5);
+    const std::pair<Vec, Quat> stones[] = {{{0.1, 0.1, 0.1}, {0.0, 0.0, 0.0, 1.0}},
+                                           {{0.1, 0.1, 0.1}, {1.0, 0.0, 0.0, 0.0}},
+                                           {{0.1, 0.1, 0.1}, {0.0, 0.0, half_turn, half_turn}},
+                                           {{0.1, 0.1, 0.1}, {half_turn, 0.0, 0.0, half_turn}}};
+    for (const auto& [size, turn] : stones)
+        for (const float sinking : {0.001f, 0.005f, 0.03f, 5.0f}) {
+            CAPTURE(&turn);
+            CAPTURE(sinking);
+            const World world = make(world_desc());
+            const lr_collider table = add_collider(world, box_collider(0.5f, 0.05f, 0.5f));
+            const lr_batch batch = add_batch(world, unloaded(), make(rigid_box(size[0], size[1], size[2], 300.0)), 8);
+            set_contact(world, batch, resting_contact());
+            set_pair(world, batch, batch);
+            std::vector<lr_body> tower;
+            for (int i = 0; i < 4; ++i) {
+                lr_body_desc d = at_rest_at({0.0, 0.1 + 0.1 * i, 0.0});
+                for (size_t k = 0; k < 4; ++k) d.orientation[k] = narrow(turn[k]);
+                tower.push_back(add_body(world, batch, d));
+            }
+            steps(world, 180, frame, 2);
+            REQUIRE(view_of(world, batch).awake_count == 0);
+            lr_collider_motion moves = motion_of(table, LR_MOVE_VELOCITY);
+            moves.linear_velocity[1] = -sinking;
+            REQUIRE(lr_collider_move(world.get(), &moves, 1) == LR_OK);
+            steps(world, 240, frame, 2);
+            for (int i = 0; i < 4; ++i) {
+                CAPTURE(i);
+                const float y = state_of(world, tower[static_cast<size_t>(i)]).position[1];
+                CHECK(std::abs(wide(y) - 0.1 - 0.1 * i + 4.0 * wide(sinking)) < 0.002);
+            }
+        }
 }
 
 TEST_CASE("however a batch that sleeps as a whole wakes, its bodies' age is the time that has passed") {

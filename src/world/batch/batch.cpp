@@ -217,6 +217,12 @@ void Batch::forget_shelter(uint32_t index) {
     sleeping_->try_wind_again();
 }
 
+void Batch::doubt(uint32_t index) {
+    const float unknown = lee_unknown;
+    __atomic_store(columns_.row<float>(column_lee) + index, &unknown, __ATOMIC_RELAXED);
+    sleeping_->try_wind_again();
+}
+
 void Batch::wake_all() {
     while (awake_ < count_) wake(awake_);
 }

@@ -144,6 +144,9 @@ public:
     void on_waking(const Waking& waking) { waking_ = waking; }
     // The wind that a sleeping body has withstood (m/s; 0: none), and whether only since others sheltered it. See WakeByFlow.
     void store_wind(uint32_t index, Vector wind, bool sheltered);
+    // A sleeping body can have lost what it lies on: it is tried in its turn, in still air too. Any thread, in a batch with contact.
+    void doubt(uint32_t index);
+    bool doubted(uint32_t index) const { return columns_.row<float>(column_lee)[index] < 0.0f; }
     void set_lee(uint32_t index, float lee) { columns_.row<float>(column_lee)[index] = lee; }
     void forget_shelter(uint32_t index); // it has to withstand the wind again, if others sheltered it
     bool reserve_sleep();                // false when out of memory

@@ -46,8 +46,8 @@ public:
     bool in_question(float max_age) const;
     // For the uniform wind: true if all bodies have been tried in a similar one since the last fell asleep; else the next ones have their turn.
     bool withstood(const float (&wind)[3]);
-    // One of them has to be tried again.
-    void try_wind_again() { state_.tried = 0; }
+    // One of them has to be tried again. Any thread.
+    void try_wind_again() { __atomic_store_n(&state_.tried, 0u, __ATOMIC_RELAXED); }
     // Whether one can have withstood a wind under the shelter of others: never false if one has. Noted by any thread.
     bool any_sheltered() const { return sheltered_ != 0; }
     void note_sheltered() { __atomic_store_n(&sheltered_, uint8_t{1}, __ATOMIC_RELAXED); }

@@ -121,7 +121,7 @@ void WakeByFlow::try_bodies(const StepItem& item, const uint32_t* index, uint32_
     Vector wind[most];
     for (uint32_t i = 0; i < count; ++i) {
         const Vector w = vector_of(winds + size_t{3} * i), held = vector_in(copies.field, field_gust_x, i);
-        if (wet[i] == 0 && (remembers ? withstands(held, w) : dot(w, w) == 0.0f)) continue;
+        if (wet[i] == 0 && !batch.doubted(index[i]) && (remembers ? withstands(held, w) : dot(w, w) == 0.0f)) continue;
         wind[tried_count] = w;
         tried[tried_count++] = index[i];
     }
@@ -133,6 +133,7 @@ void WakeByFlow::try_bodies(const StepItem& item, const uint32_t* index, uint32_
     uint32_t sheltered[most], in_tried[most], sheltered_count = 0;
     float felt[most];
     for (uint32_t i = 0; i < tried_count; ++i) {
+        batch.set_lee(tried[i], 0.0f);
         if (!moves[i]) {
             if (remembers) batch.store_wind(tried[i], wind[i], false);
             continue;
