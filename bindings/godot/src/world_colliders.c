@@ -313,11 +313,16 @@ static void sync_link(world_node* self, shape_link* link, gdx_object body, const
         return;
     }
     if (link->unsupported) return;
-    float offset[12], pose[12];
+    float offset[12], pose[12], at[3], turned[4], size[3];
     gd_call(body, GD_N_shape_owner_get_transform, &ret, 1, gd_int(link->owner));
     gd_to_floats(&ret, GDX_TRANSFORM3D, offset);
     gd_free(&ret);
     transform_multiply(global, offset, pose);
+    if (!transform_split(pose, at, turned,
+                         size)) { /* of no size, perhaps for a while: it has no collider, and gets one when it has */
+        drop_collider(self, link);
+        return;
+    }
     if (link->collider.id && link->layers != layers) drop_collider(self, link);
     if (link->collider.id && memcmp(pose, link->pose, sizeof pose) == 0) return;
     if (link->collider.id) {

@@ -147,6 +147,21 @@ static void test_recordings(host_object* world) {
     }
 }
 
+/* A body that grows from nothing, as by a tween of its scale, gets its collider then; one that shrinks to nothing has none. */
+static void test_size_of_nothing(void) {
+    host_object* world = host_construct("LangevinWorld");
+    const float scales[] = {0.0f, 1.0f, 0.0f, 2.0f};
+    world->parent = host_root;
+    host_notify(world, ENTER_TREE);
+    for (int i = 0; i < 4; ++i) {
+        for (int axis = 0; axis < 3; ++axis) host_body->transform[4 * axis] = scales[i];
+        host_notify(world, PHYSICS);
+        CHECK(call_int(world, "get_collider_count") == (scales[i] > 0.0f));
+    }
+    for (int axis = 0; axis < 3; ++axis) host_body->transform[4 * axis] = 1.0f;
+    host_free(world);
+}
+
 static uint64_t run(host_object* asset, host_object* mesh, int frames) {
     host_object* world = host_construct("LangevinWorld");
     world->parent = host_root;
@@ -333,6 +348,7 @@ int main(int argc, char** argv) {
     CHECK(asset != NULL);
     if (asset) {
         test_warnings(asset);
+        test_size_of_nothing();
         const uint64_t first = run(asset, mesh, 1000);
         const int errors = host.errors, names = host.names, live = host.objects;
         CHECK(run(asset, mesh, 1000) == first && first != 0);
