@@ -15,7 +15,7 @@ namespace LangevinRigid
         private readonly WorldCallbacks _callbacks;
         private readonly EventHandler _atExit;
         private int _state;
-        private bool _ending;
+        private Thread _exits; // ends the program
 
         /// <summary>Creates a world with defaults: still air, gravity along -y, all work on the calling thread.</summary>
         public World() : this(WorldDesc.Create(), null)
@@ -86,7 +86,8 @@ namespace LangevinRigid
         }
 
         // Mono ends a program only when all threads that have ever called managed code have ended, as workers do by a wind field. So a program
-        // that ends without Dispose ends them here. A thread that steps the world meanwhile waits for the end in its next call.
+        // that ends without Dispose ends them here. A thread that steps the world meanwhile waits for the end in its next call; the thread that ends the
+        // program must not, since handlers after this one can call the world.
         private static EventHandler AtExit(WeakReference<World> ending)
         {
             return (sender, arguments) =>
@@ -98,7 +99,7 @@ namespace LangevinRigid
 
         private void EndThreads()
         {
-            Volatile.Write(ref _ending, true);
+            Volatile.Write(ref _exits, Thread.CurrentThread);
             for (int tries = 0; tries < 1000; ++tries)
             {
                 int before = Interlocked.CompareExchange(ref _state, Disposed, Idle);
@@ -174,7 +175,8 @@ namespace LangevinRigid
         /// <summary>The native world, for a query.</summary>
         internal IntPtr Enter()
         {
-            if (Volatile.Read(ref _ending)) Thread.Sleep(Timeout.Infinite);
+            Thread exits = Volatile.Read(ref _exits);
+            if (exits != null && exits != Thread.CurrentThread) Thread.Sleep(Timeout.Infinite);
             int before = Interlocked.CompareExchange(ref _state, InCall, Idle);
             if (before == Disposed) throw new ObjectDisposedException("World");
             if (before == InCall) throw Busy();

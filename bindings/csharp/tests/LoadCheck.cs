@@ -27,7 +27,7 @@ static class LoadCheck
         return 0;
     }
 
-    /// <summary>Exits while worlds with callbacks and threads exist, one of them in a step.</summary>
+    /// <summary>Exits while worlds with callbacks and threads exist, one of them in a step, and with a handler that calls a world that has ended.</summary>
     public static int Leave()
     {
         for (int i = 0; i < 3; ++i)
@@ -42,7 +42,21 @@ static class LoadCheck
             thread.Start();
         }
         Thread.Sleep(100);
-        return 0;
+        WorldDesc threaded = WorldDesc.Create();
+        threaded.WorkerCount = 1;
+        var ended = new World(threaded);
+        AppDomain.CurrentDomain.ProcessExit += (sender, arguments) =>
+        {
+            try
+            {
+                Console.WriteLine(ended.Hash);
+            }
+            catch (ObjectDisposedException)
+            {
+                Environment.ExitCode = 0;
+            }
+        };
+        return 1; // unless the handler gets its exception
     }
 
     static int Fail(string what)
