@@ -292,3 +292,35 @@ TEST_CASE("planes: solid behind their normal") {
     check_surface(game, FVector(), 300, [](double, double y) { return 30 + 0.5 * y; });
     CHECK_FALSE(game.langevin->AddPlane(FVector(), FVector()));
 }
+
+// The state holds the library's colliders; what the game has added, moved and removed since must not freeze or haunt the others.
+TEST_CASE("a restored state has the colliders that the game has now") {
+    Game game;
+    game.create();
+    game.world->ShimBeginPlay();
+    const auto add = [&](double x) {
+        UStaticMeshComponent* const block = game.add_block(box_of(100, 100, 100), FTransform(FVector(x, 0, 0)));
+        REQUIRE(game.langevin->AddCollider(block, true) == 1);
+        return block;
+    };
+    const auto top = [&](double x) { return game.ground_below(FVector(x, 0, 5000)); };
+    UStaticMeshComponent *const lift = add(0), *const gone = add(1000), *const door = add(2000);
+    game.run(2);
+    TArray<uint8> state;
+    REQUIRE(game.langevin->SaveState(state));
+    UStaticMeshComponent* const fresh = add(3000);
+    door->SetWorldTransform(FTransform(FVector(2000, 0, 100)));
+    REQUIRE(game.langevin->RemoveCollider(gone));
+    game.run(2);
+    REQUIRE(game.langevin->RestoreState(state));
+    lift->SetWorldTransform(FTransform(FVector(0, 0, 200)));
+    game.run(2);
+    CHECK(top(0) == doctest::Approx(250));
+    CHECK(top(1000) < -1e8);
+    CHECK(top(2000) == doctest::Approx(150)); // the game did not close it
+    CHECK(top(3000) == doctest::Approx(50));
+    fresh->SetWorldTransform(FTransform(FVector(3000, 0, 300)));
+    game.run(2);
+    CHECK(top(3000) == doctest::Approx(350));
+    CHECK(game.langevin->GetColliderCount() == 3);
+}

@@ -24,6 +24,17 @@ bool FLangevinColliders::IsWanted(const UPrimitiveComponent& Component) const {
            (Owner == nullptr || !Owner->ActorHasTag(Settings.IgnoreTag));
 }
 
+void FLangevinColliders::Gather(UPrimitiveComponent& Component, TArray<FLangevinShape>& Shapes) const {
+    if (const auto* Landscape = Cast<ULandscapeHeightfieldCollisionComponent>(&Component)) {
+        FLangevinShape Shape;
+        if (Settings.bCollideWithLandscapes && LangevinShapes::GatherLandscape(*Landscape, Shape)) {
+            Shapes.Add(MoveTemp(Shape));
+        }
+    } else {
+        LangevinShapes::Gather(Component, Settings.bUseComplexCollision, Shapes);
+    }
+}
+
 int32 FLangevinColliders::AddLevel(const ULevel& Level) {
     int32 Added = 0;
     for (const AActor* Actor : Level.Actors) {
@@ -32,14 +43,7 @@ int32 FLangevinColliders::AddLevel(const ULevel& Level) {
         for (UPrimitiveComponent* Component : Components) {
             if (!IsWanted(*Component)) continue;
             TArray<FLangevinShape> Shapes;
-            if (const auto* Landscape = Cast<ULandscapeHeightfieldCollisionComponent>(Component)) {
-                FLangevinShape Shape;
-                if (Settings.bCollideWithLandscapes && LangevinShapes::GatherLandscape(*Landscape, Shape)) {
-                    Shapes.Add(MoveTemp(Shape));
-                }
-            } else {
-                LangevinShapes::Gather(*Component, Settings.bUseComplexCollision, Shapes);
-            }
+            Gather(*Component, Shapes);
             Added += AddEntry(*Component, &Level, false, Shapes);
         }
     }
@@ -90,7 +94,10 @@ bool FLangevinColliders::AddPlane(const FVector& Point, const FVector& Normal, f
                                                LangevinConversion::MirrorDirection(LangevinTypes::From(Unit))));
     Desc.friction = Friction;
     Desc.restitution = Restitution;
-    return LangevinHost::Check(lr_collider_create(World, &Desc, 1, nullptr), TEXT("A plane"));
+    lr_collider Plane{};
+    if (!LangevinHost::Check(lr_collider_create(World, &Desc, 1, &Plane), TEXT("A plane"))) return false;
+    Gone.Remove(Plane); // after a restored state handles are given again
+    return true;
 }
 
 void FLangevinColliders::Place(const FPart& Part, const FTransform& Frame, float* Position, float* Orientation) const {
@@ -135,6 +142,7 @@ int32 FLangevinColliders::AddEntry(UPrimitiveComponent& Component, const ULevel*
         const lr_status Status = lr_collider_create(World, &Desc, 1, &Part.Collider);
         if (Status == LR_OK) {
             Entry.Parts.Add(Part);
+            Gone.Remove(Part.Collider);
         } else {
             UE_LOG(LogLangevinRigid, Warning, TEXT("A part of the collision of %s was skipped: %s"),
                    *Component.GetPathName(), UTF8_TO_TCHAR(lr_status_string(Status)));
@@ -157,7 +165,7 @@ void FLangevinColliders::Update() {
         }
         if (!Entry.bFollow) continue;
         const FTransform& Now = Component->GetComponentTransform();
-        if (Now.Equals(Entry.Last, 0.0)) continue;
+        if (!Entry.bRestored && Now.Equals(Entry.Last, 0.0)) continue;
         Entry.Last = Now;
         for (const FPart& Part : Entry.Parts) {
             lr_collider_motion Motion;
@@ -165,15 +173,53 @@ void FLangevinColliders::Update() {
             Motion.mode = LR_MOVE_TO;
             Motion.collider = Part.Collider;
             Place(Part, Now, Motion.position, Motion.orientation);
-            Motions.Add(Motion);
+            if (!Entry.bRestored || !IsAt(Motion)) Motions.Add(Motion);
         }
+        Entry.bRestored = false;
     }
     LangevinHost::Check(lr_collider_move(World, Motions.GetData(), static_cast<uint32>(Motions.Num())),
                         TEXT("Moving colliders"));
 }
 
+bool FLangevinColliders::IsAt(const lr_collider_motion& Motion) const {
+    lr_collider_state State;
+    lr_collider_state_init(&State, sizeof(State));
+    if (lr_collider_get_state(World, Motion.collider, &State) != LR_OK) return false;
+    bool bAt = true;
+    for (int32 Axis = 0; Axis < 3; ++Axis) bAt = bAt && State.position[Axis] == Motion.position[Axis];
+    for (int32 Part = 0; Part < 4; ++Part) bAt = bAt && State.orientation[Part] == Motion.orientation[Part];
+    return bAt;
+}
+
+void FLangevinColliders::Restored() {
+    for (const lr_collider& Collider : Gone) {
+        if (lr_collider_is_valid(World, Collider)) {
+            LangevinHost::Check(lr_collider_destroy(World, &Collider, 1), TEXT("Removing a collider"));
+        }
+    }
+    for (int32 Index = Entries.Num() - 1; Index >= 0; --Index) {
+        FEntry& Entry = Entries[Index];
+        bool bWhole = true;
+        for (const FPart& Part : Entry.Parts) bWhole = bWhole && lr_collider_is_valid(World, Part.Collider);
+        Entry.bRestored = true;
+        UPrimitiveComponent* const Component = Entry.Component.Get();
+        if (bWhole || Component == nullptr) continue;
+        for (const FPart& Part : Entry.Parts) {
+            if (lr_collider_is_valid(World, Part.Collider)) lr_collider_destroy(World, &Part.Collider, 1);
+        }
+        TArray<FLangevinShape> Shapes;
+        Gather(*Component, Shapes);
+        const ULevel* const Level = Entry.Level;
+        const bool bFollow = Entry.bFollow;
+        Entries.RemoveAtSwap(Index);
+        AddEntry(*Component, Level, bFollow, Shapes);
+    }
+}
+
 void FLangevinColliders::Destroy(const FEntry& Entry) {
     for (const FPart& Part : Entry.Parts) {
+        if (!lr_collider_is_valid(World, Part.Collider)) continue; // a restored state is from before it
+        Gone.Add(Part.Collider);
         LangevinHost::Check(lr_collider_destroy(World, &Part.Collider, 1), TEXT("Removing a collider"));
     }
 }

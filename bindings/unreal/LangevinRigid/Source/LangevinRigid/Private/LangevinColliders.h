@@ -29,6 +29,10 @@ public:
     /** Before a step: moves colliders to their components during the step, and removes those without a component. */
     void Update();
 
+    /** After a state was restored, which has the library's colliders of then: those that have come since are made again, those that have
+     * gone go again, and those that follow are where their components are from the next step on. */
+    void Restored();
+
     /** The component of a collider; null for planes. */
     UPrimitiveComponent* Find(lr_collider Collider) const;
 
@@ -46,16 +50,20 @@ private:
         FTransform Last;
         TArray<FPart> Parts;
         bool bFollow = false;
+        bool bRestored = false; // perhaps elsewhere
     };
 
     bool IsWanted(const UPrimitiveComponent& Component) const;
     int32 AddEntry(UPrimitiveComponent& Component, const ULevel* Level, bool bFollow,
                    const TArray<FLangevinShape>& Shapes);
     void Place(const FPart& Part, const FTransform& Frame, float* Position, float* Orientation) const;
+    void Gather(UPrimitiveComponent& Component, TArray<FLangevinShape>& Shapes) const;
+    bool IsAt(const lr_collider_motion& Motion) const;
     void Destroy(const FEntry& Entry);
 
     lr_world* World;
     FVector Origin;
     const ULangevinSettings& Settings;
     TArray<FEntry> Entries;
+    TArray<lr_collider> Gone; // a restored state can bring them back
 };

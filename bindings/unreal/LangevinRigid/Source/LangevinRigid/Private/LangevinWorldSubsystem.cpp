@@ -242,6 +242,7 @@ bool ULangevinWorldSubsystem::RestoreState(const TArray<uint8>& State) {
         return false;
     }
     Due = 0.0;
+    Colliders->Restored();
     for (FLangevinBatchCalls* Batch : Batches) Batch->WriteAllInstances();
     return true;
 }
