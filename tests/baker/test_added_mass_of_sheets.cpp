@@ -28,7 +28,9 @@ using Vec = Eigen::Vector3d;
 AddedMass solve(const Mesh& mesh, const Refinement& refinement = {}, const Vec& centre = Vec::Zero()) {
     AddedMass result;
     Faults faults;
-    REQUIRE(compute_sheet_added_mass(mesh, centre, refinement, result, faults));
+    AddedMassOptions once;
+    once.as_given = true;
+    REQUIRE(compute_sheet_added_mass(mesh, centre, refinement, result, faults, {}, once));
     CHECK(faults.empty());
     CHECK(result.residual < 1e-9);
     const Eigen::SelfAdjointEigenSolver<Matrix6> eigen(result.value);
@@ -204,6 +206,93 @@ TEST_CASE("strips along the rim bring the values up to the limit, from below") {
         last = value;
     }
     CHECK(last == doctest::Approx(exact).epsilon(0.004));
+}
+
+// A shaft with narrow strips that join it on both sides, as barbs do, one or two quads along each.
+Mesh comb(int barbs, double width, double length) {
+    Mesh mesh;
+    const auto add = [&](double x, double y, double z) {
+        mesh.vertices.emplace_back(x, y, z);
+        return static_cast<uint32_t>(mesh.vertices.size() - 1);
+    };
+    const auto quad = [&](uint32_t a, uint32_t b, uint32_t c, uint32_t d) {
+        mesh.faces.push_back({a, b, c});
+        mesh.faces.push_back({a, c, d});
+    };
+    std::array<uint32_t, 2> last{add(0, -0.01, 0), add(0, 0.01, 0)};
+    for (int i = 0; i < barbs; ++i)
+        for (const double end : {0.5 - 0.5 * width, 0.5 + 0.5 * width}) {
+            const double x = (i + end) / barbs;
+            const std::array<uint32_t, 2> next{add(x, -0.01, 0), add(x, 0.01, 0)};
+            quad(last[0], next[0], next[1], last[1]);
+            for (std::size_t side = 0; side < 2 && end > 0.5; ++side) {
+                std::array<uint32_t, 2> root{last[side], next[side]};
+                for (const double part : {0.5, 1.0}) {
+                    const double y = (side == 0 ? -1.0 : 1.0) * (0.01 + part * length);
+                    const std::array<uint32_t, 2> tip{
+                        add((i + 0.5 - 0.5 * width) / barbs, y, 0.1 * part * part * length),
+                        add(x, y, 0.1 * part * part * length)};
+                    quad(root[0], root[1], tip[1], tip[0]);
+                    root = tip;
+                }
+            }
+            last = next;
+        }
+    return mesh;
+}
+
+TEST_CASE("narrow strips that join a shaft, and pleats: what is stated covers finer panels, and is small") {
+    const Mesh pleats =
+        patch(60, 2, [](double u, double v) { return Vec(u, 0.5 * v, std::lround(60.0 * u) % 2 == 0 ? 0.0 : 0.03); });
+    for (const Mesh& mesh : {comb(16, 0.8, 0.5), pleats}) {
+        AddedMass m;
+        Faults faults;
+        AddedMassOptions hasty;
+        hasty.patient = false;
+        REQUIRE(compute_sheet_added_mass(mesh, {0, 0, 0}, {}, m, faults, {}, hasty));
+        Refinement fine;
+        fine.panels = 12000;
+        AddedMass reference;
+        AddedMassOptions once;
+        once.as_given = true;
+        REQUIRE(compute_sheet_added_mass(mesh, {0, 0, 0}, fine, reference, faults, {}, once));
+        CHECK(m.largest_share() < 0.1);
+        for (Eigen::Index i = 0; i < 6; ++i)
+            for (Eigen::Index j = 0; j <= i; ++j) {
+                CAPTURE(i);
+                CAPTURE(j);
+                const double own = std::sqrt(reference.value(i, i) * reference.value(j, j));
+                CHECK(std::abs(m.value(i, j) - reference.value(i, j)) < m.error(i, j) + 0.02 * own + 1e-9);
+            }
+    }
+}
+
+TEST_CASE("twisted strips of few quads: what is stated covers the couplings that their diagonals make") {
+    // test::patch changes the diagonals' way from quad to quad.
+    const auto strip = [](int along, int across) {
+        Mesh mesh = patch(along, across, [](double u, double v) {
+            const double turn = 1.5 * (u - 0.5), y = 0.25 * (v - 0.5);
+            return Vec(u - 0.5, y * std::cos(turn), y * std::sin(turn));
+        });
+        const auto at = [&](int i, int j) { return static_cast<uint32_t>(i * (across + 1) + j); };
+        mesh.faces.clear();
+        for (int i = 0; i < along; ++i)
+            for (int j = 0; j < across; ++j) {
+                mesh.faces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+                mesh.faces.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+            }
+        return mesh;
+    };
+    const AddedMass reference = solve(strip(48, 12));
+    for (const auto& [along, across] : {std::pair(5, 1), {10, 1}, {10, 2}, {20, 4}}) {
+        CAPTURE(along);
+        CAPTURE(across);
+        AddedMass m;
+        Faults faults;
+        REQUIRE(compute_sheet_added_mass(strip(along, across), {0, 0, 0}, {}, m, faults));
+        for (const auto& [i, j] : {std::pair(0, 1), {1, 3}, {0, 4}, {3, 4}, {2, 5}})
+            CHECK(std::abs(m.value(i, j) - reference.value(i, j)) < m.error(i, j) + reference.error(i, j));
+    }
 }
 
 TEST_CASE("winding, place, unit and axes do not matter") {

@@ -31,7 +31,9 @@ AddedMass solve(const Mesh& mesh, const AddedMassOptions& options, bool sheet = 
     Refinement as_it_is;
     as_it_is.panels = 0;
     as_it_is.strips = 1;
-    const bool good = sheet ? compute_sheet_added_mass(mesh, {0, 0, 0}, as_it_is, result, faults, {}, options)
+    AddedMassOptions once = options;
+    once.as_given = true;
+    const bool good = sheet ? compute_sheet_added_mass(mesh, {0, 0, 0}, as_it_is, result, faults, {}, once)
                             : compute_added_mass(mesh, {0, 0, 0}, result, faults, {}, options);
     REQUIRE(good);
     CHECK(faults.empty());

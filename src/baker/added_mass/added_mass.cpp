@@ -7,6 +7,7 @@
 #include "baker/added_mass/single_cholesky.h"
 #include "baker/added_mass/surface_basis.h"
 #include "baker/added_mass/surface_correction.h"
+#include "baker/mesh/half_edges.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -47,6 +48,11 @@ constexpr double poor_estimate = 0.05;
 // The error of a box with two triangles per side comes from the size of the panels, not from the strips.
 constexpr std::size_t min_refined_panels = 1000;
 constexpr double refined_turn = 0.1; // of the normal along an edge, radians
+// Error estimate of a sheet above which two solutions tell more than one: narrow strips, folds of few faces.
+constexpr double rough_sheet = 0.05;
+constexpr std::size_t least_halved = 500, most_quartered = 40000;
+// The estimate knows nothing of the flow around rims that are not cut into all strips. Needles from rim to rim are up to 1.7 times further off than it.
+constexpr double rim_doubt = 2.0;
 // Condition of the scaled matrix above which phi has less than about six digits.
 constexpr double max_condition = 1e10;
 
@@ -367,6 +373,60 @@ Mesh refine(const Mesh& unit, std::size_t most, std::vector<uint32_t>& origin) {
     return curved;
 }
 
+// The limit of finer panels, by those of coarse panels whose rims are whole, in two strips, and by fine ones, half as large, in two strips. Two strips
+// leave a quarter of the error of one, and where the fine panels at the rim are narrower, less; half as large panels leave half of it at sharp folds, and
+// less where the flow is smooth.
+AddedMass extrapolated(const AddedMass& whole, const AddedMass& cut, AddedMass fine) {
+    const Matrix6 by_strips = cut.value - whole.value, by_panels = fine.value - cut.value;
+    fine.value += by_strips / 5.0 + by_panels / 3.0;
+    clamp_to_positive(fine.value);
+    fine.error =
+        bound_of_energy(by_strips) / 6.0 + bound_of_energy(by_panels) / 1.5 + quadrature_floor * fine.value.cwiseAbs();
+    return fine;
+}
+
+// The other triangles of bent quads: all diagonals the same way couple motions, as those of a screw, that a smooth surface does not. False if no quad is bent.
+bool turn_diagonals(Mesh& mesh) {
+    constexpr double square = 1.25, trapezoid = 0.5, flat = 0.01; // of one diagonal over the other, or over it
+    const std::vector<HalfEdge> halves = sorted_half_edges(mesh);
+    std::vector<char> taken(mesh.faces.size(), 0);
+    bool any = false;
+    for (std::size_t i = 0, end = 0; i < halves.size(); i = end) {
+        while (end < halves.size() && same_edge(halves[i], halves[end])) ++end;
+        if (end - i != 2) continue;
+        Face &f = mesh.faces[halves[i].face], &g = mesh.faces[halves[i + 1].face];
+        const uint32_t a = f[halves[i].side], b = f[(halves[i].side + 1) % 3], c = f[(halves[i].side + 2) % 3];
+        const uint32_t d = g[(halves[i + 1].side + 2) % 3];
+        if (taken[halves[i].face] || taken[halves[i + 1].face] || g[halves[i + 1].side] != b) continue;
+        const auto at = [&](uint32_t v) { return mesh.vertices[v]; };
+        const Eigen::Vector3d diagonal = at(b) - at(a), other = at(d) - at(c), apart = at(a) + at(b) - at(c) - at(d);
+        const Eigen::Vector3d normal = diagonal.cross(other).normalized();
+        const double length = diagonal.norm();
+        const auto is_side = [&](uint32_t v, uint32_t w) {
+            return (at(v) - at(w)).norm() < std::min(length, other.norm());
+        };
+        if (!(other.norm() < square * length) || !(length < square * other.norm()) ||
+            !(apart.norm() < trapezoid * length) || !(std::abs(apart.dot(normal)) > flat * length) || !is_side(a, c) ||
+            !is_side(c, b) || !is_side(b, d) || !is_side(d, a))
+            continue;
+        taken[halves[i].face] = taken[halves[i + 1].face] = 1;
+        f = {a, d, c};
+        g = {d, b, c};
+        any = true;
+    }
+    return any;
+}
+
+// Half of what the other diagonals change, by any solution: smooth surfaces lie between both. Nothing for many faces, between which it is little.
+template <class Solve> Matrix6 diagonals_error(const Mesh& mesh, const Solve& solve) {
+    constexpr std::size_t few = 1000;
+    Mesh turned = mesh;
+    AddedMass first, second;
+    if (mesh.faces.size() > few || !turn_diagonals(turned) || !solve(mesh, first) || !solve(turned, second))
+        return Matrix6::Zero();
+    return 0.5 * (first.value - second.value).cwiseAbs();
+}
+
 CurvedSurface as_facets(const Mesh& mesh) {
     const std::vector<double> zeros(mesh.faces.size(), 0.0);
     return {mesh, zeros, zeros, std::vector<Eigen::Matrix3d>(mesh.faces.size(), Eigen::Matrix3d::Zero()), zeros};
@@ -417,6 +477,13 @@ bool compute_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMa
     else
         faults.insert(faults.end(), found.begin(), found.end());
     if (!good) return false;
+    if (!options.as_given)
+        reading += diagonals_error(unit, [&](const Mesh& faces, AddedMass& m) {
+            Faults unread;
+            GeometryErrors unused;
+            const CurvedSurface facets = as_facets(faces);
+            return solve_solid(facets, Doubts(facets), unused, m, unread, options, [](double) {});
+        });
     // How the faces are read has nothing to do with how well the solution does for them: independent errors add in squares.
     out.error = (out.error.array().square() + reading.array().square()).sqrt().matrix().eval();
     scale_to_size(size, out);
@@ -428,12 +495,45 @@ bool compute_sheet_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, c
                               AddedMass& out, Faults& faults, const Progress& progress,
                               const AddedMassOptions& options) {
     if (!check_size(mesh, faults)) return false;
+    const Progress report = or_nothing(progress);
     double size = 0.0;
-    const Mesh unit = refine_sheet(scale_to_unit(mesh, centre, size), refinement);
-    GeometryErrors geometry;
-    if (!solve_surface(unit, sheet_basis(unit), nullptr, {}, geometry, out, faults, options, or_nothing(progress)))
-        return false;
+    const Mesh unit = scale_to_unit(mesh, centre, size);
+    const auto solve = [&](const Mesh& panels, AddedMass& m, Faults& found, bool patient, double from, double to) {
+        GeometryErrors geometry;
+        AddedMassOptions how = options;
+        how.patient = patient;
+        return solve_surface(panels, sheet_basis(panels), nullptr, {}, geometry, m, found, how,
+                             [&](double f) { report(from + (to - from) * f); });
+    };
+    Faults found;
+    bool good = solve(refine_sheet(unit, refinement), out, found, options.patient, 0.0, 0.4);
+    if (good && refinement.strips < Refinement{}.strips) out.error *= rim_doubt;
+    if (!options.as_given && !(good && is_within(rough_sheet, out))) {
+        Refinement how = refinement;
+        how.strips = 1;
+        how.panels = least_halved;
+        const Mesh whole = refine_sheet(unit, how);
+        how.strips = 2;
+        const Mesh cut = refine_sheet(unit, how);
+        how.panels = 4 * whole.faces.size();
+        AddedMass m[3];
+        Faults found_then;
+        if (how.panels <= most_quartered && solve(refine_sheet(unit, how), m[2], found_then, false, 0.4, 0.8) &&
+            solve(whole, m[0], found_then, false, 0.8, 0.85) && solve(cut, m[1], found_then, false, 0.85, 1.0)) {
+            const AddedMass limit = extrapolated(m[0], m[1], m[2]);
+            if (!good || limit.largest_share() < out.largest_share()) out = limit, found = found_then;
+            good = true;
+        }
+    }
+    faults.insert(faults.end(), found.begin(), found.end());
+    if (!good) return false;
+    if (!options.as_given)
+        out.error += diagonals_error(unit, [&](const Mesh& faces, AddedMass& m) {
+            Faults unread;
+            return solve(refine_sheet(faces, {least_halved, 2}), m, unread, false, 1.0, 1.0);
+        });
     scale_to_size(size, out);
+    report(1.0);
     return true;
 }
 } // namespace lr::baker

@@ -32,7 +32,8 @@ struct AddedMassOptions {
     unsigned threads = 0; // with expansions; 0: one per processor. Does not affect the result.
     // False: gives up where it would take more than some seconds or a gigabyte, as needles and layers that nearly coincide do.
     bool patient = true;
-    // Solves the panels of a closed mesh as they are: no faces that stand for a curve, no second solution on finer panels. For references.
+    // One solution of the panels as they are, of a sheet as they are refined: no faces that stand for a curve, no other readings, no finer panels. For
+    // references.
     bool as_given = false;
 };
 

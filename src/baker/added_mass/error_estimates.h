@@ -27,6 +27,10 @@ struct GeometryErrors {
     Matrix6 reading = Matrix6::Zero();
 };
 
+// The entries of an energy that is at most `most` in every motion, not only along the axes: off the diagonal x^T E y is the difference of the
+// energies of x + y and x - y, which are bounds on both sides, whatever the units of x and y.
+Matrix6 bound_of_energy(const Matrix6& most);
+
 // How another reading of the faces may differ, for each panel.
 struct Doubts {
     std::vector<double> gap; // mean distance

@@ -17,8 +17,6 @@ namespace {
 constexpr std::size_t most_faces[] = {5000, 2500, 1000, 400};
 // With the strips that refine its free rims: what a dense matrix holds.
 constexpr std::size_t most_panels = 8000;
-// The estimate knows nothing of the flow around rims that are not cut into all strips. Needles from rim to rim are up to 1.7 times further off than it.
-constexpr double rim_doubt = 2.0;
 constexpr double too_much_lost = 0.2; // of the largest added mass: then a coarser surface is tried
 constexpr double needle = 1e-4;       // face_shape() of faces that coarser meshes do without
 constexpr double trapped_error =
@@ -221,7 +219,6 @@ bool compute_mixed_added_mass(const BodyParts& parts, const Eigen::Vector3d& cen
         if (!fits && round + 1 < std::size(most_faces)) continue; // the way without a dense matrix takes a minute here
         found.clear();
         if (!compute_sheet_added_mass(shell.skin, centre, refinement, out, found, progress, options)) continue;
-        if (refinement.strips < Refinement{}.strips) out.error *= rim_doubt;
         Matrix6 error;
         const Matrix6 trapped = trapped_fluid(shell.parts, centre, error);
         out.error += error + std::min(0.5, coarse_error * shell.cube / size) * out.value.cwiseAbs();
