@@ -121,6 +121,7 @@ bool solve(BodyMesh& body, const AddedMassOptions& how, AddedMass& out, Faults& 
         rough = direct.value.trace() > 0.0 && !(good && out.largest_share() < direct.largest_share());
         if (rough) out = direct, found.clear(), good = true;
     }
+    if (rough) bound_by_hull(body.mesh, body.is_sheet, out, how);
     if (rough) found.push_back(roughness(out.largest_share()));
     faults.insert(faults.end(), found.begin(), found.end());
     return good;

@@ -83,6 +83,28 @@ TEST_CASE("bake: a pleated sheet of needles, open or a thin solid, is solved as 
         }
 }
 
+TEST_CASE("bake: deep pleats too close to each other for their equations lie between those and the hull with the fluid "
+          "in it") {
+    constexpr double length = 0.5, width = 0.3, height = 0.02;
+    Mesh mesh;
+    constexpr uint32_t folds = 1000;
+    for (uint32_t i = 0; i <= folds; ++i)
+        for (const double y : {0.0, width})
+            mesh.vertices.emplace_back(length * i / folds, y, i % 2 == 0 ? 0.0 : height);
+    for (uint32_t i = 0; i < 2 * folds; i += 2) {
+        mesh.faces.push_back({i, i + 2, i + 3});
+        mesh.faces.push_back({i, i + 3, i + 1});
+    }
+    AssetData asset, block;
+    REQUIRE(test::bake_mesh(mesh, asset));
+    Mesh box = test::box({length, width, height}, {1, 1, 1});
+    REQUIRE(test::bake_mesh(box, block));
+    // Moved broadside, the fluid between the pleats goes along.
+    const double filled = block.added_mass[14] + length * width * height * 0.98;
+    CHECK(std::abs(asset.added_mass[14] - filled) < 1.1 * asset.added_mass_error[14]);
+    CHECK(asset.added_mass_error[14] < 0.3 * asset.added_mass[14]);
+}
+
 TEST_CASE("bake: a rectangle of any number of strips states an error that covers the truth and is small") {
     // 80 x 80 squares and 120 x 60 agree with these within 0.1 %.
     for (const auto& [length, exact] :

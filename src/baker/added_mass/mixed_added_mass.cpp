@@ -1,5 +1,6 @@
 #include "baker/added_mass/mixed_added_mass.h"
 
+#include "baker/added_mass/error_estimates.h"
 #include "baker/mesh/convex_hull.h"
 #include "baker/mesh/mesh_check.h"
 #include "baker/mesh/solid_region.h"
@@ -17,14 +18,13 @@ namespace {
 constexpr std::size_t most_faces[] = {5000, 2500, 1000, 400};
 // With the strips that refine its free rims: what a dense matrix holds.
 constexpr std::size_t most_panels = 8000;
+constexpr double rough = 0.1;         // above it the hull may tell more
 constexpr double too_much_lost = 0.2; // of the largest added mass: then a coarser surface is tried
 constexpr double needle = 1e-4;       // face_shape() of faces that coarser meshes do without
 constexpr double trapped_error =
     0.05;                            // of the trapped fluid's inertia: a box of 48 cells has 1 to 2 %, thin walls more
 constexpr double nearly_full = 0.1;  // of the convex hull, that is hollow
 constexpr double coarse_error = 2.0; // relative, times the size of the cubes over that of the body
-
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 Eigen::Vector3d normal_of(const Mesh& mesh, const Face& f) {
     const Eigen::Vector3d& a = mesh.vertices[f[0]];
@@ -58,30 +58,32 @@ double size_of(const Mesh& mesh) {
     return box.sizes().maxCoeff();
 }
 
+// Of fluid that moves with a body, about a point `arm` before its centroid; own: of its turning about the centroid.
+Matrix6 fluid_inertia(double volume, const Eigen::Vector3d& arm, const Eigen::Matrix3d& own) {
+    Eigen::Matrix3d across;
+    across << 0, -arm.z(), arm.y(), arm.z(), 0, -arm.x(), -arm.y(), arm.x(), 0;
+    Matrix6 m;
+    m << volume * Eigen::Matrix3d::Identity(), -volume * across, volume * across, own - volume * across * across;
+    return m;
+}
+
 // About the centre: translation carries the fluid as if frozen.
 Matrix6 trapped_fluid(const BodyParts& parts, const Eigen::Vector3d& centre, Matrix6& error) {
-    Matrix6 m = Matrix6::Zero();
     error.setZero();
     Mesh solids{parts.mesh.vertices, parts.solids(), {}};
-    if (solids.faces.empty()) return m;
+    if (solids.faces.empty()) return Matrix6::Zero();
     const double size = size_of(solids);
     const SolidRegion region(solids, solids.faces);
     const RegionMoments moments = region.moments(compute_mass_properties(solids));
-    if (!(moments.volume > 1e-9 * size * size * size) || !moments.first.allFinite()) return m;
-    const Eigen::Vector3d centroid = moments.first / moments.volume, arm = centroid - centre;
+    if (!(moments.volume > 1e-9 * size * size * size) || !moments.first.allFinite()) return Matrix6::Zero();
+    const Eigen::Vector3d centroid = moments.first / moments.volume;
     const Eigen::Matrix3d spread = moments.second - moments.volume * centroid * centroid.transpose();
     const Eigen::Matrix3d own =
         trapped_fluid_inertia(region, centroid, spread.trace() * Eigen::Matrix3d::Identity() - spread);
-    Eigen::Matrix3d across;
-    across << 0, -arm.z(), arm.y(), arm.z(), 0, -arm.x(), -arm.y(), arm.x(), 0;
-    m.topLeftCorner<3, 3>() = moments.volume * Eigen::Matrix3d::Identity();
-    m.topRightCorner<3, 3>() = -moments.volume * across;
-    m.bottomLeftCorner<3, 3>() = m.topRightCorner<3, 3>().transpose();
-    m.bottomRightCorner<3, 3>() = own - moments.volume * across * across;
     error.bottomRightCorner<3, 3>() = trapped_error * own.cwiseAbs();
     const double twice = std::abs(moments.counted - moments.volume);
     error.topLeftCorner<3, 3>().diagonal().setConstant(0.05 * twice);
-    return m;
+    return fluid_inertia(moments.volume, centroid - centre, own);
 }
 
 // Rounding and coarseness can leave less than nothing in a direction in which the body hardly moves fluid. Returns how much less, over the most, and
@@ -163,6 +165,22 @@ bool solve_hull(const Hull& hull, double share, const Eigen::Vector3d& centre, A
               : "Delete one of two layers that lie on each other, and unite parts that cross (boolean union)."});
     return true;
 }
+Matrix6 frozen(const MassProperties& body, const Eigen::Vector3d& centre = {0, 0, 0}) {
+    return fluid_inertia(body.volume, body.centroid - centre, body.inertia);
+}
+
+// displaced: the inertia of the fluid in the body's place.
+void bound(const Hull& hull, const Matrix6& displaced, const Eigen::Vector3d& centre, AddedMass& out,
+           const AddedMassOptions& options) {
+    AddedMass most, between = out;
+    Faults found;
+    if (!solve_hull(hull, 0.0, centre, most, found, {}, options)) return;
+    most.value += most.error - displaced;
+    if (!hull.is_flat) most.value += frozen(hull.filled, centre);
+    between.value = 0.5 * (out.value + most.value);
+    between.error = bound_of_energy(0.5 * (most.value - out.value));
+    if (between.largest_share() < out.largest_share()) out = between;
+}
 } // namespace
 
 BodyParts outer_skin(const BodyParts& parts) {
@@ -193,6 +211,12 @@ BodyParts outer_skin(const BodyParts& parts) {
     return out;
 }
 
+void bound_by_hull(const Mesh& mesh, bool is_sheet, AddedMass& out, const AddedMassOptions& options) {
+    Hull hull;
+    if (make_hull(mesh, hull))
+        bound(hull, is_sheet ? Matrix6::Zero() : frozen(compute_mass_properties(mesh)), {0, 0, 0}, out, options);
+}
+
 bool compute_mixed_added_mass(const BodyParts& parts, const Eigen::Vector3d& centre, AddedMass& out, Faults& faults,
                               const Progress& progress, const AddedMassOptions& options) {
     const double size = size_of(parts.mesh);
@@ -221,8 +245,10 @@ bool compute_mixed_added_mass(const BodyParts& parts, const Eigen::Vector3d& cen
         if (!compute_sheet_added_mass(shell.skin, centre, refinement, out, found, progress, options)) continue;
         Matrix6 error;
         const Matrix6 trapped = trapped_fluid(shell.parts, centre, error);
-        out.error += error + std::min(0.5, coarse_error * shell.cube / size) * out.value.cwiseAbs();
+        out.error += error;
         out.value -= trapped;
+        if (has_hull && shell.cube == 0.0 && out.largest_share() > rough) bound(hull, trapped, centre, out, options);
+        out.error += std::min(0.5, coarse_error * shell.cube / size) * out.value.cwiseAbs();
         const double lost = make_positive(out.value, out.error, size);
         if (lost > (round + 1 < std::size(most_faces) ? too_much_lost : 1.0)) continue;
         if (shell.cube > 0.0)

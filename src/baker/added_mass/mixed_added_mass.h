@@ -14,4 +14,8 @@ BodyParts outer_skin(const BodyParts& parts);
 // Larger meshes are made coarser by cluster(), to the size where the equations can be solved; the error tells. Fluid density 1.
 bool compute_mixed_added_mass(const BodyParts& parts, const Eigen::Vector3d& centre, AddedMass& out, Faults& faults,
                               const Progress& progress = {}, const AddedMassOptions& options = {});
+
+// For a solution of coarse elements, about the origin, whose energy is too small. No body in a convex hull moves more fluid than the hull and all that it
+// holds (Thomson's theorem): takes the middle between both, if that states a smaller error.
+void bound_by_hull(const Mesh& mesh, bool is_sheet, AddedMass& out, const AddedMassOptions& options);
 } // namespace lr::baker
