@@ -34,15 +34,19 @@ struct Leaving {
     // m/s, of a body that falls as soon as it has woken, else 0: it has lost its support, and so has a body that it falls away from, which is out of
     // reach a substep later.
     Vector falls;
-    float fast;  // m/s, half of the fall in a substep
-    bool moved;  // since the substep before, however little
+    float fast; // m/s, half of the fall in a substep
+    // m/s, at both ends of the substep: a body that sinks on a lift moves the same way at both, one that trembles in a heap does not.
+    Vector before, after;
     bool gone;   // out of the place where it has been
     float clear; // m: half of the gap beyond which a contact is not found
     Vector down; // of length 2
 
     bool falls_from(Vector normal) const { return dot(normal, falls) > fast; }
     // Whether what it bears, by a normal from that to the body, can have lost it, at any speed.
-    bool leaves(Vector normal, float gap) const { return dot(normal, down) > 1.0f && (gone || (moved && gap > clear)); }
+    bool leaves(Vector normal, float gap) const {
+        return dot(normal, down) > 1.0f &&
+               (gone || (gap > clear && dot(normal, before) > 0.0f && dot(normal, after) > 0.0f));
+    }
 };
 
 // v0, w0, v: before and after the substep, body frame.
@@ -51,7 +55,8 @@ Leaving leaving(const ContactStep& step, Vector gravity, const ContactCache& boo
     Leaving out{};
     if (book.stay[0][body.index] == 0.0f && dot(v0, v0) + dot(w0, w0) == 0.0f) out.falls = rotate(now.rotation, v);
     out.fast = 0.5f * step.gravity * h;
-    out.moved = body.moved;
+    out.before = rotate(now.rotation, v0);
+    out.after = rotate(now.rotation, v);
     out.gone = !(way_in_place(book, body) < body.place);
     out.clear = 0.5f * contact_margin(body.reach, now.position, step.gravity, h);
     if (step.gravity > 0.0f) out.down = 2.0f / step.gravity * gravity;

@@ -72,6 +72,7 @@ lr_aerodynamics lively(const Case& c, const Asset& asset) {
         a.plate_stall[k] = 0.25 + 5.0 * part;
     }
     a.plate_separated_shedding = 0.05;
+    a.shedding_reynolds = 0.6 * a.wake_length / c.shape.fluid_viscosity; // about that of these motions
     a.plate_drag = 0.2 * d * d;
     // The wake advances between substeps, which RK4's order does not survive: test_wake.cpp.
     a.intensity = a.start_drag = a.wake_share = a.shedding_moment = a.shedding_rate_moment = 0.0;

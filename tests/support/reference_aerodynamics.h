@@ -68,7 +68,7 @@ struct ReferenceLoads {
             slope += part * at.plate_lift[i], vortex += part * at.plate_vortex[i];
             stall += part / at.plate_stall[i];
         }
-        const double sine2 = u[n] * u[n] / u2, limit = 1.0 / stall;
+        const double sine2 = u[n] * u[n] / u2, limit = 1.0 / (1.0 + open_wake(s) * (stall - 1.0));
         const double attached =
             along > 0.0 ? (1.0 - sine2) / (1.0 - sine2 + (1.0 - limit) * std::pow(sine2 / limit, 4.0)) : 0.0;
         const Vec behind = lag - v;
@@ -79,8 +79,10 @@ struct ReferenceLoads {
                              ((1.0 - attached) * separated + start) * v[n];
         return {0.5 * scale * scale * force, (1.0 - attached) * at.plate_separated_shedding * shedding_share(s)};
     }
+    double over_onset(double s) const { return at.shedding_reynolds * viscosity / (s * at.wake_length * scale); }
+    double open_wake(double s) const { return 1.0 - 0.6 * std::min(std::pow(over_onset(s), 2.0), 1.0); }
     double shedding_share(double s) const {
-        const double x = at.shedding_reynolds * viscosity / (s * at.wake_length * scale);
+        const double x = over_onset(s);
         return std::max(1.0 - std::pow(x, 4.0) * std::pow(30.0 * light / (1.0 + 30.0 * light), 2.0), 0.0);
     }
     Vec along_axes(Vec a) const {

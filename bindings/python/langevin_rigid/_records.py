@@ -425,7 +425,7 @@ class Aerodynamics(Record):
     wake_length: Memory: u follows v at the rate max(s, |u|)/(wake_lag wake_length). Attached, N takes wake_share of its stream from u. m, > 0
     wake_lag: > 0
     wake_share: 0 to 1
-    strouhal: Vortex shedding above the Reynolds number shedding_reynolds of wake_length: an oscillator q in the plate with the frequency strouhal s/wake_length and the moment rho v_n^2 n x (shedding_moment q + shedding_rate_moment r), r the rate of q over 2 pi times the frequency. It starts from the fluctuations.
+    strouhal: Vortex shedding above the Reynolds number shedding_reynolds of wake_length: an oscillator q in the plate with the frequency strouhal s/wake_length and the moment rho v_n^2 n x (shedding_moment q + shedding_rate_moment r), r the rate of q over 2 pi times the frequency. It starts from the fluctuations. At shedding_reynolds and below, the wake remembers for 2.5 times as long, and the stream stalls later: 1/plate_stall - 1 counts 0.4 times.
     shedding_growth: >= 0
     shedding_reynolds: >= 0
     shedding_noise: >= 0: of r by the fluctuations

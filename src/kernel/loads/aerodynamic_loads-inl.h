@@ -24,6 +24,12 @@ HWY_INLINE VF speed_squared(Vec3 v) {
     return dot(v, v) + constant(1e-20f);
 }
 
+// Below the onset of shedding a plate's wake is closed: it is renewed slowly, and stalls late. 1 far above the onset.
+HWY_INLINE VF open_wake(VF calm) {
+    const VF one = constant(1.0f);
+    return one - constant(0.6f) * hn::Min(calm, one);
+}
+
 // The flow past a plate: the stream that its attached part follows, which is partly that of the wake, and the share that is attached.
 struct PlateFlow {
     VF across, x2, y2, along2, inverse_along2, attached; // x2, y2, along2: squares along the plate
@@ -31,7 +37,7 @@ struct PlateFlow {
 template <class T> HWY_INLINE VF along_plate(const T* k, const PlateFlow& flow) {
     return constant(k[0]) * flow.x2 + constant(k[1]) * flow.y2;
 }
-template <class A> HWY_INLINE PlateFlow plate_flow(const A& c, Vec3 lag, Vec3 v) {
+template <class A> HWY_INLINE PlateFlow plate_flow(const A& c, VF nu, VF inverse_s, Vec3 lag, Vec3 v) {
     const VF one = constant(1.0f);
     // A stream exactly along the normal is as one along both other axes by turns.
     const VF least = constant(1e-20f);
@@ -45,7 +51,8 @@ template <class A> HWY_INLINE PlateFlow plate_flow(const A& c, Vec3 lag, Vec3 v)
     out.inverse_along2 = one / out.along2;
     const VF s2 = out.along2 + a2;
     // (sin a)^2 over that of the stall angle, to the fourth power against (cos a)^2: half of each at the stall angle.
-    const VF stall = hn::Max(along_plate(c.plate_stall, out) * out.inverse_along2, one);
+    const VF critical = constant(c.shedding_reynolds) * nu * inverse_s, open = open_wake(critical * critical);
+    const VF stall = open * hn::Max(along_plate(c.plate_stall, out) * out.inverse_along2 - one, hn::Zero(DF())) + one;
     VF x = a2 * stall / s2;
     x *= x;
     const VF kept = out.along2 * stall;
@@ -69,7 +76,7 @@ struct Stream {
 // A plate's normal force -N n is drag N v_n/s^2 and circulation N/s^2 (n x v). The drag is never negative: a wake does not push.
 template <class A> HWY_INLINE Stream stream_loads(const A& c, const Held& held, VF nu, Vec3 lag, Vec3 v, Vec3 u) {
     const VF s2 = speed_squared(v), s = hn::Sqrt(s2), inverse_s2 = constant(1.0f) / s2, root = hn::Sqrt(s * nu);
-    const PlateFlow flow = plate_flow(c, lag, v);
+    const PlateFlow flow = plate_flow(c, nu, s * inverse_s2, lag, v);
     const Vec3 behind = lag - v;
     const VF sheared_off = v.x * v.x + v.y * v.y;
     const VF lift = held.lift * flow.attached * flow.inverse_along2;
@@ -122,7 +129,9 @@ HWY_INLINE void advance_wake(const StepInput& in, const A& c, const Held& held, 
     const VF cosine = (one - t * t) * over, sine = (t + t) * over;
     // A wake outlives the body's motion by its own time, not for ever.
     const VF moved = constant(in.h) * held.inverse_length * hn::Sqrt(hn::Max(speed_squared(b.lag), s * s));
-    const VF x = moved * constant(c.wake_rate), keep = one / (x * (half * x + one) + one);
+    const VF steady = constant(c.shedding_reynolds) * nu * inverse_s, calm = steady * steady;
+    const VF rate_of_wake = constant(c.wake_rate) * (in.body.stations.count == 0 ? open_wake(calm) : one);
+    const VF x = moved * rate_of_wake, keep = one / (x * (half * x + one) + one);
     const Vec3 turned{cosine * b.lag.x + sine * b.lag.y, cosine * b.lag.y - sine * b.lag.x, b.lag.z};
     b.lag = v + keep * (turned - v);
 
@@ -141,8 +150,7 @@ HWY_INLINE void advance_wake(const StepInput& in, const A& c, const Held& held, 
         size2 = q[i] * q[i] + (q[i + 2] * q[i + 2] + size2);
     }
     // size' = growth angle (limit - size) size, by its exact solution; size: half the square of (q, r).
-    const VF steady = constant(c.shedding_reynolds) * nu * inverse_s;
-    const VF limit = hn::Max(hn::Abs(v.z) * inverse_s - steady * steady, constant(-3.0f));
+    const VF limit = hn::Max(hn::Abs(v.z) * inverse_s - calm, constant(-3.0f));
     const VF rate = constant(c.shedding_growth) * angle, y = rate * limit, yy = hn::Abs(y);
     const VF rise = half * yy + one, exponential = hn::Min(yy * rise + one, constant(1e15f));
     const auto grows = y >= zero;
@@ -463,7 +471,8 @@ HWY_INLINE Middle loads_in_middle(float h, const C& c, const Held& held, VF nu, 
 template <bool kFull, class C> HWY_INLINE Vec3 splitting_motion(float h, const C& c, Held& held, VF nu, Body& b) {
     const auto& a = c.aerodynamics;
     const Vec3 v = centre_velocity<kFull>(a, b.t);
-    held.shed = shed_mass(a, plate_flow(a, b.lag, v), nu, constant(1.0f) / hn::Sqrt(speed_squared(v)));
+    const VF inverse_s = constant(1.0f) / hn::Sqrt(speed_squared(v));
+    held.shed = shed_mass(a, plate_flow(a, nu, inverse_s, b.lag, v), nu, inverse_s);
     free_step<kFull, true>(0.5f * h, c, held, b);
     const Middle middle = loads_in_middle<kFull>(h, c, held, nu, b);
     const VF most = constant(a.most_shed);

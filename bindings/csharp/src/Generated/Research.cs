@@ -77,8 +77,9 @@ namespace LangevinRigid
         public double WakeShare;
         /// <summary>Vortex shedding above the Reynolds number shedding_reynolds of wake_length: an oscillator q in the
         /// plate with the frequency strouhal s/wake_length and the moment rho v_n^2 n x (shedding_moment q +
-        /// shedding_rate_moment r), r the rate of q over 2 pi times the frequency. It starts from the
-        /// fluctuations.</summary>
+        /// shedding_rate_moment r), r the rate of q over 2 pi times the frequency. It starts from the fluctuations. At
+        /// shedding_reynolds and below, the wake remembers for 2.5 times as long, and the stream stalls later:
+        /// 1/plate_stall - 1 counts 0.4 times.</summary>
         public double Strouhal;
         /// <summary>&gt;= 0</summary>
         public double SheddingGrowth;
