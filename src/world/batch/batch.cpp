@@ -218,7 +218,7 @@ void Batch::forget_shelter(uint32_t index) {
 }
 
 void Batch::doubt(uint32_t index) {
-    const float unknown = lee_unknown;
+    float unknown = lee_unknown;
     __atomic_store(columns_.row<float>(column_lee) + index, &unknown, __ATOMIC_RELAXED);
     sleeping_->try_wind_again();
 }
