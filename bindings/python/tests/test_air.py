@@ -17,6 +17,10 @@ from support import WorldCase, lr, thin_leaf
 
 
 class Wind(WorldCase):
+    def setUp(self):
+        super().setUp()
+        signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell's background jobs ignore it
+
     def test_sources_blow_as_they_say(self):
         self.world.set_uniform_wind((3, 0, 1))
         np.testing.assert_allclose(self.world.sample_wind((5, 5, 5)), [3, 0, 1])
