@@ -308,26 +308,30 @@ void BodyContactStep::put_back(uint32_t place, uint32_t substep) {
     body.still *= heap_still;
     TouchList touched;
     float least = c.deepest[place];
+    bool bears = false; // a sleeping body may lie on it
     each_held(place, [&](uint32_t k, float impulse) {
         const uint32_t at = c.first_held[place] + k;
         const bool asleep = c.held[at].collider == ContactGroup::a_body;
+        bears |= asleep;
         if (!(impulse >= 0.0f)) return;
         touched.take(c.held[at].collider + 1, impulse);
         if (!asleep) return;
         least = std::min(least, c.held_contacts[at].gap);
     });
     if (least < no_contact) body.place = place_in_heap(body, least, *member.run.step.shape, from.scale, fall * h);
-    const Leaving leaves =
-        leaving(member.run.step, vector_of(world_->gravity), member.run.book, body, now(from), v0, w0, v, h);
-    each_held(place, [&](uint32_t k, float impulse) {
-        const uint32_t held = c.first_held[place] + k;
-        if (c.held[held].collider != ContactGroup::a_body) return;
-        const Vector normal = c.held_frames[held].normal;
-        if ((impulse >= 0.0f && body.speed > body.moving) || leaves.falls_from(normal))
-            wake(c.held[held].at_rest);
-        else if (leaves.leaves(normal, c.held_contacts[held].gap))
-            doubt(c.held[held].at_rest);
-    });
+    if (bears) {
+        const Leaving leaves =
+            leaving(member.run.step, vector_of(world_->gravity), member.run.book, body, now(from), v0, w0, v, h);
+        each_held(place, [&](uint32_t k, float impulse) {
+            const uint32_t held = c.first_held[place] + k;
+            if (c.held[held].collider != ContactGroup::a_body) return;
+            const Vector normal = c.held_frames[held].normal;
+            if ((impulse >= 0.0f && body.speed > body.moving) || leaves.falls_from(normal))
+                wake(c.held[held].at_rest);
+            else if (leaves.leaves(normal, c.held_contacts[held].gap))
+                doubt(c.held[held].at_rest);
+        });
+    }
     if (c.deepest[place] < no_contact) touched.take(touching_body, 0.0f);
     body.touches = touched.id[0] != 0;
     std::copy_n(touched.id, most_touches, body.now);
