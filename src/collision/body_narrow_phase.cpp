@@ -27,15 +27,9 @@ Float4 rows_of(Vector v, float behind) {
 Float4 size_of(Float4 a) {
     return greater(a, -a);
 }
-Float4 next(Float4 a) {
-    return shuffled<1, 2, 0, 3>(a);
-}
-Float4 after_next(Float4 a) {
-    return shuffled<2, 0, 1, 3>(a);
-}
 
-// Whether the boxes about the cores are farther apart than `enough` along any of the fifteen axes (Gottschalk et al. 1996). True for NaN.
-// direction: from b to a, along the box axis of the largest separation or least overlap.
+// Whether the boxes about the cores are farther apart than `enough` along an axis of either; the search for the nearest points finds what only an
+// edge keeps apart. True for NaN. direction: from b to a, along the box axis of the largest separation or least overlap.
 bool boxes_apart(const RelativePair& pair, float enough, Vector& direction) {
     const Vector half_a = pair.a->core_half, half_b = pair.ratio * pair.b->core_half, t = pair.offset;
     constexpr float never = 1e30f; // the last lane is not an axis
@@ -43,23 +37,13 @@ bool boxes_apart(const RelativePair& pair, float enough, Vector& direction) {
     // b's axes, and their components along each of a's.
     const Float4 u = rows_of(pair.axes[0], 0.0f), v = rows_of(pair.axes[1], 0.0f), w = rows_of(pair.axes[2], 0.0f);
     const Float4 x{u[0], v[0], w[0], 0.0f}, y{u[1], v[1], w[1], 0.0f}, z{u[2], v[2], w[2], 0.0f};
-    const Float4 size_x = size_of(x), size_y = size_of(y), size_z = size_of(z);
     const Float4 along_a = rows_of(t, 0.0f), along_b = x * t.x + y * t.y + z * t.z;
     const Float4 apart_a =
         size_of(along_a) - (a + half_b.x * size_of(u) + half_b.y * size_of(v) + half_b.z * size_of(w));
-    const Float4 apart_b = size_of(along_b) - (b + half_a.x * size_x + half_a.y * size_y + half_a.z * size_z);
+    const Float4 apart_b =
+        size_of(along_b) - (b + half_a.x * size_of(x) + half_a.y * size_of(y) + half_a.z * size_of(z));
     const Float4 most = all(enough);
-    const Int4 near = (apart_a <= most) & (apart_b <= most);
-    // Cross products are at most 1 long: `enough` errs on the safe side for them.
-    const auto across = [&](Float4 j, Float4 k, float tj, float tk, float aj, float ak, Float4 size_j, Float4 size_k,
-                            Float4 size_i) {
-        return size_of(tk * j - tj * k) -
-               (aj * size_k + ak * size_j + next(b) * after_next(size_i) + after_next(b) * next(size_i));
-    };
-    const Int4 edges = (across(y, z, t.y, t.z, half_a.y, half_a.z, size_y, size_z, size_x) <= most) &
-                       (across(z, x, t.z, t.x, half_a.z, half_a.x, size_z, size_x, size_y) <= most) &
-                       (across(x, y, t.x, t.y, half_a.x, half_a.y, size_x, size_y, size_z) <= most);
-    if (any(~(near & edges))) return true;
+    if (any(~((apart_a <= most) & (apart_b <= most)))) return true;
     Greatest best(apart_a);
     best.offer(apart_b, 4);
     uint32_t at = 0;
