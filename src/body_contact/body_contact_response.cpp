@@ -37,15 +37,19 @@ struct Leaving {
     float fast; // m/s, half of the fall in a substep
     // m/s, at both ends of the substep: a body that sinks on a lift moves the same way at both, one that trembles in a heap does not.
     Vector before, after;
+    bool moves;  // it wakes what it touches
     bool gone;   // out of the place where it has been
     float clear; // m: half of the gap beyond which a contact is not found
     Vector down; // of length 2
 
-    bool falls_from(Vector normal) const { return dot(normal, falls) > fast; }
-    // Whether what it bears, by a normal from that to the body, can have lost it, at any speed.
-    bool leaves(Vector normal, float gap) const {
-        return dot(normal, down) > 1.0f &&
-               (gone || (gap > clear && dot(normal, before) > 0.0f && dot(normal, after) > 0.0f));
+    // Wakes a sleeping body, or has it tried if it can have lost what it lies on. normal: from that to the body.
+    void tell(const lr_world& world, const ContactGroup::Asleep& other, bool touched, Vector normal, float gap) const {
+        Batch& batch = *world.batches[other.batch].batch;
+        const bool leaves = gone || (gap > clear && dot(normal, before) > 0.0f && dot(normal, after) > 0.0f);
+        if ((touched && moves) || dot(normal, falls) > fast)
+            batch.note_sleep(other.index);
+        else if (dot(normal, down) > 1.0f && leaves)
+            batch.doubt(other.index);
     }
 };
 
@@ -57,6 +61,7 @@ Leaving leaving(const ContactStep& step, Vector gravity, const ContactCache& boo
     out.fast = 0.5f * step.gravity * h;
     out.before = rotate(now.rotation, v0);
     out.after = rotate(now.rotation, v);
+    out.moves = body.speed > body.moving;
     out.gone = !(way_in_place(book, body) < body.place);
     out.clear = 0.5f * contact_margin(body.reach, now.position, step.gravity, h);
     if (step.gravity > 0.0f) out.down = 2.0f / step.gravity * gravity;
@@ -76,14 +81,6 @@ bool one_frame(const BodyContactFrame& a, const BodyContactFrame& b) {
            a.restitution == b.restitution && a.solid == b.solid;
 }
 } // namespace
-
-void BodyContactStep::wake(const ContactGroup::Asleep& at_rest) const {
-    world_->batches[at_rest.batch].batch->note_sleep(at_rest.index);
-}
-
-void BodyContactStep::doubt(const ContactGroup::Asleep& at_rest) const {
-    world_->batches[at_rest.batch].batch->doubt(at_rest.index);
-}
 
 void BodyContactStep::hold(uint32_t substep, Held which) {
     const auto groups_of = [](const BodyContactBatch& member) { return (member.count + lanes - 1) / lanes; };
@@ -145,10 +142,7 @@ void BodyContactStep::hold_group(const BodyContactBatch& member, uint32_t first,
         enter_body(member.run.book, body, may_sleep(*member.run.step.settings), taken.h, last(substep),
                    [&](uint32_t collider) { return group.touch_with(i, collider, taken); });
         group.visit_asleep(i, [&](const ContactGroup::Asleep& other, const SlotContact& s, bool touched) {
-            if ((touched && body.speed > body.moving) || leaves.falls_from(s.normal))
-                wake(other);
-            else if (leaves.leaves(s.normal, s.gap))
-                doubt(other);
+            leaves.tell(*world_, other, touched, s.normal, s.gap);
         });
     }
 }
@@ -323,17 +317,13 @@ void BodyContactStep::put_back(uint32_t place, uint32_t substep) {
         const Leaving leaves =
             leaving(member.run.step, vector_of(world_->gravity), member.run.book, body, now(from), v0, w0, v, h);
         each_held(place, [&](uint32_t k, float impulse) {
-            const uint32_t held = c.first_held[place] + k;
-            if (c.held[held].collider != ContactGroup::a_body) return;
-            const Vector normal = c.held_frames[held].normal;
-            if ((impulse >= 0.0f && body.speed > body.moving) || leaves.falls_from(normal))
-                wake(c.held[held].at_rest);
-            else if (leaves.leaves(normal, c.held_contacts[held].gap))
-                doubt(c.held[held].at_rest);
+            const uint32_t at = c.first_held[place] + k;
+            if (c.held[at].collider == ContactGroup::a_body)
+                leaves.tell(*world_, c.held[at].at_rest, impulse >= 0.0f, c.held_frames[at].normal,
+                            c.held_contacts[at].gap);
         });
     }
     if (c.deepest[place] < no_contact) touched.take(touching_body, 0.0f);
-    body.touches = touched.id[0] != 0;
     std::copy_n(touched.id, most_touches, body.now);
     enter_body(member.run.book, body, may_sleep(*member.run.step.settings), h, last(substep),
                [&](uint32_t collider) { return touch_with(place, collider); });

@@ -158,8 +158,6 @@ private:
     void fill_body(uint32_t place);
     uint32_t list_units();
     void put_back(uint32_t place, uint32_t substep);
-    void wake(const ContactGroup::Asleep& at_rest) const;
-    void doubt(const ContactGroup::Asleep& at_rest) const; // it is tried before it wakes
     Touch touch_with(uint32_t place, uint32_t collider) const;
     // Calls function(k, impulse) for each contact of a body with fixed things; impulse as of BodyContactSolver::pressed.
     template <class Function> void each_held(uint32_t place, const Function& function) const;

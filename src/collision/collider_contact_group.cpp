@@ -78,7 +78,6 @@ SurfaceMotion motion_of(const Collider& c, const ContactSubstep& substep) {
 
 ContactGroup::ContactGroup(const ContactStep& step, const StepInput& in, const BatchArrays& arrays, uint32_t count)
     : step_(&step), body_(&in.body), water_(in.water), arrays_(arrays), count_(count) {
-    std::fill(touches_, touches_ + contact_lanes, false);
     for (uint32_t i = 0; i < count; ++i) {
         Near& near = near_[i];
         const Box box = vicinity(step, arrays, i, step.dt);
@@ -307,7 +306,6 @@ void ContactGroup::collect(const ContactSubstep& substep) {
     std::fill(filled_, filled_ + contact_lanes, uint8_t{0});
     find_floors(substep);
     stop_before_passing_through(substep);
-    std::fill(touches_, touches_ + contact_lanes, false);
     touch_grounds(substep);
     for (uint32_t i = 0; i < count_; ++i) touch_others(i, substep);
     for (uint32_t i = 0; i < count_ && step_->sleeping; ++i) touch_sleeping(i, substep);
@@ -343,8 +341,6 @@ void ContactGroup::solve(const ContactSubstep& substep, const float* submerged) 
     resolve(substep);
     leave_floors(substep);
     stay_in_front(substep);
-    for (uint32_t i = 0; i < count_; ++i)
-        for (uint32_t k = 0; k < filled_[i]; ++k) touches_[i] = touches_[i] || slots_.slot[k].impulse[i] >= 0.0f;
 }
 
 // Thin bodies do not roll: with the reach as the lever the couple would hold them leaning on an edge.
@@ -373,7 +369,7 @@ void TouchList::take(uint32_t one, float impulse) {
 
 void ContactGroup::touched(uint32_t i, uint32_t (&out)[4]) const {
     TouchList list;
-    for (uint32_t k = 0; k < filled_[i] && touches_[i]; ++k)
+    for (uint32_t k = 0; k < filled_[i]; ++k)
         if (slots_.slot[k].impulse[i] >= 0.0f) list.take(slots_.slot[k].collider[i] + 1, slots_.slot[k].impulse[i]);
     std::copy_n(list.id, 4, out);
 }

@@ -181,7 +181,6 @@ public:
     void touched(uint32_t lane, uint32_t (&out)[4]) const;
     // The touch with one of them in that substep: its strongest contact, and the impulse of all.
     Touch touch_with(uint32_t lane, uint32_t collider, const ContactSubstep& substep) const;
-    bool touches(uint32_t lane) const { return touches_[lane]; }
     // m/s^2, of its fall from rest in the fluid that it is in.
     float fall(uint32_t lane) const { return step_->gravity * (wet_[lane] ? water_->fall : 1.0f); }
 
@@ -218,7 +217,6 @@ private:
     uint32_t ground_count_ = 0;
     uint32_t grounds_[contact_lanes * most_candidates]; // room for all: other bodies must not displace any
     uint8_t filled_[contact_lanes];
-    bool touches_[contact_lanes];
     bool wet_[contact_lanes] = {}; // carries the water's added mass
     Near near_[contact_lanes];
     MeshFloor floor_[contact_lanes]; // of this substep

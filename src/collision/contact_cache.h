@@ -67,15 +67,15 @@ inline constexpr float time_to_stay = 1.0f, stay_way = 0.02f; // s
 
 struct BodyAfter {
     uint32_t index;
-    float speed;         // m/s, of its fastest point
-    float still, moving; // m/s: below `still` it lies still, above `moving` it moves
-    float place;         // m: it stays in place within this
-    bool moved;          // at least one bit of its pose changed
-    Vector way, turn;    // m, world frame; rad, body frame: of the substep
-    Vector extent;       // m, along its axes
-    float reach;         // m
-    bool touches;
+    float speed;                // m/s, of its fastest point
+    float still, moving;        // m/s: below `still` it lies still, above `moving` it moves
+    float place;                // m: it stays in place within this
+    bool moved;                 // at least one bit of its pose changed
+    Vector way, turn;           // m, world frame; rad, body frame: of the substep
+    Vector extent;              // m, along its axes
+    float reach;                // m
     uint32_t now[most_touches]; // as ContactCache::touching
+    bool touches() const { return now[0] != 0; }
 };
 
 // Bound of the way of any point of a body with these extents by a small turn, m; or of its speed by a spin, m/s.
@@ -160,13 +160,13 @@ void enter_body(const ContactCache& book, const BodyAfter& body, bool may_sleep,
                 const TouchWith& touch_with) {
     const uint32_t at = body.index;
     // A body that trembles up to ten times as fast takes four times as long; one that has not moved by a bit, a tenth.
-    const bool moves = !body.touches || body.speed > body.moving;
+    const bool moves = !body.touches() || body.speed > body.moving;
     const float share = moves ? 0.0f : body.speed > body.still ? 0.25f : body.moved ? 1.0f : 10.0f;
     book.still_time[at] = share > 0.0f ? book.still_time[at] + share * seconds : 0.0f;
-    const bool stayed = stays(book, body, seconds) && body.touches;
+    const bool stayed = stays(book, body, seconds) && body.touches();
     if (last && may_sleep && (stayed || book.still_time[at] >= time_to_sleep)) book.falls_asleep(book.batch, at);
-    if (body.now[0] == 0) book.lee[at] = 0.0f;
-    if (!last && body.now[0] == 0) return; // the contact can return within the step
+    if (!body.touches()) book.lee[at] = 0.0f;
+    if (!last && !body.touches()) return; // the contact can return within the step
     if (book.notes.noted) note_touches(book, body, touch_with);
     for (size_t k = 0; k < most_touches; ++k) book.touching[k][at] = body.now[k];
 }

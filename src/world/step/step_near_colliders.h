@@ -30,7 +30,6 @@ BodyAfter body_after(const ContactRun& run, const ContactGroup& group, uint32_t 
                      uint32_t at, const LaneRow* before) {
     BodyAfter body = body_moved(index, *run.step.shape, rows[field_scale][at], run.still, vector_in(rows, field_vx, at),
                                 vector_in(rows, field_wx, at), pose_in(before, lane), pose_in(rows, at));
-    body.touches = group.touches(lane);
     group.touched(lane, body.now);
     return body;
 }
