@@ -13,8 +13,10 @@ namespace {
 constexpr size_t max_asset_bytes = size_t{1} << 30;
 constexpr char const* rebake = "Bake the asset again.";
 
-void fail(Faults& faults, FaultId id, std::string where, std::string what, std::string remedy = rebake) {
+// Returns false.
+bool fail(Faults& faults, FaultId id, std::string where, std::string what, std::string remedy = rebake) {
     faults.push_back({id, Severity::error, std::move(where), std::move(what), std::move(remedy)});
+    return false;
 }
 
 uint64_t checksum_without(const uint8_t* bytes, size_t size, size_t field_offset) {
@@ -60,10 +62,7 @@ public:
     }
 
 private:
-    void wrong(FaultId id, const char* field, std::string what) {
-        fail(faults_, id, field, std::move(what));
-        ok_ = false;
-    }
+    void wrong(FaultId id, const char* field, std::string what) { ok_ = fail(faults_, id, field, std::move(what)); }
     Faults& faults_;
     bool ok_ = true;
 };
@@ -205,48 +204,35 @@ std::vector<uint8_t> write_asset(const AssetData& d) {
 }
 
 bool read_asset(const void* bytes, size_t size, AssetData& out, Faults& faults) {
-    if (size < 16) {
-        fail(faults, FaultId::asset_too_short, "byte " + std::to_string(size), "The file ends before its header.");
-        return false;
-    }
-    if (size > max_asset_bytes) {
-        fail(faults, FaultId::file_too_large, "file", "An asset is at most 1 GiB.");
-        return false;
-    }
+    if (size < 16)
+        return fail(faults, FaultId::asset_too_short, "byte " + std::to_string(size),
+                    "The file ends before its header.");
+    if (size > max_asset_bytes) return fail(faults, FaultId::file_too_large, "file", "An asset is at most 1 GiB.");
     // FlatBuffers requires aligned eight-byte values; the caller's bytes can have any alignment.
     std::vector<uint64_t> aligned((size + 7) / 8);
     std::memcpy(aligned.data(), bytes, size);
     const auto* data = reinterpret_cast<const uint8_t*>(aligned.data());
 
-    if (!format::AssetBufferHasIdentifier(data)) {
-        fail(faults, FaultId::asset_foreign, "byte 4", "The identifier is not LRBA: this is not an asset file.",
-             "Give a file that lr_bake made.");
-        return false;
-    }
+    if (!format::AssetBufferHasIdentifier(data))
+        return fail(faults, FaultId::asset_foreign, "byte 4", "The identifier is not LRBA: this is not an asset file.",
+                    "Give a file that lr_bake made.");
     flatbuffers::Verifier verifier(data, size, 16, 10000);
-    if (!format::VerifyAssetBuffer(verifier)) {
-        fail(faults, FaultId::asset_corrupt, "structure", "The file is truncated or damaged.",
-             "Copy it again from its source, or bake it again.");
-        return false;
-    }
+    if (!format::VerifyAssetBuffer(verifier))
+        return fail(faults, FaultId::asset_corrupt, "structure", "The file is truncated or damaged.",
+                    "Copy it again from its source, or bake it again.");
     const format::Asset& asset = *format::GetAsset(data);
-    if (asset.format_version() > asset_format_version) {
-        fail(faults, FaultId::asset_newer_version, "format_version",
-             "The file has format " + std::to_string(asset.format_version()) + ", this library reads up to " +
-                 std::to_string(asset_format_version) + ".",
-             "Update the library, or bake with the baker of this version.");
-        return false;
-    }
+    if (asset.format_version() > asset_format_version)
+        return fail(faults, FaultId::asset_newer_version, "format_version",
+                    "The file has format " + std::to_string(asset.format_version()) + ", this library reads up to " +
+                        std::to_string(asset_format_version) + ".",
+                    "Update the library, or bake with the baker of this version.");
     const size_t at = checksum_offset(asset, data);
-    if (asset.format_version() == 0 || at == 0) {
-        fail(faults, FaultId::asset_missing_field, at == 0 ? "checksum" : "format_version", "The field is missing.");
-        return false;
-    }
-    if (asset.checksum() != checksum_without(data, size, at)) {
-        fail(faults, FaultId::asset_checksum, "checksum", "The bytes have changed since they were written.",
-             "Copy it again from its source, or bake it again.");
-        return false;
-    }
+    if (asset.format_version() == 0 || at == 0)
+        return fail(faults, FaultId::asset_missing_field, at == 0 ? "checksum" : "format_version",
+                    "The field is missing.");
+    if (asset.checksum() != checksum_without(data, size, at))
+        return fail(faults, FaultId::asset_checksum, "checksum", "The bytes have changed since they were written.",
+                    "Copy it again from its source, or bake it again.");
     return decode(asset, out, faults) && check_asset(out, faults) && check_plausible(out, faults);
 }
 } // namespace lr

@@ -39,10 +39,8 @@ public:
             for (size_t j = 0; j < i; ++j) {
                 const double a = m[i * n + j], b = m[j * n + i];
                 const double size = std::sqrt(std::abs(m[i * n + i] * m[j * n + j])) + std::abs(a) + std::abs(b);
-                if (std::abs(a - b) > 1e-6 * size) {
-                    fail(FaultId::asset_not_symmetric, entry(field, i, j), "The matrix is not symmetric.");
-                    return;
-                }
+                if (std::abs(a - b) > 1e-6 * size)
+                    return fail(FaultId::asset_not_symmetric, entry(field, i, j), "The matrix is not symmetric.");
             }
     }
     void fail(FaultId id, std::string where, std::string what, std::string remedy = "Bake the asset again.") {
@@ -71,23 +69,18 @@ void check_matrices(const AssetData& d, Checker& check) {
     Matrix6 body = rigid_mass_matrix(d.mass, d.inertia);
     scale_to_unit(body, d.mass, d.length_d);
     for (size_t i = 3; i < 6; ++i)
-        if (!(body[i * 6 + i] > 1e-10 && body[i * 6 + i] < 10.0)) {
-            check.fail(FaultId::asset_out_of_range, Checker::entry("inertia", i - 3, i - 3),
-                       "The moment of inertia does not fit the mass and the length d.");
-            return;
-        }
-    if (!is_positive_definite(body, 1e-10)) {
-        check.fail(FaultId::asset_not_positive, "inertia", "The inertia is not positive definite.");
-        return;
-    }
+        if (!(body[i * 6 + i] > 1e-10 && body[i * 6 + i] < 10.0))
+            return check.fail(FaultId::asset_out_of_range, Checker::entry("inertia", i - 3, i - 3),
+                              "The moment of inertia does not fit the mass and the length d.");
+    if (!is_positive_definite(body, 1e-10))
+        return check.fail(FaultId::asset_not_positive, "inertia", "The inertia is not positive definite.");
     Matrix6 added = d.added_mass;
     const double unit = d.volume + d.projected_area * d.length_d;
     scale_to_unit(added, unit, d.length_d);
     for (double v : added)
-        if (std::abs(v) > 100.0) {
-            check.fail(FaultId::asset_out_of_range, "added_mass", "An entry is far too large for a body of this size.");
-            return;
-        }
+        if (std::abs(v) > 100.0)
+            return check.fail(FaultId::asset_out_of_range, "added_mass",
+                              "An entry is far too large for a body of this size.");
     // Semi-definite: about an axis of revolution the added inertia is zero, and a solver's error can leave slightly less.
     for (size_t i = 0; i < 6; ++i) added[i * 6 + i] += 1e-5;
     if (!is_positive_definite(added, 0.0))
@@ -95,24 +88,18 @@ void check_matrices(const AssetData& d, Checker& check) {
 }
 
 void check_table(const TurbulenceData& t, Checker& check) {
-    if (t.chi.empty() || t.chi.size() > 65536) {
-        check.fail(FaultId::asset_wrong_length, "turbulence.chi",
-                   "A table has 1 to 65536 samples, not " + std::to_string(t.chi.size()) + ".");
-        return;
-    }
-    if (t.epsilon.size() != t.chi.size()) {
-        check.fail(FaultId::asset_wrong_length, "turbulence.epsilon",
-                   "It has " + std::to_string(t.epsilon.size()) + " samples, chi has " + std::to_string(t.chi.size()) +
-                       ".");
-        return;
-    }
+    if (t.chi.empty() || t.chi.size() > 65536)
+        return check.fail(FaultId::asset_wrong_length, "turbulence.chi",
+                          "A table has 1 to 65536 samples, not " + std::to_string(t.chi.size()) + ".");
+    if (t.epsilon.size() != t.chi.size())
+        return check.fail(FaultId::asset_wrong_length, "turbulence.epsilon",
+                          "It has " + std::to_string(t.epsilon.size()) + " samples, chi has " +
+                              std::to_string(t.chi.size()) + ".");
     if (!check.finite(t.chi, "turbulence.chi") || !check.finite(t.epsilon, "turbulence.epsilon")) return;
     for (size_t i = 0; i < t.chi.size(); ++i)
-        if (t.chi[i] < 0.0 || t.chi[i] > 1e4 || t.epsilon[i] < 0.0 || t.epsilon[i] > 1e6) {
-            check.fail(FaultId::asset_out_of_range, "turbulence[" + std::to_string(i) + "]",
-                       "chi* lies within 0 to 1e4 and epsilon* within 0 to 1e6.");
-            return;
-        }
+        if (t.chi[i] < 0.0 || t.chi[i] > 1e4 || t.epsilon[i] < 0.0 || t.epsilon[i] > 1e6)
+            return check.fail(FaultId::asset_out_of_range, "turbulence[" + std::to_string(i) + "]",
+                              "chi* lies within 0 to 1e4 and epsilon* within 0 to 1e6.");
     if (t.stationary >= t.chi.size())
         check.fail(FaultId::asset_out_of_range, "turbulence.stationary", "It points past the end of the table.");
     if (t.loop_begin > t.loop_end || t.loop_end > t.chi.size())
@@ -176,25 +163,18 @@ namespace {
 void check_hull(const AssetData& d, Checker& check) {
     const HullData& h = d.hull;
     if (h.vertices.empty() && h.triangles.empty()) return;
-    if (h.vertices.size() % 3 != 0 || h.triangles.size() % 3 != 0 || h.vertices.size() < 12 ||
-        h.triangles.size() < 12) {
-        check.fail(FaultId::asset_bad_hull, "hull", "A hull has at least four vertices and four triangles.");
-        return;
-    }
+    if (h.vertices.size() % 3 != 0 || h.triangles.size() % 3 != 0 || h.vertices.size() < 12 || h.triangles.size() < 12)
+        return check.fail(FaultId::asset_bad_hull, "hull", "A hull has at least four vertices and four triangles.");
     if (!check.finite(h.vertices, "hull.vertices")) return;
     const double reach = 2.0 * d.length_d + 1e-12;
     for (size_t i = 0; i < h.vertices.size(); ++i)
-        if (std::abs(static_cast<double>(h.vertices[i])) > reach) {
-            check.fail(FaultId::asset_bad_hull, "hull.vertices[" + std::to_string(i) + "]",
-                       "The vertex lies far outside the body's largest extent.");
-            return;
-        }
+        if (std::abs(static_cast<double>(h.vertices[i])) > reach)
+            return check.fail(FaultId::asset_bad_hull, "hull.vertices[" + std::to_string(i) + "]",
+                              "The vertex lies far outside the body's largest extent.");
     for (size_t i = 0; i < h.triangles.size(); ++i)
-        if (h.triangles[i] >= h.vertices.size() / 3) {
-            check.fail(FaultId::asset_bad_hull, "hull.triangles[" + std::to_string(i) + "]",
-                       "The index is past the last vertex.");
-            return;
-        }
+        if (h.triangles[i] >= h.vertices.size() / 3)
+            return check.fail(FaultId::asset_bad_hull, "hull.triangles[" + std::to_string(i) + "]",
+                              "The index is past the last vertex.");
     if (const auto flaw = find_hull_flaw(h, d.length_d))
         check.fail(flaw->id, "hull.triangles[" + std::to_string(3 * flaw->triangle) + "]", flaw->what);
 }
