@@ -404,7 +404,7 @@ Touch ContactGroup::touch_with(uint32_t i, uint32_t collider, const ContactSubst
 
 NearContacts::NearContacts(const ContactStep& step, const BatchArrays& arrays, uint32_t live, uint32_t begin,
                            uint32_t end, float dt)
-    : begin_(begin), end_(begin), live_(live) {
+    : begin_(begin), end_(begin) {
     constexpr uint32_t at_a_time = field_block / 2;
     const uint32_t last = std::min(end, begin + near_range);
     const bool all_grounds = step.colliders->all_grounds(step.settings->layers);
@@ -436,12 +436,6 @@ NearContacts::NearContacts(const ContactStep& step, const BatchArrays& arrays, u
         }
         end_ = to;
     }
-}
-
-bool NearContacts::others(uint32_t begin) const {
-    for (uint32_t i = begin; i < std::min(begin + static_cast<uint32_t>(lane_block), live_); ++i)
-        if (near_[i - begin_] == 0) return true;
-    return false;
 }
 
 // Ground effect: a disc of radius a that comes down flat on a wall at the height z sets the air under it in motion, with the

@@ -266,11 +266,10 @@ public:
                 if (class_of(index_[i]) == c) sorted[at++] = index_[i];
         std::copy_n(sorted, count_, index_);
     }
-    // Whether this lane block has a body that is not among them.
-    bool others(uint32_t begin) const;
+    const uint32_t* marks() const { return near_; } // of each body from `begin` on: 0 if it is not among them
 
 private:
-    uint32_t begin_, end_, live_, count_ = 0;
+    uint32_t begin_, end_, count_ = 0;
     alignas(64) uint32_t near_[near_range];
     uint32_t index_[field_block];
 };

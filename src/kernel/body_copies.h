@@ -63,10 +63,16 @@ template <size_t kMost> struct BodyCopies {
     }
 };
 
-// Calls step(begin, end) for the lane blocks of [at, last) that contain a body without a copy, as others(begin) tells.
-template <class Others, class Step>
-void step_others(uint32_t at, uint32_t last, const Others& others, const Step& step) {
+// Calls step(begin, end) for the lane blocks of [at, last) that contain a body without a copy. live: bodies of the batch. copied: of each from `at`
+// on; 0: it has none.
+template <class Step>
+void step_others(uint32_t at, uint32_t last, uint32_t live, const uint32_t* copied, const Step& step) {
     constexpr auto lanes = static_cast<uint32_t>(lane_block);
+    const auto others = [&](uint32_t begin) {
+        for (uint32_t i = begin; i < std::min(begin + lanes, live); ++i)
+            if (copied[i - at] == 0) return true;
+        return false;
+    };
     for (uint32_t from = at; from < last;) {
         uint32_t to = from;
         while (to < last && others(to)) to += lanes;

@@ -136,9 +136,7 @@ void step_near_colliders(const ContactRun& run, const StepInput& in, const Batch
         if (copies) step_far(run, in, arrays, batch, near, states, at, std::min(last, live));
         states.take(arrays, near.count(), index);
         states.take_forces(in.external, index, true);
-        if (!copies)
-            step_others(
-                at, last, [&](uint32_t block) { return near.others(block); }, step);
+        if (!copies) step_others(at, last, live, near.marks(), step);
         for (uint32_t first = 0; first < near.count(); first += lanes) step_group(run, in, batch, states, near, first);
         states.put_back(arrays, index);
     }

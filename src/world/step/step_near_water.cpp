@@ -5,7 +5,7 @@
 namespace lr {
 namespace {
 
-constexpr auto lanes = static_cast<uint32_t>(lane_block), most = static_cast<uint32_t>(field_block);
+constexpr auto most = static_cast<uint32_t>(field_block);
 
 // m, besides the way at their velocity, that wind and forces can carry bodies in all substeps but the first.
 double carried(const StepInput& in, const StepTime& time) {
@@ -17,7 +17,7 @@ double carried(const StepInput& in, const StepTime& time) {
 
 NearBodies::NearBodies(const WaterStep& step, const StepInput& in, const BatchArrays& from, uint32_t live,
                        uint32_t begin, uint32_t end, double dt, double reach, bool forget)
-    : step_(&step), begin_(begin), live_(live) {
+    : step_(&step), begin_(begin) {
     step.target->surface.near(step.surface->at(step.time.begin), step.surface->highest() + static_cast<float>(reach),
                               *in.water, static_cast<float>(dt), length(vector_of(step.gravity)), from, begin, end,
                               near_);
@@ -27,12 +27,6 @@ NearBodies::NearBodies(const WaterStep& step, const StepInput& in, const BatchAr
     copies_.take(from, count_, [this](uint32_t i) { return index_[i]; });
     copies_.take_forces(
         in.external, [this](uint32_t i) { return index_[i]; }, forget);
-}
-
-bool NearBodies::others(uint32_t begin) const {
-    for (uint32_t i = begin; i < std::min(begin + lanes, live_); ++i)
-        if (near_[i - begin_] == 0) return true;
-    return false;
 }
 
 void NearBodies::set_wind(const float (&wind)[3][field_block]) {
@@ -97,9 +91,8 @@ void step_lanes(const KernelTarget& target, const WaterStep* surface, const Step
     for (uint32_t at = begin; at < end; at += most) {
         const uint32_t last = std::min(at + most, end);
         NearBodies near(step, in, arrays, live, at, last, step.time.h * step.time.substeps, reach, true);
-        step_others(
-            at, last, [&](uint32_t block) { return near.others(block); },
-            [&](uint32_t from, uint32_t to) { step.target->step(in, arrays, from, to); });
+        step_others(at, last, live, near.marks(),
+                    [&](uint32_t from, uint32_t to) { step.target->step(in, arrays, from, to); });
         if (!near.any()) continue;
         near.run(in, batch, 0, step.time.substeps);
         near.put_back(arrays, submerged ? submerged + (at - begin) : nullptr);

@@ -23,8 +23,7 @@ public:
                uint32_t end, double dt, double reach, bool forget);
 
     bool any() const { return count_ != 0; }
-    // Whether this lane block, within the range, has a body that was not copied.
-    bool others(uint32_t begin) const;
+    const uint32_t* marks() const { return near_; } // of each body from `begin` on: 0 if it is not among them
 
     // Sets the wind of the upper fluid at all of [begin, end).
     void set_wind(const float (&wind)[3][field_block]);
@@ -37,8 +36,7 @@ private:
     void sample(double time, lr_batch batch, SurfaceInstant& plane, SurfaceBlock& block);
 
     const WaterStep* step_;
-    uint32_t begin_, live_;
-    uint32_t count_ = 0;
+    uint32_t begin_, count_ = 0;
     bool windy_ = false;
     alignas(64) uint32_t near_[field_block];
     uint32_t index_[field_block];
