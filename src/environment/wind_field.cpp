@@ -40,7 +40,7 @@ lr_status WindField::make(const SourceDesc& desc, double time, uint64_t seed, Gr
     source->desc.samples = nullptr;
     source->since = time;
     source->grid = grid;
-    if (desc.kind == SourceDesc::gusts) source->gusts = gusts_of(desc, seed);
+    if (desc.kind == SourceDesc::gusts) source->gusts = Gusts(desc, seed);
     out = source;
     return LR_OK;
 }
@@ -155,7 +155,7 @@ void WindField::fill(FieldInstant& to, SourceInstant* sources, double time, cons
         if (!slot.source) continue;
         const uint32_t instants = slot.source->instants();
         if (instants == 0) continue; // gusts are part of the uniform wind
-        slot.source->at(time, seed, carried.way, carried.velocity, sources + to.source_count);
+        slot.source->at(time, seed, carried, sources + to.source_count);
         to.source_count += instants;
         to.reference += slot.source->fastest();
         ground = ground || slot.source->desc.kind == SourceDesc::ground;

@@ -75,10 +75,6 @@ private:
         WindSource* source;
         uint32_t generation; // of the source in it, or of the next
     };
-    // Way and velocity of the uniform wind, which carries turbulence along.
-    struct Carried {
-        double way[3], velocity[3];
-    };
     lr_status make(const SourceDesc& desc, double time, uint64_t seed, GridSamples* grid, WindSource*& out);
     lr_status put(Slot& slot, const SourceDesc& desc, double since, uint64_t seed, GridSamples* grid);
     // Its memory is kept for the next source.

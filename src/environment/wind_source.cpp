@@ -160,12 +160,6 @@ uint64_t hash_samples(const SourceDesc& d, const float* samples) {
     return hash;
 }
 
-Gusts gusts_of(const SourceDesc& d, uint64_t world_seed) {
-    const Double3 direction = to_double(vector_of(d.direction));
-    return {wide(d.speed), direction / length(direction), wide(d.spread), duration(d),
-            CounterRandom(world_seed, d.seed, 0, Draws::gusts)};
-}
-
 uint32_t WindSource::instants() const {
     if (desc.kind == SourceDesc::gusts) return 0;
     return desc.kind == SourceDesc::turbulence ? desc.octaves : 1;
@@ -193,8 +187,8 @@ float WindSource::fastest() const {
 namespace {
 
 // Makes one instant per octave.
-void turbulence_at(const SourceDesc& desc, double time, double age, uint64_t world_seed, const double drift[3],
-                   const double drift_velocity[3], SourceInstant* out) {
+void turbulence_at(const SourceDesc& desc, double time, double age, uint64_t world_seed, const Carried& carried,
+                   SourceInstant* out) {
     double energy = 0.0, length = 0.0, part = 1.0, cell = 1.0;
     for (uint32_t o = 0; o < desc.octaves; ++o, part *= octave_energy, cell *= 0.5)
         energy += part, length += part * cell;
@@ -214,8 +208,8 @@ void turbulence_at(const SourceDesc& desc, double time, double age, uint64_t wor
         s.inverse_spacing[0] = narrow(1.0 / cell);
         double way[3];
         for (size_t k = 0; k < 3; ++k) {
-            way[k] = drift[k] + age * static_cast<double>(desc.velocity[k]);
-            s.motion[k] = narrow(drift_velocity[k] + static_cast<double>(desc.velocity[k]));
+            way[k] = carried.way[k] + age * static_cast<double>(desc.velocity[k]);
+            s.motion[k] = narrow(carried.velocity[k] + static_cast<double>(desc.velocity[k]));
         }
         for (size_t i = 0; i < 3; ++i) {
             double moved = 0.0;
@@ -242,8 +236,7 @@ void turbulence_at(const SourceDesc& desc, double time, double age, uint64_t wor
 }
 } // namespace
 
-void WindSource::at(double time, uint64_t world_seed, const double drift[3], const double drift_velocity[3],
-                    SourceInstant* out) const {
+void WindSource::at(double time, uint64_t world_seed, const Carried& carried, SourceInstant* out) const {
     SourceInstant s{};
     const double age = time - since;
     const Double3 position = to_double(vector_of(desc.position)) + age * to_double(vector_of(desc.velocity));
@@ -317,13 +310,15 @@ void WindSource::at(double time, uint64_t world_seed, const double drift[3], con
         s.inverse_log = narrow(1.0 / shape::portable_log(1.0 + static_cast<double>(desc.reference_height) / size));
         break;
     default:
-        turbulence_at(desc, time, age, world_seed, drift, drift_velocity, out);
-        return;
+        return turbulence_at(desc, time, age, world_seed, carried, out);
     }
     *out = s;
 }
 
-Gusts::Gusts(double rms, Double3 d, double spread, double period, CounterRandom random) {
+Gusts::Gusts(const SourceDesc& desc, uint64_t world_seed) {
+    const Double3 given = to_double(vector_of(desc.direction)), d = given / length(given);
+    const double rms = wide(desc.speed), spread = wide(desc.spread), period = duration(desc);
+    CounterRandom random(world_seed, desc.seed, 0, Draws::gusts);
     const double ratio = shape::portable_pow(highest / lowest, 1.0 / static_cast<double>(modes));
     double angle[modes], energy[modes], total = 0.0, angles = 0.0;
     double edge = lowest;

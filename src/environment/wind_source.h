@@ -186,8 +186,7 @@ public:
     static constexpr size_t modes = 48;
 
     Gusts() = default;
-    // m/s, root mean square; a unit vector; rad, root mean square; s, integral time.
-    Gusts(double rms, Double3 direction, double spread, double period, CounterRandom random);
+    Gusts(const SourceDesc& desc, uint64_t world_seed);
     // Adds the velocity at an age in s: any age, without state between calls, and nothing before the beginning.
     void add(double age, double (&velocity)[3]) const;
 
@@ -215,6 +214,11 @@ Outcome check_wind_source(const SourceDesc& desc);
 uint64_t sample_count(const SourceDesc& desc);
 uint64_t hash_samples(const SourceDesc& desc, const float* samples);
 
+// Way and velocity of the uniform wind, which carries turbulence along.
+struct Carried {
+    double way[3], velocity[3];
+};
+
 struct WindSource {
     SourceDesc desc;   // without samples
     double since;      // s, world time at which it was at desc.position, or its gusts began
@@ -224,10 +228,6 @@ struct WindSource {
     uint64_t hash() const { return grid ? grid->hash : 0; } // of its samples
     uint32_t instants() const;                              // how many SourceInstants it makes
     float fastest() const;                                  // m/s, a bound of its velocities, or a typical speed
-    // drift, drift_velocity: way and velocity of the uniform wind. out: instants() of them.
-    void at(double time, uint64_t world_seed, const double drift[3], const double drift_velocity[3],
-            SourceInstant* out) const;
+    void at(double time, uint64_t world_seed, const Carried& carried, SourceInstant* out) const; // instants() of them
 };
-
-Gusts gusts_of(const SourceDesc& desc, uint64_t world_seed);
 } // namespace lr
