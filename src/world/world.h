@@ -108,7 +108,6 @@ struct lr_world {
     // capacity 0 disables them.
     lr_status set_events(uint32_t capacity, uint32_t kinds);
     void recheck_contacts();             // colliders have been destroyed
-    void resume_events();                // after a restore: contacts exist, without events
     bool reserve_contact();              // of all batches; false when out of memory
     float contact_reach(float dt) const; // m, for the broad phase
     // m/s that bodies of a batch can gain in `dt`: limits how far they search for contacts.

@@ -3,6 +3,7 @@
 #include "world/batch/batch.h"
 #include "world/world.h"
 
+#include <cstring>
 #include <iterator>
 #include <utility>
 
@@ -58,12 +59,35 @@ void ContactEvents::clear(uint32_t slot) {
     met_[slot] = {};
 }
 
-void ContactEvents::resume(const Batch& batch, const Colliders& colliders) {
+void ContactEvents::begin() {
     ended_.count = entries_.count = 0;
     all_ = false;
     for (uint32_t i = 0; i < noted_.size(); ++i) clear(i);
+}
+
+void ContactEvents::resume(const Batch& batch, const Colliders& colliders) {
+    begin();
     looks_ = colliders.any() && batch.contact().layers != 0;
     for (uint32_t i = 0; i < batch.count(); ++i) held_[unpack(batch.ids()[i]).slot] = now_held(batch, i, colliders);
+}
+
+uint32_t ContactEvents::pending(const Batch& batch, const Colliders& colliders) const {
+    const bool looks = colliders.any() && batch.contact().layers != 0;
+    if (!all_ && looks == looks_ &&
+        std::none_of(noted_.data(), noted_.data() + noted_.size(), [](uint8_t n) { return n; }))
+        return 0;
+    uint32_t bits = pending_any;
+    if (all_) bits |= pending_all;
+    if (looks_) bits |= pending_looks;
+    return bits;
+}
+
+void ContactEvents::resume(uint32_t pending, const void* noted, const void* held) {
+    begin();
+    all_ = (pending & pending_all) != 0;
+    looks_ = (pending & pending_looks) != 0;
+    std::memcpy(noted_.data(), noted, noted_.size());
+    std::memcpy(static_cast<void*>(held_.data()), held, held_.size() * held_bytes);
 }
 
 // The colliders that a body touches at the end of a step.
@@ -202,12 +226,5 @@ lr_status lr_world::set_events(uint32_t capacity, uint32_t kinds) {
 void lr_world::recheck_contacts() {
     each_batch([](Batch& batch, uint32_t) {
         if (batch.events()) batch.events()->recheck();
-    });
-}
-
-void lr_world::resume_events() {
-    events.begin_step();
-    each_batch([this](Batch& batch, uint32_t) {
-        if (batch.events()) batch.events()->resume(batch, colliders);
     });
 }

@@ -46,6 +46,14 @@ public:
     // Takes contacts from the batch's arrays, without events.
     void resume(const Batch& batch, const Colliders& colliders);
 
+    // For snapshots between steps. What the next step tells and the batch's arrays do not have: 0, or bits that resume() takes with both arrays.
+    uint32_t pending(const Batch& batch, const Colliders& colliders) const;
+    static bool consistent(uint32_t pending) { return pending <= (pending_any | pending_all | pending_looks); }
+    static constexpr uint32_t held_bytes = sizeof(lr_collider) * most_touches;
+    void* noted() { return noted_.data(); }
+    void* held() { return held_.data(); }
+    void resume(uint32_t pending, const void* noted, const void* held);
+
     // At the end of a step of the world; stepped: the batch took part in it. ended: LR_EVENT_KILLED or LR_EVENT_RESPAWNED.
     void tell(const Batch& batch, lr_batch handle, const Colliders& colliders, bool stepped, int32_t ended,
               EventList& to);
@@ -62,6 +70,7 @@ private:
         uint32_t noise_seed, slot;
         uint32_t at; // dense index, or place among the ended
     };
+    enum : uint32_t { pending_any = 1, pending_all = 2, pending_looks = 4 };
     static constexpr uint32_t ended_bit = 1u << 31; // above every index
     struct Held {
         lr_collider collider[most_touches]; // 0 after the last
@@ -69,6 +78,8 @@ private:
             return std::find(collider, collider + most_touches, one) != collider + most_touches;
         }
     };
+    static_assert(sizeof(Held) == held_bytes);
+    void begin();
     Held now_held(const Batch& batch, uint32_t index, const Colliders& colliders) const;
     Held still_held(uint32_t slot, const Colliders& colliders) const;
     void tell_body(const Batch& batch, uint32_t index, lr_batch handle, const Colliders& colliders, bool stepped,

@@ -177,8 +177,8 @@ bool table_consistent(const SavedBatch& s) {
 
 class SnapshotAccess {
 public:
-    static void save(const lr_world::BatchSlot& slot, Writer& to) {
-        const SnapshotBatch h = header(slot);
+    static void save(const lr_world::BatchSlot& slot, const Colliders& colliders, Writer& to) {
+        const SnapshotBatch h = header(slot, colliders);
         to.record(h);
         for (uint32_t piece = 0; piece < batch_pieces && slot.batch; ++piece)
             to.bytes(live(*slot.batch, piece), piece_bytes(h, piece));
@@ -198,7 +198,7 @@ public:
             has(part_gust) != batch->columns_.has(part_gust))
             return LR_ERROR_SNAPSHOT_MISMATCH;
         if (h.count > h.capacity || h.awake > h.count || (h.awake < h.count) != has(part_sleep) ||
-            h.table.count > 65536 || !usable_loads(h, *batch) ||
+            h.table.count > 65536 || !ContactEvents::consistent(h.events) || !usable_loads(h, *batch) ||
             !BatchClock::consistent(h.pace, world.time, world.substep_count) || wrong_in(h.options) ||
             !SleepingBodies::consistent(h.sleep) || !Lifecycle::consistent(h.lifecycle) || wrong_batch_force(h.force) ||
             h.contact.struct_size != sizeof h.contact || wrong_in(h.contact) || left < s.bytes() ||
@@ -216,7 +216,7 @@ public:
         return room ? LR_OK : LR_ERROR_OUT_OF_MEMORY;
     }
 
-    static void restore(Batch& b, const SavedBatch& s) {
+    static void restore(Batch& b, const SavedBatch& s, const Colliders& colliders) {
         const SnapshotBatch& h = s.header;
         const uint32_t before = b.count_, parts_before = parts_of(b);
         forget_other_boxes(b, s);
@@ -248,6 +248,10 @@ public:
         b.faults.noted = 1; // some can have diverged since the last step
         b.faults.last = 0;
         if (b.lifecycle_) b.lifecycle_->restore(h.lifecycle);
+        if (b.events() && h.events != 0)
+            b.events()->resume(h.events, s.at(piece_noted), s.at(piece_held));
+        else if (b.events()) // contacts exist, without events
+            b.events()->resume(b, colliders);
         b.columns_.clear(b.awake_, b.count_, field_vx, 6);
         b.columns_.clear(b.awake_, b.count_, column_force, force_components);
         if (!b.sleeping_) return;
@@ -268,7 +272,7 @@ private:
         move(h.options, b.options);
         move(h.diverged, b.faults.total);
     }
-    static SnapshotBatch header(const lr_world::BatchSlot& slot) {
+    static SnapshotBatch header(const lr_world::BatchSlot& slot, const Colliders& colliders) {
         SnapshotBatch h{};
         move_slot(h, slot, to_saved);
         if (!slot.batch) return h;
@@ -283,6 +287,7 @@ private:
         h.pace = b.pace.record();
         if (b.awake_ < b.count_) h.sleep = b.sleeping_->state();
         h.contact = b.contact();
+        if (b.events()) h.events = b.events()->pending(b, colliders);
         to_saved(h.force, b.external.batch());
         if (b.lifecycle_) h.lifecycle = b.lifecycle_->state();
         return h;
@@ -298,6 +303,8 @@ private:
         if (piece < piece_dense) return b.columns_.bytes(piece);
         if (piece == piece_dense) return b.dense_.data();
         if (piece == piece_generations) return b.generations_.data();
+        if (piece >= piece_noted)
+            return !b.events() ? nullptr : piece == piece_noted ? b.events()->noted() : b.events()->held();
         return b.table_.data() + (piece == piece_chi ? 0 : b.table_head_.count);
     }
     // Sleeping bodies in the same place keep their boxes: recomputed ones would be equal.
@@ -341,7 +348,7 @@ void write(const lr_world& w, const SnapshotHeader& header, Writer& to) {
             [&](unsigned char* at) { ColliderSnapshot::save(w.colliders, at); });
     to.bytes(w.pairs.links(), sizeof(uint32_t) * uint64_t{w.pairs.link_count()});
     to.bytes(w.pair_cache.pairs(), sizeof(CachedPair) * uint64_t{w.pair_cache.count()});
-    for (uint32_t i = 0; i < w.batch_slots; ++i) SnapshotAccess::save(w.batches[i], to);
+    for (uint32_t i = 0; i < w.batch_slots; ++i) SnapshotAccess::save(w.batches[i], w.colliders, to);
 }
 } // namespace
 
@@ -448,12 +455,12 @@ lr_status snapshot_restore(lr_world& w, const void* memory) {
     for (uint32_t i = 0; i < w.batch_slots; ++i) {
         const SavedBatch saved(begin + at);
         move_slot(saved.header, w.batches[i], to_live);
-        if (w.batches[i].batch) SnapshotAccess::restore(*w.batches[i].batch, saved);
+        if (w.batches[i].batch) SnapshotAccess::restore(*w.batches[i].batch, saved, w.colliders);
         at += saved.bytes();
     }
     move_world(header, w, to_live);
     w.pacing.restore(header.pacing);
-    w.resume_events();
+    w.events.begin_step();
     return LR_OK;
 }
 } // namespace lr

@@ -151,19 +151,29 @@ struct SnapshotBatch {
     SleepingBodies::State sleep;
     lr_batch_contact contact;
     float force[force_components];
-    uint32_t unused; // 0: padding would differ from machine to machine
+    uint32_t events; // ContactEvents::pending; 0 while events are off
     Lifecycle::State lifecycle;
 };
-static_assert(offsetof(SnapshotBatch, lifecycle) == offsetof(SnapshotBatch, unused) + sizeof(uint32_t));
+static_assert(offsetof(SnapshotBatch, lifecycle) == offsetof(SnapshotBatch, events) + sizeof(uint32_t));
 static_assert(std::is_trivially_copyable_v<SnapshotHeader> && std::is_trivially_copyable_v<SnapshotBatch>);
 static_assert(sizeof(SnapshotHeader) >= 64);
 static_assert(sizeof(SnapshotHeader) % 8 == 0 && sizeof(SnapshotBatch) % 8 == 0);
 
-// Pieces of a batch: its columns; then dense indices and generations, by slot; then the samples of its table.
-enum BatchPiece : uint32_t { piece_dense = column_count, piece_generations, piece_chi, piece_epsilon, batch_pieces };
+// Pieces of a batch: its columns; then dense indices and generations, by slot; then the samples of its table; then, by slot, what ContactEvents has yet to tell.
+enum BatchPiece : uint32_t {
+    piece_dense = column_count,
+    piece_generations,
+    piece_chi,
+    piece_epsilon,
+    piece_noted,
+    piece_held,
+    batch_pieces
+};
 
 // Bytes of a piece, without padding.
 constexpr uint64_t piece_bytes(const SnapshotBatch& h, uint32_t piece) {
+    if (piece >= piece_noted)
+        return h.events != 0 ? uint64_t{piece == piece_noted ? 1 : ContactEvents::held_bytes} * h.capacity : 0;
     if (piece >= piece_dense) return 4 * uint64_t{piece < piece_chi ? h.capacity : h.table.count};
     const Column& column = body_columns[piece];
     return column.saved && (h.parts >> column.part & 1u) != 0 ? uint64_t{column.width} * h.count : 0;
