@@ -159,7 +159,8 @@ static_assert(std::is_trivially_copyable_v<SnapshotHeader> && std::is_trivially_
 static_assert(sizeof(SnapshotHeader) >= 64);
 static_assert(sizeof(SnapshotHeader) % 8 == 0 && sizeof(SnapshotBatch) % 8 == 0);
 
-// Pieces of a batch: its columns; then dense indices and generations, by slot; then the samples of its table; then, by slot, what ContactEvents has yet to tell.
+// Pieces of a batch: its columns; then dense indices and generations, by slot; then the samples of its table; then, by slot, what
+// ContactEvents has yet to tell.
 enum BatchPiece : uint32_t {
     piece_dense = column_count,
     piece_generations,
