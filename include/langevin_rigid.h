@@ -1431,7 +1431,8 @@ typedef struct lr_event {
 
 /* Enables events; at most `capacity` are stored per step. Contacts that already exist do not begin again. capacity 0
  * disables events. All memory is allocated here and by lr_batch_create, none in steps: 64 bytes per event, and 233 for
- * each body of a batch's capacity. Neither part of snapshots nor of the world's hash. kinds: bits LR_EVENTS_*.
+ * each body of a batch's capacity. Not part of the world's hash; of snapshots only what calls since the last step have
+ * left for the next one, 33 bytes for each body of a batch's capacity. kinds: bits LR_EVENTS_*.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (unknown bits, or no bits with a capacity),
  * LR_ERROR_OUT_OF_MEMORY. */
 LR_API lr_status lr_world_set_events(lr_world* world, uint32_t capacity, lr_event_kinds kinds);

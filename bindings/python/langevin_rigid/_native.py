@@ -3066,7 +3066,8 @@ PROTOTYPES = {
 
         Enables events; at most `capacity` are stored per step. Contacts that already exist do not begin again. capacity 0
         disables events. All memory is allocated here and by lr_batch_create, none in steps: 64 bytes per event, and 233 for
-        each body of a batch's capacity. Neither part of snapshots nor of the world's hash.
+        each body of a batch's capacity. Not part of the world's hash; of snapshots only what calls since the last step have
+        left for the next one, 33 bytes for each body of a batch's capacity.
 
         world: the world
         capacity: number of elements that fit

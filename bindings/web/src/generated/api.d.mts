@@ -1724,7 +1724,8 @@ export interface RawFunctions {
   /**
    * Enables events; at most `capacity` are stored per step. Contacts that already exist do not begin again. capacity 0
    * disables events. All memory is allocated here and by lr_batch_create, none in steps: 64 bytes per event, and 233 for
-   * each body of a batch's capacity. Neither part of snapshots nor of the world's hash.
+   * each body of a batch's capacity. Not part of the world's hash; of snapshots only what calls since the last step have
+   * left for the next one, 33 bytes for each body of a batch's capacity.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (unknown bits, or no bits with a capacity),
    * LR_ERROR_OUT_OF_MEMORY.
    */
