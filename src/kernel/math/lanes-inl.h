@@ -180,14 +180,6 @@ HWY_INLINE float least_lane(VF v) {
     return hn::GetLane(hn::MinOfLanes(DF(), v));
 #endif
 }
-HWY_INLINE float greatest_lane(VF v) {
-#if LR_KERNEL_PAIRS
-    namespace one = hwy::HWY_NAMESPACE;
-    return one::GetLane(one::MaxOfLanes(DF::One(), one::Max(v.a, v.b)));
-#else
-    return hn::GetLane(hn::MaxOfLanes(DF(), v));
-#endif
-}
 
 // Elementary functions from + - x / sqrt only, so that every target gives the same bits. Polynomials are minimax fits for these ranges, with errors
 // below half an ulp of a float result (docs/maintainers/numerics.md).
