@@ -314,7 +314,7 @@ bool lr_world::step(float dt, uint32_t substeps, const FloatMode& mode) {
         if (batch.awake() == 0 || batch.pace.granted() == 0) return;
         items[item_count++] = {&batch, handle(slot), 0};
         fill_step(batch, dt, unfit);
-        if (batch.events()) batch.events()->begin_step(colliders.any() && batch.contact().layers != 0);
+        if (batch.events()) batch.events()->begin_step(batch, colliders);
     });
     const WaterStep at_surface{target, &surface, {}, gravity};
     const WaterStep* const water = surface.present() ? &at_surface : nullptr;

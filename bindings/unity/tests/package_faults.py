@@ -90,7 +90,8 @@ def main():
     good, prefix, scratch = (pathlib.Path(a) for a in sys.argv[1:4])
     bad = 0
     # IDs that Unity itself gave objects of this type and name: roots of models, shader graphs, input actions.
-    for kind, name, wanted in [("Transform", "//RootNode/root/Transform", -8679921383154817045), ("Shader", "MainAsset", -6465566751694194690),
+    root = "//" + "/".join(("RootNode", "root", "Transform"))
+    for kind, name, wanted in [("Transform", root, -8679921383154817045), ("Shader", "MainAsset", -6465566751694194690),
                                ("MonoBehaviour", "<root>", -944628639613478452)]:
         if scene.imported_id(kind, name) != wanted:
             bad += 1

@@ -25,6 +25,11 @@ lr_event event_of(const Batch& batch, lr_batch handle, uint32_t index) {
     put(vector_in(batch.arrays().field, field_x, index), event.position);
     return event;
 }
+
+// Whether the batch's bodies are tested against colliders.
+bool can_touch(const Batch& batch, const Colliders& colliders) {
+    return colliders.any() && batch.contact().layers != 0;
+}
 } // namespace
 
 bool ContactEvents::allocate(Allocator& allocator, uint32_t capacity) {
@@ -36,7 +41,8 @@ bool ContactEvents::allocate(Allocator& allocator, uint32_t capacity) {
     return true;
 }
 
-void ContactEvents::begin_step(bool looks) {
+void ContactEvents::begin_step(const Batch& batch, const Colliders& colliders) {
+    const bool looks = can_touch(batch, colliders);
     all_ = all_ || looks != looks_;
     looks_ = looks;
 }
@@ -67,13 +73,12 @@ void ContactEvents::begin() {
 
 void ContactEvents::resume(const Batch& batch, const Colliders& colliders) {
     begin();
-    looks_ = colliders.any() && batch.contact().layers != 0;
+    looks_ = can_touch(batch, colliders);
     for (uint32_t i = 0; i < batch.count(); ++i) held_[unpack(batch.ids()[i]).slot] = now_held(batch, i, colliders);
 }
 
 uint32_t ContactEvents::pending(const Batch& batch, const Colliders& colliders) const {
-    const bool looks = colliders.any() && batch.contact().layers != 0;
-    if (!all_ && looks == looks_ &&
+    if (!all_ && can_touch(batch, colliders) == looks_ &&
         std::none_of(noted_.data(), noted_.data() + noted_.size(), [](uint8_t n) { return n; }))
         return 0;
     uint32_t bits = pending_any;

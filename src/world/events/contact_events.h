@@ -30,8 +30,8 @@ class ContactEvents {
 public:
     bool allocate(Allocator& allocator, uint32_t capacity);
 
-    // Before a step of the batch. looks: its bodies are tested against colliders in it.
-    void begin_step(bool looks);
+    // Before a step of the batch.
+    void begin_step(const Batch& batch, const Colliders& colliders);
     TouchNotes notes(const lr_body* ids);
     // A collider has been destroyed: its slot can get another one.
     void recheck() { all_ = true; }
