@@ -137,9 +137,11 @@ void BodyContactStep::hold_group(const BodyContactBatch& member, uint32_t first,
             body.place = place_in_heap(body, least, *member.run.step.shape, field[field_scale][i], fall * taken.h);
             body.speed = lasting_speed(body, v0, w0, v, w, fall);
         }
-        const Leaving leaves = leaving(member.run.step, vector_of(world_->gravity), member.run.book, body,
-                                       pose_in(field, i), v0, w0, v, taken.h);
-        enter_body(member.run.book, body, may_sleep(*member.run.step.settings), taken.h, last(substep),
+        const bool carried = group.carried(i, body.moving);
+        Leaving leaves = leaving(member.run.step, vector_of(world_->gravity), member.run.book, body, pose_in(field, i),
+                                 v0, w0, v, taken.h);
+        leaves.gone |= carried;
+        enter_body(member.run.book, body, !carried && may_sleep(*member.run.step.settings), taken.h, last(substep),
                    [&](uint32_t collider) { return group.touch_with(i, collider, taken); });
         group.visit_asleep(i, [&](const ContactGroup::Asleep& other, const SlotContact& s, bool touched) {
             leaves.tell(*world_, other, touched, s.normal, s.gap);
@@ -249,6 +251,27 @@ bool BodyContactStep::solve() {
     return true;
 }
 
+// Asleep they would stay behind, however slowly it moves: each that falls asleep is a fixed thing to the others.
+void BodyContactStep::find_carried() {
+    BodyContactBuffers& c = *buffers_;
+    std::fill_n(c.tile.data(), place_count_, 0u);
+    bool more = false;
+    const auto carry = [&](const BodyContactPair& unit, uint32_t other) {
+        for (uint32_t k = 0; k < unit.count; ++k)
+            if (c.solver.pressed(unit, k) >= 0.0f) c.tile[unit.a] = c.tile[other] = 1, more = true;
+    };
+    const auto fast = [&](uint32_t place) {
+        const ContactRun& run = member_of(c.body_at[place]).run;
+        return trembling * run.still * std::sqrt(run.step.shape->reach * c.solver.bodies()[place].scale);
+    };
+    const std::span<const BodyContactPair> units(c.units.data(), unit_count_);
+    for (const BodyContactPair& unit : units)
+        if (unit.b == BodyContactPair::nobody && is_slow(unit.frame->surface, fast(unit.a))) carry(unit, unit.a);
+    while (std::exchange(more, false))
+        for (const BodyContactPair& unit : units)
+            if (unit.b != BodyContactPair::nobody && c.tile[unit.a] != c.tile[unit.b]) carry(unit, unit.b);
+}
+
 template <class Function> void BodyContactStep::each_held(uint32_t place, const Function& function) const {
     const BodyContactBuffers& c = *buffers_;
     uint32_t k = 0;
@@ -313,9 +336,11 @@ void BodyContactStep::put_back(uint32_t place, uint32_t substep) {
         least = std::min(least, c.held_contacts[at].gap);
     });
     if (least < no_contact) body.place = place_in_heap(body, least, *member.run.step.shape, from.scale, fall * h);
+    const bool carried = last(substep) && c.tile[place] != 0;
     if (bears) {
-        const Leaving leaves =
+        Leaving leaves =
             leaving(member.run.step, vector_of(world_->gravity), member.run.book, body, now(from), v0, w0, v, h);
+        leaves.gone |= carried;
         each_held(place, [&](uint32_t k, float impulse) {
             const uint32_t at = c.first_held[place] + k;
             if (c.held[at].collider == ContactGroup::a_body)
@@ -325,7 +350,7 @@ void BodyContactStep::put_back(uint32_t place, uint32_t substep) {
     }
     if (c.deepest[place] < no_contact) touched.take(touching_body, 0.0f);
     std::copy_n(touched.id, most_touches, body.now);
-    enter_body(member.run.book, body, may_sleep(*member.run.step.settings), h, last(substep),
+    enter_body(member.run.book, body, !carried && may_sleep(*member.run.step.settings), h, last(substep),
                [&](uint32_t collider) { return touch_with(place, collider); });
 }
 } // namespace lr

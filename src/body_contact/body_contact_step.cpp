@@ -127,6 +127,7 @@ void BodyContactStep::run() {
         hold(substep, Held::apart);
         const bool solved = place_count_ != 0 && solve();
         if (solved) keep_impulses();
+        if (solved && last(substep)) find_carried();
         if (found)
             world_->pair_cache.commit(buffers_->first_pair[body_count_]);
         else

@@ -90,7 +90,7 @@ struct BodyContactBuffers {
     Buffer<Hidden> hidden;  // by body; unasked: its shelter is not found in this substep
     Buffer<uint32_t> place; // by body: its number among those that touch others, or UINT32_MAX
     Buffer<TiledBody> tiled;
-    // By place; padding is UINT32_MAX.
+    // By place; padding is UINT32_MAX. tile: after find_carried() whether a moving collider carries the body.
     Buffer<uint32_t> body_at, tile, first_held, held_count, first_unit;
     Buffer<float> deepest; // m, by place: the least gap to another awake body that it touches, or no_contact
     Buffer<Held> held;
@@ -157,6 +157,7 @@ private:
     bool solve();
     void fill_body(uint32_t place);
     uint32_t list_units();
+    void find_carried(); // bodies that touch a slow collider, if only through others
     void put_back(uint32_t place, uint32_t substep);
     Touch touch_with(uint32_t place, uint32_t collider) const;
     // Calls function(k, impulse) for each contact of a body with fixed things; impulse as of BodyContactSolver::pressed.

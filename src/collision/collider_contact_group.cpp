@@ -374,6 +374,12 @@ void ContactGroup::touched(uint32_t i, uint32_t (&out)[4]) const {
     std::copy_n(list.id, 4, out);
 }
 
+bool ContactGroup::carried(uint32_t i, float fast) const {
+    for (uint32_t k = 0; k < filled_[i]; ++k)
+        if (slots_.slot[k].impulse[i] >= 0.0f && is_slow(vector_in(slots_.slot[k].surface, 0, i), fast)) return true;
+    return false;
+}
+
 void TouchSum::take(float impulse, Vector arm, Vector normal, Vector surface) {
     if (!(impulse >= 0.0f)) return;
     touch_.impulse += impulse;

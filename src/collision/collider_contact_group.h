@@ -110,6 +110,12 @@ inline SlotContact contact_in(const ContactSlots::Slot& s, uint32_t lane) {
     return c;
 }
 
+// Too slow a motion to keep a body awake by its speed.
+inline bool is_slow(Vector surface, float fast) {
+    const float square = dot(surface, surface);
+    return square > 0.0f && square <= fast * fast;
+}
+
 // How a body touched a collider.
 struct Touch {
     uint32_t collider; // slot + 1; 0: none
@@ -179,6 +185,8 @@ public:
 
     // The colliders of a body's strongest contacts in the last substep: slot + 1 each, strongest first, 0 after the last.
     void touched(uint32_t lane, uint32_t (&out)[4]) const;
+    // Whether a collider that it touched takes it along, slower than at `fast` (m/s).
+    bool carried(uint32_t lane, float fast) const;
     // The touch with one of them in that substep: its strongest contact, and the impulse of all.
     Touch touch_with(uint32_t lane, uint32_t collider, const ContactSubstep& substep) const;
     // m/s^2, of its fall from rest in the fluid that it is in.

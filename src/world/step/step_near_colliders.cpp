@@ -31,7 +31,8 @@ void touch(const ContactRun& run, ContactGroup& group, const States& states, con
     for (uint32_t i = 0; i < bodies_from(states, first); ++i) {
         if (is_held(states.field[field_age_remainder][first + i])) continue;
         const BodyAfter body = body_after(run, group, i, near.index(first + i), states.field, first + i, before);
-        enter_body(run.book, body, may_sleep(*run.step.settings), now.h, substep + 1 == run.time.substeps,
+        const bool sleeps = may_sleep(*run.step.settings) && !group.carried(i, body.moving);
+        enter_body(run.book, body, sleeps, now.h, substep + 1 == run.time.substeps,
                    [&](uint32_t collider) { return group.touch_with(i, collider, now); });
     }
 }
