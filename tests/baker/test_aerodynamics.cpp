@@ -197,6 +197,30 @@ TEST_CASE("aerodynamics: meshes of ellipsoids have the measures of the closed fo
     }
 }
 
+TEST_CASE("aerodynamics: how much of the rim that a stream sees is a sharp edge") {
+    const Mesh box = shapes::box({1.0, 2.0, 3.0}, {2, 3, 4}), ball = shapes::icosphere(3);
+    const shape::AerodynamicGeometry of_box = geometry_of(box), of_ball = geometry_of(ball);
+    for (std::size_t k = 0; k < 3; ++k) {
+        CHECK(of_box.edges[k] == Approx(1.0).epsilon(1e-12));
+        CHECK(of_ball.edges[k] < 1e-12);
+    }
+    // Of a cylinder seen across only the ends are; along it all.
+    const shape::AerodynamicGeometry rod = geometry_of(shapes::wheel({{0.25, -1.5}, {0.25, 1.5}}, 48));
+    CHECK(rod.edges[2] == Approx(1.0).epsilon(1e-12));
+    CHECK(rod.edges[0] == Approx(0.5 / (0.5 + 3.0)).epsilon(0.01));
+    // A tetrahedron has 1.2 of its silhouette's area (Pettyjohn and Christiansen 1948), not a sphere's 0.43 or less.
+    Mesh tetrahedron;
+    for (const Eigen::Vector3d& v :
+         {Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(1, -1, -1), Eigen::Vector3d(-1, 1, -1), Eigen::Vector3d(-1, -1, 1)})
+        tetrahedron.vertices.push_back(0.01 * v);
+    tetrahedron.faces = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
+    const AerodynamicData loads = shape::default_aerodynamics(geometry_of(tetrahedron));
+    for (std::size_t k = 0; k < 3; ++k) {
+        CHECK(loads.drag[k] > 0.8 * 4e-4);
+        CHECK(loads.drag_blunt[k] == 0.0);
+    }
+}
+
 TEST_CASE("aerodynamics: a card and a disc, with their rims") {
     const double a = 0.1, b = 0.05, t = 1e-4;
     const shape::AerodynamicGeometry card = geometry_of(shapes::rectangle(a, b, 6, 3), t);

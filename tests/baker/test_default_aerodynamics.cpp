@@ -170,6 +170,17 @@ TEST_CASE("a plate is lifted away from its thin direction, and by spin about its
     CHECK(c.broadside[2] == 1.0);
 }
 
+// A long spheroid that falls tumbled for ever, by a circulation that only edges make.
+TEST_CASE("rods and round bodies make no circulation by turning end over end, and the stream damps it") {
+    for (const double slender : {0.5, 0.1, 0.01}) {
+        const AerodynamicGeometry g = ellipsoid_geometry({1.0, slender, slender});
+        const AerodynamicData c = default_aerodynamics(g);
+        CHECK(c.spin_lift[1] <= 0.5 * g.volume);
+        CHECK(c.spin_drag_stream[1] == doctest::Approx(1.1 * g.stroke2[1]));
+        CHECK(c.spin_drag_stream[0] == 0.0);
+    }
+}
+
 // The rest vanishes for bodies that are not flat: a cube, a sphere and a rod have steady loads only.
 TEST_CASE("only plates have what free flight adds") {
     PlateCoefficients other;

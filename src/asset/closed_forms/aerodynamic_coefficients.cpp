@@ -12,9 +12,13 @@ namespace {
 // The coefficients of the rule. docs/maintainers/physics.md, "AERODYNAMIC", gives the meaning and the measurement of each.
 constexpr double streamlined_drag = 0.05;                   // the least C_D
 constexpr double blunt_slope = 2.0, blunt_offset = -0.8985; // C_D over bluntness: sphere 0.43, flat face 1.10
-constexpr double aspect_gain = 0.7, aspect_half = 20.0;     // a long silhouette lets less flow around its ends
-constexpr double drag_blunt_share = 0.445;                  // part of a sphere's C_D that comes with Re of some 8710
-constexpr double layer_friction = 0.558;                    // Blasius, 0.664 a side, over chord/sqrt(2)
+// C_D of faces that lean to the stream, if it leaves at their edges: octahedron 0.87, tetrahedron 1.2.
+constexpr double edge_drag = 0.85;
+constexpr double shadow_length = 4.0; // of the front's width: behind its edges the sides lie in the wake
+constexpr double cross_flow = 1.1;    // of stroke2: C_D of parts that the spin of a rod or a round body moves
+constexpr double aspect_gain = 0.7, aspect_half = 20.0; // a long silhouette lets less flow around its ends
+constexpr double drag_blunt_share = 0.445;              // part of a sphere's C_D that comes with Re of some 8710
+constexpr double layer_friction = 0.558;                // Blasius, 0.664 a side, over chord/sqrt(2)
 constexpr double layer_pressure = 0.42, layer_separation = 0.414; // faces across the stream; rounded faces
 constexpr double turbulent_friction = 0.004;                      // of the surface along the stream
 constexpr double translation_lift = 1.2,
@@ -36,9 +40,21 @@ double share(double x, double y) {
 }
 
 // How much the silhouette along k exceeds the next: 1 for a sheet, 0 for rods, round bodies and the other axes of a sheet.
-double sheetness(const AerodynamicGeometry& g, size_t k) {
+double flatness(const AerodynamicGeometry& g, size_t k) {
     const double other = std::max(g.area[(k + 1) % 3], g.area[(k + 2) % 3]);
     return g.area[k] > other ? 1.0 - other / g.area[k] : 0.0;
+}
+
+// How much of a plate it is: a thick body that is round at the rim is less of one than one with edges.
+double sheetness(const AerodynamicGeometry& g, size_t k) {
+    const double flat = flatness(g, k), lost = (1.0 - flat) * (1.0 - g.edges[k]);
+    return flat * std::max(0.0, 1.0 - 2.0 * lost * lost);
+}
+
+// How little of a plate it is: 1 for rods and round bodies, 0 for sheets, and nearly so for thin bodies.
+double compactness(const AerodynamicGeometry& g) {
+    const double rest = 1.0 - std::max({sheetness(g, 0), sheetness(g, 1), sheetness(g, 2)});
+    return rest * rest * (3.0 - 2.0 * rest);
 }
 
 // From a disc's coefficient to that of a long strip.
@@ -51,14 +67,18 @@ double slope_of(double aspect) {
     return aspect / (2.0 + std::sqrt(aspect * aspect + 4.0));
 }
 
-template <class Loads> void set_drag(const AerodynamicGeometry& g, size_t k, Loads& out) {
+// edges: how far the stream leaves at edges, 0 to 1.
+template <class Loads> void set_drag(const AerodynamicGeometry& g, size_t k, double edges, Loads& out) {
     const size_t i = (k + 1) % 3, j = (k + 2) % 3;
-    const double beta = g.bluntness[k], area = g.area[k], round = roundness(beta), thick = 1.0 - sheetness(g, k);
+    const double beta = g.bluntness[k], area = g.area[k];
+    const double round = (1.0 - edges) * roundness(beta), thick = 1.0 - sheetness(g, k);
     const double wide = std::max(g.extent[i], g.extent[j]), narrow = std::min(g.extent[i], g.extent[j]);
-    const double coefficient = thick * std::max(streamlined_drag, blunt_slope * beta + blunt_offset) *
+    const double faces_drag = std::max(streamlined_drag, blunt_slope * beta + blunt_offset);
+    const double coefficient = thick * (faces_drag + edges * std::max(0.0, edge_drag - faces_drag)) *
                                (1.0 + aspect_gain * share(wide, aspect_half * narrow));
     const double across = 2.0 * beta * area; // int n_k^2 dA
-    const double along = std::max(0.0, g.surface - across);
+    const double shadow = share(shadow_length * narrow, g.extent[k]);
+    const double along = (1.0 - edges * shadow * shadow) * std::max(0.0, g.surface - across);
     const double blunt = drag_blunt_share * round;
     out.drag[k] = (1.0 - blunt) * coefficient * area + turbulent_friction * along;
     out.drag_blunt[k] = blunt * coefficient * area;
@@ -95,7 +115,7 @@ void set_plate(const AerodynamicGeometry& g, const PlateCoefficients& plate, Aer
     if (!(narrow > 0.0)) return;
     const double sheet = sheetness(g, n), area = sheet * g.area[n];
     set_normal_force(g.extent, g.area[n], area, n, plate, out);
-    out.plate_separated_shedding = sheet * plate.separated_shedding;
+    out.plate_separated_shedding = flatness(g, n) * plate.separated_shedding;
     out.start_drag = plate.start;
     out.wake_length = 4.0 / std::numbers::pi * g.area[n] / wide;
     out.wake_lag = plate.lag;
@@ -112,23 +132,25 @@ struct Circulation {
     double lift, spin_lift;
 };
 
-// Circulation about the axis k in a stream along i and j, and the drag of spin about k.
+// Circulation about the axis k in a stream along i and j, and the drag of spin about k. compact: compactness(), of the whole body.
 template <class Loads>
-Circulation set_spin(const AerodynamicGeometry& g, size_t k, double span, const PlateCoefficients& plate, Loads& out) {
+Circulation set_spin(const AerodynamicGeometry& g, size_t k, double span, double compact,
+                     const PlateCoefficients& plate, Loads& out) {
     const size_t i = (k + 1) % 3, j = (k + 2) % 3;
     const double plan = std::max(g.area[i], g.area[j]);
     const double total = g.area[i] + g.area[j];
-    const double flatness = total > 0.0 ? std::abs(g.area[j] - g.area[i]) / total : 0.0;
+    const double uneven = total > 0.0 ? std::abs(g.area[j] - g.area[i]) / total : 0.0;
     // The extent along the flat side; of a body that is as thick as wide, the mean of both.
     const double chord = total > 0.0 ? (g.area[j] * g.extent[i] + g.area[i] * g.extent[j]) / total : 0.0;
     const double thick = 1.0 - std::max(sheetness(g, i), sheetness(g, j));
     const double moment =
         by_slenderness(plate.spin_disc, plate.spin_strip, chord > 0.0 ? std::max(0.0, span / chord - 1.0) : 0.0);
     out.spin_drag[k] = 0.5 * (moment * g.stroke3[k] + spin_friction * g.rub[k]);
-    out.spin_drag_stream[k] = plate.spin_stream * (1.0 - thick) * g.stroke2[k];
+    out.spin_drag_stream[k] = (plate.spin_stream * (1.0 - thick) + cross_flow * compact) * g.stroke2[k];
+    // A rod or a round body has no edge for the stream to leave at: it makes no circulation by turning.
     return {thick * translation_lift * (g.area[j] - g.area[i]) * share(span, lift_span * chord),
-            0.5 * plate.rotation * plan * chord * flatness * share(span, plate.rotation_span * chord) +
-                magnus * g.volume * (1.0 - flatness)};
+            0.5 * plate.rotation * plan * chord * uneven * (1.0 - compact) * share(span, plate.rotation_span * chord) +
+                magnus * g.volume * (1.0 - uneven)};
 }
 } // namespace
 
@@ -138,8 +160,8 @@ AerodynamicData default_aerodynamics(const AerodynamicGeometry& g, const PlateCo
     out.center = g.center;
     const double largest = std::max({g.area[0], g.area[1], g.area[2]});
     for (size_t k = 0; k < 3; ++k) {
-        set_drag(g, k, out);
-        const Circulation circulation = set_spin(g, k, g.extent[k], plate, out);
+        set_drag(g, k, g.edges[k] * g.edges[k], out);
+        const Circulation circulation = set_spin(g, k, g.extent[k], compactness(g), plate, out);
         out.lift[k] = circulation.lift;
         out.spin_lift[k] = circulation.spin_lift;
         out.broadside[k] = largest > 0.0 ? g.area[k] / largest : 0.0;
@@ -154,7 +176,9 @@ AerodynamicData default_aerodynamics(const AerodynamicGeometry& g, const PlateCo
     return out;
 }
 
-StationData default_station(const AerodynamicGeometry& g, const Wing& wing, const PlateCoefficients& plate) {
+StationData default_station(const AerodynamicGeometry& part, const Wing& wing, const PlateCoefficients& plate) {
+    AerodynamicGeometry g = part;
+    g.edges = {1.0, 1.0, 1.0}; // parts of flat bodies; only their rims could be round
     StationData out;
     out.axes = g.axes;
     // Layers run along the whole wing.
@@ -162,9 +186,9 @@ StationData default_station(const AerodynamicGeometry& g, const Wing& wing, cons
     in_wing.extent[0] = std::max(g.extent[0], wing.chord);
     in_wing.extent[1] = std::max(g.extent[1], wing.span);
     for (size_t k = 0; k < 3; ++k) {
-        set_drag(in_wing, k, out);
+        set_drag(in_wing, k, 0.0, out);
         // The circulation about the span runs along the whole wing.
-        out.spin_lift[k] = set_spin(g, k, k == 1 ? in_wing.extent[1] : g.extent[k], plate, out).spin_lift;
+        out.spin_lift[k] = set_spin(g, k, k == 1 ? in_wing.extent[1] : g.extent[k], 0.0, plate, out).spin_lift;
     }
     out.plate_stall = {1.0, 1.0, 0.0};
     if (wing.span > 0.0 && wing.chord > 0.0 && wing.area > 0.0)

@@ -14,6 +14,7 @@ struct AerodynamicGeometry {
     std::array<double, 3> extent{};                        // m, full, along the axes
     std::array<double, 3> area{};                          // m^2, silhouette along each axis
     std::array<double, 3> bluntness{}; // int |n.e_k|^2 dA / int |n.e_k| dA: 1 for flat faces, 2/3 for a sphere
+    std::array<double, 3> edges{};     // share of the rim seen along each axis that is a sharp edge
     std::array<double, 3> center{};    // m, of the loads, from the centre of buoyancy, body frame
     double surface = 0.0;              // m^2, int dA
     double volume = 0.0;               // m^3, of the body

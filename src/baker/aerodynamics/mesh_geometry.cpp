@@ -51,6 +51,38 @@ void add_rim(const Mesh& mesh, std::size_t solid_faces, double thickness, std::v
     }
 }
 
+// How much of an edge this is for a stream: none between faces that turn by 30 degrees, as those of a coarse round body do; one from 60 degrees on.
+double sharpness(const Eigen::Vector3d& m, const Eigen::Vector3d& n) {
+    constexpr double round = 0.8660254037844387, sharp = 0.5;
+    return std::clamp((round - m.dot(n)) / (round - sharp), 0.0, 1.0);
+}
+
+// Of the rim seen along each axis, the share that is a sharp edge: the stream leaves there.
+std::array<double, 3> sharp_rims(const Mesh& mesh, const std::array<double, 9>& axes) {
+    // From hidden to seen; faces that are nearly edge on are neither, so that noise does not decide.
+    const auto seen = [](double cosine) { return std::clamp(10.0 * cosine, -1.0, 1.0); };
+    const auto normal = [&](std::size_t face) {
+        const Face& f = mesh.faces[face];
+        const Eigen::Vector3d& a = mesh.vertices[f[0]];
+        return Eigen::Vector3d((mesh.vertices[f[1]] - a).cross(mesh.vertices[f[2]] - a).normalized());
+    };
+    std::array<double, 3> sharp{}, all{};
+    const std::vector<HalfEdge> halves = sorted_half_edges(mesh);
+    for (std::size_t i = 0; i + 1 < halves.size(); ++i) {
+        if (!same_edge(halves[i], halves[i + 1])) continue;
+        const Eigen::Vector3d m = normal(halves[i].face), n = normal(halves[i + 1].face),
+                              along = mesh.vertices[halves[i].high] - mesh.vertices[halves[i].low];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Eigen::Vector3d axis(axes[3 * k], axes[3 * k + 1], axes[3 * k + 2]);
+            const double length = std::abs(seen(axis.dot(m)) - seen(axis.dot(n))) * along.cross(axis).norm();
+            all[k] += length;
+            sharp[k] += sharpness(m, n) * length;
+        }
+    }
+    for (std::size_t k = 0; k < 3; ++k) sharp[k] = all[k] > 0.0 ? sharp[k] / all[k] : 0.0;
+    return sharp;
+}
+
 using Rows = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 // Relative difference below which half of the projected surface, exact for bodies that hide nothing, replaces the union,
@@ -125,7 +157,9 @@ shape::AerodynamicGeometry measure(const std::vector<Skin>& skin, double size, c
 
 shape::AerodynamicGeometry mesh_geometry(const Mesh& mesh, const std::array<double, 9>& axes,
                                          const Eigen::Vector3d& centre) {
-    return measure(faces_of(mesh, 1.0), box_sides(mesh).maxCoeff(), axes, centre);
+    shape::AerodynamicGeometry g = measure(faces_of(mesh, 1.0), box_sides(mesh).maxCoeff(), axes, centre);
+    g.edges = sharp_rims(mesh, axes);
+    return g;
 }
 
 shape::AerodynamicGeometry sheet_geometry(const Mesh& mesh, double thickness, const std::array<double, 9>& axes,

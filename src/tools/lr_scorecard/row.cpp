@@ -79,6 +79,8 @@ std::span<const Row> all_rows() {
         {"cross", "measured", "A cross is no compact disc", "known behaviour", 3.0, 1.0, run_cross},
         {"snow", "measured", "Dendritic snow crystals fall flat and rock", "Nakaya and Terada 1935", 3.0, 1.0,
          run_snow},
+        {"solids", "measured", "Solids, rods and spheroids sink in water",
+         "Haider and Levenspiel 1989; Toupoint, Ern and Roig 2019", 2.0, 1.0, run_solids},
         {"leaf", "paper", "The paper's leaf released at 75 and 30 degrees", "paper, Fig. 3", 0.2, 0.1, run_leaf},
         {"paper-plane", "paper", "The paper's plane of 8.3 cm at 0.2 m/s", "paper, Fig. 4", 0.6, 0.6, run_paper_plane},
         {"rubber-ellipsoid", "paper", "Rubber ellipsoid in water, with and without turbulent loads", "paper, Fig. 5",

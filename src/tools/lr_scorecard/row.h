@@ -99,6 +99,7 @@ RowResult run_curled_leaf(const Context&);
 RowResult run_holes(const Context&);
 RowResult run_cross(const Context&);
 RowResult run_snow(const Context&);
+RowResult run_solids(const Context&);
 RowResult run_leaf(const Context&);
 RowResult run_paper_plane(const Context&);
 RowResult run_rubber_ellipsoid(const Context&);

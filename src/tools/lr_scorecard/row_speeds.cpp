@@ -1,4 +1,4 @@
-// Rows for steady drag and for mean speeds of fall: discs held broadside, leaves, small discs in turbulent air.
+// Rows for steady drag and for mean speeds of fall: discs held broadside, leaves, small discs in turbulent air, solids in water.
 #include "tools/falls/random.h"
 #include "tools/falls/statistics.h"
 #include "tools/lr_scorecard/fall_recording.h"
@@ -79,6 +79,56 @@ std::vector<Start> any_orientation(uint32_t falls) {
     }
     return starts;
 }
+
+// Edges of length `size`, m. Of the octahedron sqrt(2) of them, of the tetrahedron sqrt(8).
+Triangles octahedron(double size) {
+    Triangles mesh;
+    for (size_t i = 0; i < 18; ++i) mesh.positions.push_back(i % 3 != i / 6 ? 0.0 : i / 3 % 2 == 0 ? size : -size);
+    mesh.indices = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
+    return mesh;
+}
+Triangles tetrahedron(double size) {
+    Triangles mesh;
+    for (const double x : {1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, 1.0, -1.0, -1.0, -1.0, 1.0})
+        mesh.positions.push_back(size * x);
+    mesh.indices = {0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2};
+    return mesh;
+}
+// Along z. 4 sides of length diameter/sqrt(2), or many.
+Triangles prism(uint32_t sides, double diameter, double length) {
+    Triangles mesh;
+    for (uint32_t i = 0; i < sides; ++i)
+        for (const double end : {-0.5, 0.5}) {
+            const double angle = 2.0 * pi * i / sides;
+            const std::array<double, 3> at{0.5 * diameter * std::cos(angle), 0.5 * diameter * std::sin(angle),
+                                           end * length};
+            mesh.positions.insert(mesh.positions.end(), at.begin(), at.end());
+        }
+    for (uint32_t i = 0; i < sides; ++i) {
+        const uint32_t a = 2 * i, b = 2 * ((i + 1) % sides);
+        mesh.indices.insert(mesh.indices.end(), {a, b, b + 1, a, b + 1, a + 1});
+        if (i > 0 && i + 1 < sides) mesh.indices.insert(mesh.indices.end(), {0, b, a, 1, a + 1, b + 1});
+    }
+    return mesh;
+}
+
+// Drag coefficient over the section of the sphere of the same volume, by the sphericity: that sphere's surface over the body's.
+double drag_by_sphericity(double phi, double reynolds) {
+    const double a = std::exp(2.3288 - 6.4581 * phi + 2.4486 * phi * phi), b = 0.0964 + 0.5565 * phi;
+    const double c = std::exp(4.905 - 13.8944 * phi + 18.4222 * phi * phi - 10.2599 * phi * phi * phi);
+    const double d = std::exp(1.4681 + 12.2584 * phi - 20.7322 * phi * phi + 15.8855 * phi * phi * phi);
+    return 24.0 / reynolds * (1.0 + a * std::pow(reynolds, b)) + c / (1.0 + d / reynolds);
+}
+
+// m/s, of a body of this sphericity in water.
+double settling_speed(double volume, double density, double phi) {
+    const double d = std::cbrt(6.0 * volume / pi), weight = 9.81 * (density / water.density - 1.0) * volume;
+    double speed = 0.1;
+    for (int i = 0; i < 200; ++i)
+        speed = 0.5 *
+                (speed + std::sqrt(8.0 * weight / (pi * d * d * drag_by_sphericity(phi, speed * d / water.viscosity))));
+    return speed;
+}
 } // namespace
 
 RowResult run_steady_drag(const Context& context) {
@@ -149,6 +199,61 @@ RowResult run_turbulence_fall(const Context& context) {
         result.show(std::string(what) + ", standard error", 100.0 * turbulent[i].standard_error / still.mean, "%");
     }
     result.show("speed in still air", still.mean, "m/s");
+    return result;
+}
+
+RowResult run_solids(const Context& context) {
+    RowResult result;
+    constexpr double density = 1500.0;
+    const auto solid = [&](const Triangles& mesh) {
+        langevin_rigid::BakeOptions options;
+        options.density = density;
+        options.fluid_density = water.density;
+        options.fluid_viscosity = water.viscosity;
+        return load(mesh.bake(options));
+    };
+    struct Case {
+        const char* name;
+        Asset body;
+        double sphericity;  // of those whose speed is known
+        double tilt = 0.0; // of the axis z off the vertical (rods: 90), degrees
+        Statistic descent = {};
+    };
+    std::array<Case, 7> cases{{{"cube", solid(prism(4, 0.0141, 0.01)), 0.806},
+                               {"octahedron", solid(octahedron(0.007)), 0.846},
+                               {"tetrahedron", solid(tetrahedron(0.0035)), 0.671},
+                               {"cylinder as long as wide", solid(prism(24, 0.01, 0.01)), 0.874},
+                               {"spheroid 2:1:1", make_ellipsoid({0.005, 0.005, 0.01}, density, water), 0.929},
+                               {"rod 10:1", solid(prism(24, 0.004, 0.04)), 0.0},
+                               {"spheroid 2:2:1", make_ellipsoid({0.01, 0.01, 0.005}, density, water), 0.0}}};
+    Run run;
+    run.loads.load_model = context.loads.model;
+    run.dt = 1.0f / 240.0f;
+    run.duration = 10.0;
+    const std::vector<Start> starts = any_orientation(context.quick ? 100 : 300);
+    context.parallel(cases.size(), [&](size_t i) {
+        const std::vector<Track> tracks = record(cases[i].body, run, starts);
+        cases[i].descent = descents(tracks, 1.0);
+        std::vector<double> tilts;
+        for (const Track& t : tracks)
+            for (size_t n = t.samples.size() / 2; n < t.samples.size(); n += 20)
+                tilts.push_back(
+                    std::acos(std::min(1.0, std::abs((t.samples[n].orientation * Eigen::Vector3d::UnitZ()).y()))) *
+                    180.0 / pi);
+        cases[i].tilt = summarise(std::move(tilts)).p50;
+    });
+    for (const Case& c : cases) {
+        const double volume = info_of(c.body).volume;
+        if (c.sphericity > 0.0)
+            result.add(std::string("speed, ") + c.name, Rule::relative, c.descent.mean,
+                       settling_speed(volume, density, c.sphericity), 0.2, "m/s");
+        else
+            result.show(std::string("speed, ") + c.name, c.descent.mean, "m/s");
+    }
+    // They lie across the stream: the long axis level, the short one upright.
+    result.add("rod 10:1: tilt of its axis, median", Rule::at_least, cases[5].tilt, 70.0, 0.0, "deg");
+    result.add("spheroid 2:1:1: tilt of its axis, median", Rule::at_least, cases[4].tilt, 60.0, 0.0, "deg");
+    result.add("spheroid 2:2:1: tilt of its axis, median", Rule::at_most, cases[6].tilt, 30.0, 0.0, "deg");
     return result;
 }
 } // namespace lr::scorecard
