@@ -176,17 +176,19 @@ Falls summarise(const std::vector<Fall>& falls) {
     if (falls.empty()) return out;
 
     // Settled: the last quarter is as fast as the third, to 5 % or to what scatter explains. Bodies whose speed varies reach the
-    // floor when they are fast, by some part of that variation.
+    // floor when they are fast, by some part of that variation. Nor does the middle half of the bodies widen or move by much: while
+    // some gain speed and others begin to turn, the mean of all can rest.
     const Statistic gain = over(
         falls, [](const Fall& f) { return f.last_quarter - f.third_quarter; }, any);
-    out.third_quarter = over(
-                            falls, [](const Fall& f) { return f.third_quarter; }, any)
-                            .mean;
-    out.last_quarter = over(
-                           falls, [](const Fall& f) { return f.last_quarter; }, any)
-                           .mean;
-    out.settled = std::abs(gain.mean) <=
-                  std::max({0.05 * std::abs(out.last_quarter), 3.0 * gain.standard_error, 0.2 * gain.deviation});
+    const Statistic& third = out.third_quarter = over(
+        falls, [](const Fall& f) { return f.third_quarter; }, any);
+    const Statistic& last = out.last_quarter = over(
+        falls, [](const Fall& f) { return f.last_quarter; }, any);
+    const double speed = std::abs(last.mean), scatter = std::hypot(third.standard_error, last.standard_error);
+    const double moved = std::abs(last.p50 - third.p50);
+    const double widened = std::abs((last.p75 - last.p25) - (third.p75 - third.p25));
+    out.settled = std::abs(gain.mean) <= std::max({0.05 * speed, 3.0 * gain.standard_error, 0.2 * gain.deviation}) &&
+                  std::max(moved, widened) <= std::max(0.15 * speed, 5.0 * scatter);
 
     const auto count = static_cast<double>(falls.size());
     for (const Fall& f : falls) {

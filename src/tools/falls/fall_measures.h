@@ -47,7 +47,7 @@ struct Falls {
     Statistic descent, horizontal_speed, spin, turnovers, swings; // spin: magnitudes; swings: of fluttering bodies
     Statistic turning;                                            // spin of spinning bodies
     Statistic time;                                               // of those that arrived
-    double third_quarter = 0.0, last_quarter = 0.0;               // m/s, mean descent
+    Statistic third_quarter, last_quarter;                        // of descent; third: 0 if a fall is short
     bool settled = false;
     std::array<double, motion_names.size()> shares{}; // of each Motion
     double spirals = 0.0;                             // share that glides in spirals

@@ -66,7 +66,7 @@ std::string sentence(const Falls& falls, const Shape& shape) {
     const bool liquid = shape.fluid_density > 100.0;
     const std::string verb = falls.descent.p50 < 0.0 ? "rises" : liquid ? "sinks" : "falls";
     if (!falls.settled)
-        return verb + " at " + speed_text(std::abs(falls.last_quarter)) + " (not settled yet), " + manner(falls);
+        return verb + " at " + speed_text(std::abs(falls.last_quarter.p50)) + " (not settled yet), " + manner(falls);
     return verb + " at about " + speed_text(speed) + ", " + manner(falls);
 }
 

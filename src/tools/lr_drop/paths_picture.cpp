@@ -138,8 +138,7 @@ Lanes arrange(const Results& results, const Axes& axes, double drop_height, doub
     return best;
 }
 
-// Returns the time between the drawn bodies, s.
-double draw_falls(Picture& picture, const DropCommand& command, const Results& results, const Axes& axes) {
+void draw_falls(Picture& picture, const DropCommand& command, const Results& results, const Axes& axes) {
     const double wide = width - side - 3.0 * margin, high = height - header - 2.0 * margin;
     const double drop_height = command.drop.height;
     const Lanes lanes = arrange(results, axes, drop_height, wide, high);
@@ -177,12 +176,14 @@ double draw_falls(Picture& picture, const DropCommand& command, const Results& r
                   enlarged > 1.05 ? ", drawn " : "");
     std::string caption = text;
     if (enlarged > 1.05) {
-        std::snprintf(text, sizeof text, "%.2g times as large", enlarged);
+        std::snprintf(text, sizeof text, "%.*f times as large", enlarged < 9.95 ? 1 : 0, enlarged);
         caption += text;
     }
     write_text(picture, {margin, 84.0}, 14.0, grey, caption);
     scale_bar(picture, {margin, height - 30.0}, lanes.scale, 0.12 * wide);
-    return every;
+    // Falls that reach beyond their lanes stay out of the right column.
+    const int column = static_cast<int>(width - 1.5 * margin - side);
+    picture.fill(column, 0, width - column, height, paper, 1.0f);
 }
 
 void draw_landings(Picture& picture, const DropCommand& command, const Results& results, const Axes& axes) {
@@ -261,8 +262,9 @@ std::vector<uint8_t> draw_paths(const DropCommand& command, const Results& resul
     const Axes axes(command.drop.wind);
     std::string heading = title(command, results);
     std::erase(heading, '^'); // the letters have none
-    write_text(picture, {margin, 48.0}, 20.0, black, heading);
     draw_falls(picture, command, results, axes);
+    const double space = width - 2.0 * margin;
+    write_text(picture, {margin, 48.0}, std::min(20.0, 20.0 * space / text_width(20.0, heading)), black, heading);
     draw_landings(picture, command, results, axes);
     draw_shares(picture, results);
     return encode_png(picture);

@@ -87,9 +87,15 @@ std::string text(const DropCommand& command, const Results& results) {
     const bool rises = f.descent.mean < 0.0;
     line("terminal speed", number(std::abs(f.descent.mean)) + (rises ? " m/s upward " : " m/s downward ") +
                                (rises ? range({.p5 = -f.descent.p95, .p95 = -f.descent.p5}) : range(f.descent)));
-    if (!f.settled)
-        line("", "not settled: " + number(std::abs(f.third_quarter)) + " m/s in the third quarter of the time, " +
-                     number(std::abs(f.last_quarter)) + " in the last. Give more --height");
+    const auto half = [](const Statistic& quarter) { // of the bodies
+        return number(std::abs(quarter.p25)) + " to " + number(std::abs(quarter.p75));
+    };
+    if (!f.settled && f.third_quarter.deviation == 0.0 && f.third_quarter.mean == 0.0)
+        line("", "not settled: the fall lasts only a few steps. Give more --height");
+    else if (!f.settled)
+        line("", "not settled: half of the bodies at " + half(f.third_quarter) +
+                     " m/s in the third quarter of the time, " + half(f.last_quarter) +
+                     " in the last. Give more --height");
     std::string shares;
     std::array<std::size_t, falls::motion_names.size()> order{};
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -126,7 +132,7 @@ std::string json(const DropCommand& command, const Results& results) {
     j["summary"] = falls::sentence(f, results.shape);
     j["terminal_speed"] = to_json(f.descent);
     j["settled"] = f.settled;
-    j["speed_in_quarters"] = {{"third", f.third_quarter}, {"last", f.last_quarter}};
+    j["speed_in_quarters"] = {{"third", f.third_quarter.mean}, {"last", f.last_quarter.mean}};
     j["regime"]["word"] = falls::summary_word(f);
     for (std::size_t i = 0; i < f.shares.size(); ++i) j["regime"]["shares"][falls::motion_names[i]] = f.shares[i];
     j["spin_vertical"] = to_json(f.spin);

@@ -187,6 +187,21 @@ TEST_CASE("fall measures: a fall that still speeds up is not settled") {
     CHECK_FALSE(summarise({few, few}).settled);
 }
 
+TEST_CASE("fall measures: falls are not settled while some gain speed and others begin to turn") {
+    std::vector<Fall> falls;
+    for (int i = 0; i < 200; ++i)
+        falls.push_back(
+            fall_with(Motion::spinning, still, 2.4 + 1e-3 * i, i % 2 == 0 ? 1.4 + 1e-3 * i : 3.5 + 1e-3 * i));
+    const Falls parting = summarise(falls); // the means differ by 2 %
+    CHECK_FALSE(parting.settled);
+    for (Fall& f : falls) f.third_quarter = f.last_quarter;
+    CHECK(summarise(falls).settled);
+    // The word is of the same kind, settled or not: the median.
+    for (int i = 0; i < 200; ++i)
+        falls[static_cast<size_t>(i)] = fall_with(Motion::spinning, still, 3.0, i < 110 ? 1.0 : 6.0);
+    CHECK(sentence(summarise(falls), sheet()).starts_with("falls at 1.0 m/s (not settled yet)"));
+}
+
 TEST_CASE("fall measures: landings, shares and words") {
     std::vector<Fall> falls;
     for (int i = 0; i < 1000; ++i) { // rings of 1 m and 3 m about (5, 2)

@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+#include <png.h>
+
 using namespace lr;
 using test::Outcome;
 using test::Scratch;
@@ -110,7 +112,41 @@ TEST_CASE("lr_drop: pictures of one body, of one that floats, and of one that ri
     }
     CHECK(contains(lr_drop({asset, "--fluid", "water", "--count", "8"}).out, "m/s upward"));
     CHECK(contains(lr_drop({asset, "--fluid", "400,1e-6", "--count", "2"}).out, "2 did not arrive"));
-    CHECK(contains(lr_drop({asset, "--height", "0.01", "--count", "20"}).out, "not settled"));
+    CHECK(contains(lr_drop({asset, "--height", "0.1", "--count", "20"}).out, "not settled: half of the bodies at "));
+    CHECK(contains(lr_drop({asset, "--height", "0.001", "--count", "20"}).out, "not settled: the fall lasts only"));
+}
+
+TEST_CASE("lr_drop: falls stay out of the picture's right column, and the heading within the picture") {
+    const Scratch scratch;
+    const std::string asset = bake(scratch);
+    const std::vector<std::string> arguments{asset,
+                                             "--height",
+                                             "0.5",
+                                             "--wind",
+                                             "12.3456789,-0.5123456,3.3123456",
+                                             "--turbulence",
+                                             "2.5",
+                                             "--fluid",
+                                             "1.23456789,1.5e-5",
+                                             "--png",
+                                             scratch.path("p.png")};
+    REQUIRE(lr_drop(arguments).exit_code == 0);
+    const std::string png = scratch.read("p.png");
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    REQUIRE(png_image_begin_read_from_memory(&image, png.data(), png.size()));
+    image.format = PNG_FORMAT_GRAY;
+    std::vector<uint8_t> grey(PNG_IMAGE_SIZE(image));
+    REQUIRE(png_image_finish_read(&image, nullptr, grey.data(), 0, nullptr));
+    const auto marks = [&](uint32_t left, uint32_t right, uint32_t top, uint32_t bottom) {
+        int count = 0;
+        for (uint32_t y = top; y < bottom; ++y)
+            for (uint32_t x = left; x < right; ++x) count += grey[size_t{y} * image.width + x] < 230;
+        return count;
+    };
+    CHECK(marks(100, 1400, 120, 1150) > 1000);
+    CHECK(marks(1459, 1463, 90, 1200) == 0); // before the column
+    CHECK(marks(1970, 2000, 0, 60) == 0);    // behind the heading
 }
 
 TEST_CASE("lr_drop: help and version are no errors, wrong usage is 2") {
