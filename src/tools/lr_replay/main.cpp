@@ -27,6 +27,8 @@ std::string lower(std::string text) {
 }
 
 bool read(const std::string& path, Bytes& bytes) {
+    std::error_code no_file;
+    if (std::filesystem::is_directory(path_of(path), no_file)) return false;
     std::ifstream file(path_of(path), std::ios::binary);
     if (!file) return false;
     bytes.assign(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
@@ -76,7 +78,8 @@ int run(int argc, char** argv) {
     app.add_option("FILE", path, "The recording: all bytes given to lr_recording_desc.write")->required();
     app.add_option("--simd", simd, "Instruction set: auto, SSE4, AVX2, AVX-512, NEON, WebAssembly");
     app.add_option("--workers", options.workers, "Threads besides the calling one")->check(CLI::Range(0, 64));
-    app.add_option("--until", options.until, "Stop after this many steps of the recording");
+    app.add_option("--until", options.until, "Stop after this many steps of the recording")
+        ->check(CLI::NonNegativeNumber);
     app.add_flag("--print", print, "Print each call as text");
     CLI::Option* const of = app.add_option("--body", body, "Id of a body for --csv, as shown by --print");
     app.add_option("--csv", csv, "Write the pose of the body after each step to this file")->needs(of);
@@ -92,26 +95,35 @@ int run(int argc, char** argv) {
         std::fprintf(stderr, "--simd: unknown instruction set %s; --help lists them\n", simd.c_str());
         return 3;
     }
-    std::ofstream table;
-    if (!csv.empty()) {
-        char* end = nullptr;
-        options.body = {std::strtoull(body.c_str(), &end, 0)};
-        table.open(path_of(csv));
-        if (!table || *end != '\0') {
-            std::fprintf(stderr, "%s\n", table ? "--body: not an id that --print shows" : "--csv: cannot be written");
-            return 3;
-        }
-        options.csv = &table;
-    }
     if (print) options.print = &std::cout;
     Bytes bytes;
     if (!read(path, bytes)) {
         std::fprintf(stderr, "%s: the recording cannot be read; check the path and the rights\n", path.c_str());
         return 3;
     }
+    std::ofstream table;
+    if (!csv.empty()) {
+        char* end = nullptr;
+        options.body = {std::strtoull(body.c_str(), &end, 0)};
+        std::error_code no_file;
+        const bool number = end != body.c_str() && *end == '\0';
+        const bool other = number && !std::filesystem::equivalent(path_of(path), path_of(csv), no_file);
+        if (other) table.open(path_of(csv));
+        if (!other || !table) {
+            std::fprintf(stderr, "%s\n",
+                         !number  ? "--body: not an id that --print shows"
+                         : !other ? "--csv: it would overwrite the recording"
+                                  : "--csv: cannot be written");
+            return 3;
+        }
+        options.csv = &table;
+    }
     int code = 0;
     try {
-        code = report(play(bytes.data(), bytes.size(), options));
+        const Outcome outcome = play(bytes.data(), bytes.size(), options);
+        code = report(outcome);
+        if (options.csv && !outcome.body)
+            std::fprintf(stderr, "warning: no body had the id %s after a step; --print shows ids\n", body.c_str());
     } catch (const Fault& fault) {
         std::fprintf(stderr, "%s: error R%02d: %s\n", path.c_str(), static_cast<int>(fault.id), fault.what());
         return 2;

@@ -87,6 +87,7 @@ private:
         return h;
     }
     void write_place();
+    void print_ids() const;
 
     const Options& options_;
     Reader reader_;
@@ -236,10 +237,22 @@ void Player::carry_out() {
         *options_.print << "refused";
     else
         *options_.print << call_.status;
-    if (call_.output != 0) *options_.print << ", 0x" << hex(call_.output);
+    if (scene_.made.size() > 1 && call_.status == LR_OK)
+        print_ids();
+    else if (call_.output != 0)
+        *options_.print << ", 0x" << hex(call_.output);
     if (call_.op == recording::op_of("lr_world_step"))
         *options_.print << ", step " << outcome_.steps << ", hash " << hex(hash());
     *options_.print << '\n';
+}
+
+void Player::print_ids() const { // runs of them as "first to last"
+    const std::vector<uint64_t>& ids = scene_.made;
+    for (size_t from = 0, to = 0; from < ids.size(); from = to) {
+        for (to = from + 1; to < ids.size() && ids[to] == ids[to - 1] + 1;) ++to;
+        *options_.print << ", 0x" << hex(ids[from]);
+        if (to > from + 1) *options_.print << " to 0x" << hex(ids[to - 1]);
+    }
 }
 
 bool Player::compare(const recording::ResultRecord& r) {
@@ -278,6 +291,7 @@ void Player::write_place() {
     lr_body_state_init(&s, sizeof s);
     *options_.csv << outcome_.steps;
     if (lr_body_get_state(scene_.world, options_.body, &s) == LR_OK) {
+        outcome_.body = true;
         char text[160];
         std::snprintf(text, sizeof text, ",%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g", static_cast<double>(s.position[0]),
                       static_cast<double>(s.position[1]), static_cast<double>(s.position[2]),
@@ -293,7 +307,8 @@ void Player::write_place() {
 Outcome Player::run() {
     if (options_.csv) *options_.csv << "step,x,y,z,qx,qy,qz,qw\n";
     Record r;
-    for (Reader::Place at = reader_.place(); outcome_.steps < options_.until && reader_.next(r); at = reader_.place()) {
+    for (Reader::Place at = reader_.place(); (outcome_.steps < options_.until || !begun_) && reader_.next(r);
+         at = reader_.place()) {
         if (r.kind != Kind::world && !scene_.world) Arguments::wrong("it precedes the world's record");
         const bool early =
             r.kind == Kind::hole || r.kind == Kind::setup || r.kind == Kind::geometry || r.kind == Kind::begun;

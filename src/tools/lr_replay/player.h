@@ -38,6 +38,7 @@ struct Outcome {
     bool cut = false;                     // the recording ends within a record
     std::string within;                   // the call during which it ends
     uint64_t hash = 0;                    // of the world at the end
+    bool body = false;                    // whether Options::body was ever there
     std::optional<Difference> difference; // the first; playing stops there
 };
 
@@ -48,6 +49,7 @@ Outcome play(const unsigned char* bytes, size_t size, const Options& options);
 struct Scene {
     lr_world* world = nullptr;
     std::vector<lr_asset*> assets;
+    std::vector<uint64_t> made; // ids of the bodies or colliders that the last call made
     Answers wind{recording::wind_values}, surface{recording::surface_values};
 };
 // The name of the function; null if unknown.

@@ -9,11 +9,13 @@ namespace {
 
 using recording::Op;
 
-template <class H> uint64_t output_of(const H* ids, size_t count) {
-    if (count == 1) return ids[0].id;
-    if (count == 0) return 0;
-    recording::Hash hash(count);
-    hash.add(ids, sizeof(H) * count);
+// The output of a call that made bodies or colliders.
+template <class H> uint64_t output_of(const std::vector<H>& ids, Scene& scene) {
+    for (const H& made : ids) scene.made.push_back(made.id);
+    if (ids.empty()) return 0;
+    if (ids.size() == 1) return ids[0].id;
+    recording::Hash hash(ids.size());
+    hash.add(ids.data(), sizeof(H) * ids.size());
     return hash.value();
 }
 
@@ -171,17 +173,17 @@ std::vector<lr_body> room_for_ids(const Scene& scene, lr_batch batch, uint32_t c
     return std::vector<lr_body>(fits ? count : 0);
 }
 
-lr_status batch_spawn(Arguments& from, const Scene& scene, uint64_t& output) {
+lr_status batch_spawn(Arguments& from, Scene& scene, uint64_t& output) {
     const auto batch = from.value<lr_batch>();
     const auto count = from.value<uint32_t>();
     from.end();
     std::vector<lr_body> ids = room_for_ids(scene, batch, count);
     const lr_status status = lr_batch_spawn(scene.world, batch, count, ids.data());
-    output = output_of(ids.data(), ids.size());
+    output = output_of(ids, scene);
     return status;
 }
 
-lr_status batch_spawn_box(Arguments& from, const Scene& scene, uint64_t& output) {
+lr_status batch_spawn_box(Arguments& from, Scene& scene, uint64_t& output) {
     const auto batch = from.value<lr_batch>();
     const Array low = from.array(12), high = from.array(12);
     const auto count = from.value<uint32_t>();
@@ -189,11 +191,11 @@ lr_status batch_spawn_box(Arguments& from, const Scene& scene, uint64_t& output)
     std::vector<lr_body> ids = room_for_ids(scene, batch, count);
     const lr_status status =
         lr_batch_spawn_box(scene.world, batch, low.as<float>(), high.as<float>(), count, ids.data());
-    output = output_of(ids.data(), ids.size());
+    output = output_of(ids, scene);
     return status;
 }
 
-lr_status body_create(Arguments& from, const Scene& scene, uint64_t& output) {
+lr_status body_create(Arguments& from, Scene& scene, uint64_t& output) {
     const auto batch = from.value<lr_batch>();
     uint32_t count = 0;
     std::vector<lr_body_desc> descs;
@@ -202,11 +204,11 @@ lr_status body_create(Arguments& from, const Scene& scene, uint64_t& output) {
     std::vector<lr_body> ids(descs.size());
     const lr_status status =
         lr_body_create(scene.world, batch, given ? descs.data() : nullptr, count, given ? ids.data() : nullptr);
-    output = output_of(ids.data(), ids.size());
+    output = output_of(ids, scene);
     return status;
 }
 
-lr_status collider_create(Arguments& from, const Scene& scene, uint64_t& output) {
+lr_status collider_create(Arguments& from, Scene& scene, uint64_t& output) {
     uint32_t count = 0;
     std::vector<lr_collider_desc> descs;
     std::vector<Array> arrays; // each array's bytes stay in place when this grows
@@ -225,7 +227,7 @@ lr_status collider_create(Arguments& from, const Scene& scene, uint64_t& output)
     std::vector<lr_collider> ids(descs.size());
     const lr_status status =
         lr_collider_create(scene.world, given ? descs.data() : nullptr, count, given ? ids.data() : nullptr);
-    output = output_of(ids.data(), ids.size());
+    output = output_of(ids, scene);
     return status;
 }
 
@@ -297,6 +299,7 @@ const char* name_of(Op op) {
 
 lr_status perform(Op op, Arguments& from, Scene& scene, uint64_t& output) {
     output = 0;
+    scene.made.clear();
     switch (op) {
 #define LR_CALL(name, make)                                                                                            \
     case recording::op_of("lr_" #name):                                                                                \

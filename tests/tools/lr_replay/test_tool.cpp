@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #if defined(LR_REPLAY_PATH) && !defined(_WIN32)
 #include <sys/wait.h>
@@ -33,6 +34,11 @@ TEST_CASE("lr_replay ends with 0, 1, 2 or 3") {
               std::string("--workers 2 --print --simd ") + lr_simd_target_name(simd_targets().back())) == 0);
     CHECK(run(recording.bytes, "--until 2 --csv '" + table + "' --body " + std::to_string(body.id)) == 0);
     CHECK(std::filesystem::file_size(table) > 30);
+    CHECK(run(recording.bytes, "--until 0") == 0);
+    CHECK(run(recording.bytes, "--until -1") == 3);
+    CHECK(run(recording.bytes, "--csv '" + table + "' --body ''") == 3);
+    CHECK(run(recording.bytes, "--csv '" + file + "' --body 1") == 3);
+    CHECK(std::filesystem::file_size(file) == recording.bytes.size()); // not overwritten
     std::vector<unsigned char> damaged = recording.bytes;
     damaged[100] ^= 1;
     CHECK(run(damaged, "") == 2);
@@ -54,5 +60,37 @@ TEST_CASE("lr_replay ends with 0, 1, 2 or 3") {
     std::memcpy(other.data() + last, &h, sizeof h);
     CHECK(run(other, "") == 1);
     std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("lr_replay prints the ids of bodies, and says whether the body of a path was there") {
+    const Asset flat = leaf();
+    const World world = make(world_desc());
+    const lr_batch batch = add_batch(world, flat, 8);
+    lr_emitter_desc emitter = initialised(lr_emitter_desc_init);
+    REQUIRE(lr_batch_set_emitter(world.get(), batch, &emitter) == LR_OK);
+    Recording recording;
+    recording.start(world);
+    lr_body bodies[5];
+    REQUIRE(lr_batch_spawn(world.get(), batch, 3, bodies) == LR_OK);
+    REQUIRE(lr_body_destroy(world.get(), bodies, 2) == LR_OK);
+    REQUIRE(lr_batch_spawn(world.get(), batch, 5, bodies) == LR_OK);
+    steps(world, 1, 0.01f);
+    std::ostringstream text, csv;
+    lr::replay::Options options;
+    options.print = &text;
+    options.csv = &csv;
+    options.body = {1};
+    CHECK_FALSE(recording.play(options).body);
+    options.body = bodies[4];
+    CHECK(recording.play(options).body);
+    // Runs of ids: their ends are shown.
+    for (size_t i = 0; i < 5; ++i) {
+        const bool begins = i == 0 || bodies[i].id != bodies[i - 1].id + 1;
+        const bool ends = i == 4 || bodies[i + 1].id != bodies[i].id + 1;
+        char id[24];
+        std::snprintf(id, sizeof id, "0x%016llx", static_cast<unsigned long long>(bodies[i].id));
+        CAPTURE(text.str());
+        CHECK((text.str().find(id) != std::string::npos) == (begins || ends));
+    }
 }
 #endif
