@@ -2,6 +2,7 @@
 """Runs the programs of samples/small, checks that they print what nature would, and the programs of docs/guide/tutorial.md: the same, and one in C.
 usage: check_small.py BUILD_DIR ROOT PREFIX        BUILD_DIR: of the samples; ROOT: of the project; PREFIX: the installed package
 SPDX-License-Identifier: MIT"""
+import json
 import pathlib
 import re
 import subprocess
@@ -88,8 +89,56 @@ def park(text):
     assert awake[5] > 400, "the gale wakes them"
 
 
+def falls():
+    """The speeds that docs/guide/recipes.md gives are those that lr_drop prints."""
+    recipes = (ROOT / "docs/guide/recipes.md").read_text(encoding="utf-8")
+    flat = " ".join(recipes.split())
+
+    def dropped(asset, height):
+        done = subprocess.run([PREFIX / "bin/lr_drop", asset, "--height", str(height), "--json", "/dev/stdout", "--quiet"],
+                              capture_output=True, text=True, timeout=120, check=True)
+        return json.loads(done.stdout)
+
+    def stated(pattern, *values):
+        found = re.search(pattern, flat)
+        assert found, f"recipes.md no longer says {pattern}"
+        for text, value in zip(found.groups(), values):
+            step = 10.0 ** -len(text.partition(".")[2])
+            assert abs(float(text) - value) < 0.6 * step, f"recipes.md says {found[0]}, lr_drop {values}"
+
+    def mean(name):
+        return dropped(BUILD / f"viewer_assets/{name}.lrb", 3)["terminal_speed"]["mean"]
+
+    stated(r"descends at ([\d.]+) m/s, A7 paper at ([\d.]+), a petal of 1.2 cm at ([\d.]+), confetti at ([\d.]+\d)",
+           mean("leaf"), mean("paper"), mean("petal"), mean("confetti"))
+    across = dropped(BUILD / "viewer_assets/confetti.lrb", 5)["spin_across"]
+    stated(r"turns over (\d+) times a second on average \(`lr_drop assets/confetti.lrb --height 5`\), one piece in twenty (\d+) times",
+           across["mean"], across["p95"])
+    seed = dropped(BUILD / "viewer_assets/samara.lrb", 10)["terminal_speed"]
+    stated(r"([\d.]+) to ([\d.]+) m/s for this one \(`lr_drop samara.lrb --height 10`", seed["p5"], seed["p95"])
+    with tempfile.TemporaryDirectory() as folder:
+        for line in re.findall(r"^    lr_bake (ellipsoid .*)$", recipes, re.M):
+            command, said = line.split("#")
+            subprocess.run([PREFIX / "bin/lr_bake", *command.split(), "--quiet"], cwd=folder, check=True)
+            speed, manner = re.search(r"falls at ([\d.]+) m/s, (\w+)", said).groups()
+            summary = dropped(pathlib.Path(folder) / command.split()[-1], 1)["summary"]
+            assert summary == f"falls at about {speed} m/s, {manner}", f"{line}: {summary}"
+
+
+def names():
+    """What the table of C# names is in its sources."""
+    page = (ROOT / "docs/guide/languages.md").read_text(encoding="utf-8")
+    table = re.search(r"^\| C \| C# \|\n(.*?)\n\n", page, re.M | re.S)[1]
+    sources = set(re.findall(r"\w+", "".join(path.read_text(encoding="utf-8") for path in (ROOT / "bindings/csharp").rglob("*.cs"))))
+    for row in table.splitlines():
+        for word in re.findall(r"`([A-Z]\w{3,})[`(]", row.split("|")[2]):
+            assert word in sources | {"ClearX", "ResetX"}, f"languages.md: C# has no {word}"
+
+
 BUILD, ROOT, PREFIX = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
 park(texts())
+names()
+falls()
 leaves()
 dart()
 confetti()
