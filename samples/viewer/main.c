@@ -103,6 +103,7 @@ static unsigned run_window(viewer* v, window* w) {
     int next = 0, width = 0, height = 0, open = 1;
     event e;
     v->frame_seconds = 1.0 / 60.0;
+    picture_resize(&v->picture, o->width, o->height); /* clicks before the first picture need its size, too */
     while (open && !v->quit && (o->seconds < 0.0 || before - start < o->seconds)) {
         while ((open = window_event(w, &e)), e.kind != event_none) viewer_handle(v, &e);
         press_until(v, before - start, &next);

@@ -77,6 +77,9 @@ def check(program, picture, report_of, places):
         return False
     server, display = start_server()
     try:
+        early = subprocess.run([program, "--window", "--scene", "petals", "--count", "300", "--seconds", "0.5", "--press", "0:click@0.7/0.5"],
+                               env={**os.environ, "DISPLAY": display}, capture_output=True, text=True, timeout=60)
+        assert early.returncode == 0 and not early.stderr, f"a click before the first picture: {early.stderr}"
         report = report_of(play(program, picture, display, places))
     finally:
         server.terminate()
