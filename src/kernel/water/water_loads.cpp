@@ -313,17 +313,58 @@ HWY_NOINLINE Immersion immersed_at(const StepInput& in, const WetSubstep& s, con
     return immersed(*s.body, *s.plane, body_scale, q, x, load1(b.height, at), load3(b.normal, at), blur_of(in, s));
 }
 
-// Fluid that the body begins to move must be accelerated: momentum is kept. Fluid that it leaves keeps its own momentum, and the body its velocity.
-// Neither gains energy. v, u: relative to the water.
-template <bool kFull> HWY_INLINE Twist struck(const WaterBody& w, VF before, VF after, Twist t) {
+// The waves that a body makes take its motion along the surface's normal (docs/reference/wind_and_water.md, "Waves that bodies make"): minus the
+// share that half a substep takes, over the mobility along the normal, in mass units of the body in air.
+HWY_NOINLINE VF radiated(const StepInput& in, const WetSubstep& s, const Immersion& at, VF body_scale, VF mobility) {
+    const WaterBody& w = *s.body;
+    const float *const a = w.semi_axes_squared, *const g = s.gravity;
     const VF one = constant(1.0f);
-    const auto ratio = [&](VF lambda)
-                           LR_LAMBDA { return hn::Min((before * lambda + one) / (after * lambda + one), one); };
-    const Twist kept = each_axis6(ratio, broadcast6(w.lambda));
-    if constexpr (!kFull) return each_axis6([](VF x, VF part) LR_LAMBDA { return x * part; }, t, kept);
+    const Vec3 along = rows(w.axes, at.normal), stretched = scaled_by(a, along);
+    // At scale 1. Not blurred: the waterplane of a thin body does not depend on the step.
+    const VF squared = dot(stretched, along), per_height = one / hn::Sqrt(squared);
+    const VF part = hn::Sqrt(constant(16.0f / 3.0f) * at.second); // of the section through the centre
+    const VF waterplane = constant(0.75f) * part * per_height;    // over the volume
+    const VF unit = mobility * constant(1.0f / in.body.unit_mass);
+    const VF number = constant(w.water_mass) * unit * waterplane;
+    const VF deep = unit * (constant(w.water_mass) * at.fraction - constant(1.6f * w.mass)) + constant(1.6f);
+    const VF force = one / (deep * (constant(0.5f) * deep + one) + one);
+    const VF difference = hn::Max(constant(a[0] + a[1] + a[2]) - dot(stretched, stretched) / squared -
+                                      constant(2.0f * std::sqrt(a[0] * a[1] * a[2])) * per_height,
+                                  hn::Zero(DF()));
+    const VF n2 = number * number;
+    const VF loss = constant(w.water_mass / w.water_density) * waterplane * n2 * (force * force) /
+                    hn::Sqrt(constant(0.25f) * n2 * part * difference + one);
+    const float pull = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
+    const VF x = constant(0.25f * in.h) * hn::Sqrt(constant(pull) * number / body_scale) * loss;
+    return (one / relaxation(x).d - one) / mobility;
+}
+
+// Fluid that the body begins to move must be accelerated: momentum is kept. Fluid that it leaves keeps its own momentum, and the body its velocity.
+// Waves are made at the pose `at`, before or after it. None of these gains energy. v, u: relative to the water.
+template <bool kFull>
+HWY_NOINLINE Twist struck(const StepInput& in, const WetSubstep& s, const Immersion& at, VF body_scale, bool ends,
+                          VF before, VF after, Twist t) {
+    const WaterBody& w = *s.body;
+    const VF one = constant(1.0f);
+    const Twist lambda = broadcast6(w.lambda), normal{at.normal, zero3()};
+    Twist y = t, along = normal, push = normal;
+    if constexpr (kFull) {
+        y = general6<false>(w.to, t);
+        push = along = general6<true>(w.from, normal);
+    } else {
+        push.v = scaled_by(in.body.inverse_mass, normal.v);
+    }
+    push = each_axis6([&](VF p, VF l) LR_LAMBDA { return p / (at.fraction * l + one); }, push, lambda);
+    const auto sum = [](const Twist& a, const Twist& b) LR_LAMBDA { return dot(a.v, b.v) + dot(a.u, b.u); };
+    push = radiated(in, s, at, body_scale, sum(along, push)) * push;
+    const Twist was = y;
+    if (!ends) y += sum(along, y) * push;
+    y = each_axis6([&](VF x, VF l) LR_LAMBDA { return x * hn::Min((before * l + one) / (after * l + one), one); }, y,
+                   lambda);
+    if (ends) y += sum(along, y) * push;
+    if constexpr (!kFull) return y;
     // Only the change: a zero change must keep every bit.
-    const auto change = [&](VF y, VF part) LR_LAMBDA { return y * (part - one); };
-    return t + general6<false>(w.from, each_axis6(change, general6<false>(w.to, t), kept));
+    return t + general6<false>(w.from, y - was);
 }
 
 // Weight and buoyancy of a body between the fluids, over the mass unit. Restoring loads are weakened by 1 + h^2/4 times their steepest rate: this
@@ -375,7 +416,6 @@ HWY_NOINLINE Floating floating(const StepInput& in, const WetSubstep& s, const L
 // By the splitting scheme, whatever integrator the batch has in air.
 template <bool kFull, bool kAerodynamic>
 HWY_NOINLINE void step_wet_bodies(const StepInput& in, const WetSubstep& s, const BatchArrays& a, size_t count) {
-    const WaterBody& w = *s.body;
     const VF zero = hn::Zero(DF()), half = constant(0.5f * in.h);
     const Vec3 none = zero3();
     for (size_t at = 0; at < count; at += hn::Lanes(DF())) {
@@ -394,13 +434,13 @@ HWY_NOINLINE void step_wet_bodies(const StepInput& in, const WetSubstep& s, cons
 
         const Vec3 lower = load3(s.middle->velocity, at), upper = load3(s.wind, at), rate = load3(s.middle->rate, at);
         const Vec3 stream = to_body(b.q, lower);
-        world = struck<kFull>(w, begin.fraction, f, {world.v - stream, world.u});
+        world = struck<kFull>(in, s, begin, body_scale, false, begin.fraction, f, {world.v - stream, world.u});
         world.v += stream;
 
         LaneConstants c;
         VF unit;
-        blend<kFull, kAerodynamic>(in.loads == Loads::langevin, in.body, w, f, c, unit);
-        const VF wet = water_share(w, f);
+        blend<kFull, kAerodynamic>(in.loads == Loads::langevin, in.body, *s.body, f, c, unit);
+        const VF wet = water_share(*s.body, f);
         Held held;
         held.inverse_length = inverse_length;
         held.alpha = held.beta = held.shed = zero;
@@ -438,8 +478,7 @@ void step_wet(const StepInput& in, const WetSubstep& s, const BatchArrays& a, si
                         HWY_ATTR { step_wet_bodies<kFull, kAerodynamic>(in, s, a, count); });
 }
 
-template <bool kFull>
-HWY_NOINLINE void settle_bodies(const StepInput& in, const WetSubstep& s, const BatchArrays& a, size_t count) {
+void settle_wet(const StepInput& in, const WetSubstep& s, const BatchArrays& a, size_t count) {
     for (size_t at = 0; at < count; at += hn::Lanes(DF())) {
         const Quaternion q = load4(a, at);
         const VF body_scale = load1(a, field_scale, at);
@@ -447,19 +486,14 @@ HWY_NOINLINE void settle_bodies(const StepInput& in, const WetSubstep& s, const 
         const Immersion end = immersed_at(in, s, *s.end, at, body_scale, q, load3(a, field_x, at));
         const Vec3 stream = to_body(q, load3(s.end->velocity, at));
         const Twist t{load3(a, field_vx, at) - stream, length * load3(a, field_wx, at)};
-        Twist after = struck<kFull>(*s.body, load1(s.fraction, at), end.fraction, t);
+        const VF f = load1(s.fraction, at);
+        Twist after = s.body->diagonal ? struck<false>(in, s, end, body_scale, true, f, end.fraction, t)
+                                       : struck<true>(in, s, end, body_scale, true, f, end.fraction, t);
         after.v += stream;
         const VF inverse_length = constant(1.0f) / length;
         store_velocities(a, at, after.v, inverse_length * after.u, in.faults);
         store1(s.fraction, at, end.fraction);
     }
-}
-
-void settle_wet(const StepInput& in, const WetSubstep& s, const BatchArrays& a, size_t count) {
-    if (s.body->diagonal)
-        settle_bodies<false>(in, s, a, count);
-    else
-        settle_bodies<true>(in, s, a, count);
 }
 } // namespace lr::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
