@@ -1,6 +1,7 @@
 #include "body_contact/body_contact_step.h"
 
 #include "world/batch/lifecycle.h"
+#include "world/sleep/afloat.h"
 #include "world/step/step_in_wind.h"
 #include "world/world.h"
 
@@ -144,6 +145,7 @@ void BodyContactStep::run() {
     }
     each_cut([&](const BodyContactBatch& member, uint32_t begin, uint32_t end) {
         Batch& batch = *member.item.batch;
+        rest_afloat(*world_, batch, begin, end);
         if (batch.lifecycle()) batch.lifecycle()->judge(world_->target->ended, batch.arrays(), begin, end);
     });
 }

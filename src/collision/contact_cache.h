@@ -17,11 +17,12 @@ inline constexpr uint32_t most_touches = 4; // colliders of a body that count
 inline constexpr float lee_unknown = -1.0f; // of ContactCache::lee
 inline constexpr uint32_t stay_rows = 7;    // of ContactCache::stay
 
-// A touched thing is the slot of a collider + 1, or this value for any number of bodies; 0: nothing.
-inline constexpr uint32_t touching_body = UINT32_MAX;
-static_assert(LR_MAX_COLLIDERS < touching_body);
+// A touched thing is the slot of a collider + 1, or one of these values; 0: nothing.
+inline constexpr uint32_t touching_body = UINT32_MAX;      // any number of bodies
+inline constexpr uint32_t touching_water = UINT32_MAX - 1; // it floats and touches nothing else: world/sleep/afloat.h
+static_assert(LR_MAX_COLLIDERS < touching_water);
 inline bool is_collider(uint32_t touched) {
-    return touched != 0 && touched != touching_body;
+    return touched != 0 && touched < touching_water;
 }
 
 struct Meetings {
@@ -159,6 +160,7 @@ template <class TouchWith>
 void enter_body(const ContactCache& book, const BodyAfter& body, bool may_sleep, float seconds, bool last,
                 const TouchWith& touch_with) {
     const uint32_t at = body.index;
+    if (!body.touches() && book.touching[0][at] == touching_water) return;
     // A body that trembles up to ten times as fast takes four times as long; one that has not moved by a bit, a tenth.
     const bool moves = !body.touches() || body.speed > body.moving;
     const float share = moves ? 0.0f : body.speed > body.still ? 0.25f : body.moved ? 1.0f : 10.0f;

@@ -4,6 +4,7 @@
 #include "base/counter_random.h"
 #include "base/last_error.h"
 #include "world/batch/lifecycle.h"
+#include "world/sleep/afloat.h"
 #include "world/sleep/shelter.h"
 #include "world/sleep/wake.h"
 #include "world/snapshot/snapshot_bytes.h"
@@ -340,8 +341,7 @@ bool lr_world::step(float dt, uint32_t substeps, const FloatMode& mode) {
     if (alone < item_count) lap(timings.body_contact);
     if (wind.active() && wind.take_blame())
         log(LR_LOG_WARNING, "wind callback", "a result was not finite or too large, and was taken as 0");
-    const bool flow_may_wake = (colliders.any() || pairs.any()) && any_asleep();
-    if (flow_may_wake) {
+    if (flow_may_wake()) {
         WakeByFlow(*this, items.data(), {time, static_cast<double>(dt) / substeps, 1}).run(mode);
         lap(timings.wake);
     }
@@ -437,10 +437,15 @@ void lr_world::wake_in_water(const Water::Record& before) {
     if (same(before, surface.record())) return;
     const FloatMode mode;
     each_batch([&](Batch& batch, uint32_t) {
+        forget_afloat(batch);
         // A body that wakes swaps places with one that was already visited.
         for (uint32_t i = batch.awake(); i < batch.count(); ++i)
             if (surface.changes(before, batch.sleeping()->box(unpack(batch.ids()[i]).slot))) batch.wake(i);
     });
+}
+
+bool lr_world::flow_may_wake() const {
+    return (colliders.any() || pairs.any() || surface.present()) && any_asleep();
 }
 
 bool lr_world::any_asleep() const {
@@ -522,7 +527,7 @@ uint64_t lr_world::hash() const {
         }
     });
     // The step's number decides which bodies try the wind.
-    if (paced || pacing.limited() || ((colliders.any() || pairs.any()) && any_asleep())) mix(step_count);
+    if (paced || pacing.limited() || flow_may_wake()) mix(step_count);
     pacing.hash(mix);
     for (uint64_t word : {wind.hash(time), surface.hash(), colliders.hash()})
         if (word != 0) mix(word);

@@ -1,4 +1,5 @@
 // Bodies that float, against closed forms: docs/reference/wind_and_water.md.
+#include "support/colliders.h"
 #include "support/water.h"
 
 #include <algorithm>
@@ -212,4 +213,85 @@ TEST_CASE("floats of every kind come to rest at the step of a game") {
             for (float v : state_of(world, body).linear_velocity) fastest = std::max(fastest, std::abs(v));
         CHECK(fastest < 0.1f);
     }
+}
+
+namespace {
+
+// Corks over still water that is three metres deep.
+struct Corks {
+    Asset asset = make(ellipsoid(0.011, 0.02, 0.011, 200.0));
+    World world = make(world_desc());
+    lr_batch batch{};
+
+    explicit Corks(const lr_water_desc& water = water_desc()) {
+        set_water(world, water);
+        lr_collider_desc ground = collider_desc(LR_COLLIDER_PLANE);
+        ground.position[1] = -3.0f;
+        add_collider(world, ground);
+        batch = add_batch(world, with_loads(LR_LOADS_AERODYNAMIC), asset, 8);
+        for (int i = 0; i < 8; ++i) {
+            lr_body_desc d = at_height(0.002 * i);
+            d.position[0] = 0.1f * static_cast<float>(i);
+            add_body(world, batch, d);
+        }
+    }
+    uint64_t awake() const { return view_of(world, batch).awake_count; }
+    void rest() const {
+        for (int i = 0; i < 7200 && awake() != 0; ++i) steps(world, 1, 1.0f / 60.0f, 2);
+        REQUIRE(awake() == 0);
+    }
+};
+
+} // namespace
+
+TEST_CASE("floats fall asleep on still water, keep their places, and wake when wind, water or a force moves them") {
+    for (const int cause : {0, 1, 2, 3}) {
+        CAPTURE(cause);
+        const Corks corks;
+        corks.rest();
+        const lr_batch_view at = view_of(corks.world, corks.batch);
+        std::vector<float> heights(at.position[1], at.position[1] + at.count);
+        set_wind(corks.world, 0.05f, 0.0f, 0.0f); // too weak
+        steps(corks.world, 100, 1.0f / 60.0f, 2);
+        REQUIRE(corks.awake() == 0);
+        const lr_batch_view later = view_of(corks.world, corks.batch);
+        for (uint32_t i = 0; i < later.count; ++i) CHECK(later.position[1][i] == heights[i]);
+        for (float y : heights) CHECK(std::abs(wide(y) + 0.02 * draught(200.0)) < 0.012); // upright or lying
+        if (cause == 0) set_wind(corks.world, 1.0f, 0.0f, 0.0f);
+        if (cause == 1) {
+            lr_water_desc swell = water_desc();
+            swell.wave_count = 1;
+            swell.waves[0] = {{1.0f, 0.0f, 0.0f}, 2.0f, 0.05f, 0.0f};
+            set_water(corks.world, swell);
+        }
+        if (cause == 2) REQUIRE(lr_world_set_water(corks.world.get(), nullptr) == LR_OK);
+        if (cause == 3)
+            REQUIRE(lr_world_set_water_callback(
+                        corks.world.get(), [](void*, const lr_water_query*) {}, nullptr) == LR_OK);
+        steps(corks.world, 17, 1.0f / 60.0f, 2);
+        CHECK(corks.awake() == 8);
+    }
+}
+
+TEST_CASE("floats do not sleep on waves") {
+    lr_water_desc swell = water_desc();
+    swell.wave_count = 1;
+    swell.waves[0] = {{1.0f, 0.0f, 0.0f}, 5.0f, 0.001f, 0.0f};
+    const Corks corks(swell);
+    steps(corks.world, 3600, 1.0f / 60.0f, 2);
+    CHECK(corks.awake() == 8);
+}
+
+TEST_CASE("floats fall asleep in the same step from a snapshot") {
+    const Corks corks, again;
+    steps(corks.world, 300, 1.0f / 60.0f, 2);
+    const std::vector<unsigned char> bytes = snapshot_of(corks.world);
+    REQUIRE(lr_world_snapshot_restore(again.world.get(), bytes.data(), bytes.size()) == LR_OK);
+    for (int i = 0; i < 7200 && corks.awake() != 0; ++i) {
+        steps(corks.world, 1, 1.0f / 60.0f, 2);
+        steps(again.world, 1, 1.0f / 60.0f, 2);
+        REQUIRE(corks.awake() == again.awake());
+    }
+    CHECK(corks.awake() == 0);
+    CHECK(hash_of(corks.world) == hash_of(again.world));
 }

@@ -2,6 +2,7 @@
 
 #include "world/batch/batch.h"
 #include "world/batch/lifecycle.h"
+#include "world/sleep/afloat.h"
 #include "world/step/step_in_wind.h"
 #include "world/world.h"
 
@@ -59,8 +60,9 @@ void StepChunks::step(const StepItem& item, uint32_t begin, uint32_t end) const 
     Batch& batch = *item.batch;
     move_awake(batch, begin, end, [&] { move_bodies(item, begin, end); });
     // While the bodies are still in the cache.
-    if (batch.lifecycle() && (!slice || slice->first + slice->count == slice->time.substeps))
-        batch.lifecycle()->judge(world_->target->ended, batch.arrays(), begin, end);
+    if (slice && slice->first + slice->count != slice->time.substeps) return;
+    rest_afloat(*world_, batch, begin, end);
+    if (batch.lifecycle()) batch.lifecycle()->judge(world_->target->ended, batch.arrays(), begin, end);
 }
 
 void StepChunks::move_bodies(const StepItem& item, uint32_t begin, uint32_t end) const {

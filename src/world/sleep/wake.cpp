@@ -1,6 +1,7 @@
 #include "world/sleep/wake.h"
 
 #include "base/step_workers.h"
+#include "world/sleep/afloat.h"
 #include "world/sleep/shelter.h"
 #include "world/world.h"
 
@@ -91,6 +92,10 @@ void WakeByFlow::try_range(const StepItem& item, uint32_t begin, uint32_t end) {
     uint32_t index[most], count = 0;
     for (uint32_t i = begin; i < end; ++i) {
         if (noise_seed[i] % turns != turn || touching[i] == 0) continue;
+        if (touching[i] == touching_water && !world_->wind.active()) {
+            if (wakes_afloat(*world_, batch, i, vector_of(world_->wind.uniform.wind))) item.batch->note_sleep(i);
+            continue;
+        }
         index[count++] = i;
         if (count < most) continue;
         try_bodies(item, index, count);
@@ -121,6 +126,10 @@ void WakeByFlow::try_bodies(const StepItem& item, const uint32_t* index, uint32_
     Vector wind[most];
     for (uint32_t i = 0; i < count; ++i) {
         const Vector w = vector_of(winds + size_t{3} * i), held = vector_in(copies.field, field_gust_x, i);
+        if (batch.columns().row<uint32_t>(column_touching)[index[i]] == touching_water) {
+            if (wakes_afloat(*world_, batch, index[i], w)) batch.note_sleep(index[i]);
+            continue;
+        }
         if (wet[i] == 0 && !batch.doubted(index[i]) && (remembers ? withstands(held, w) : dot(w, w) == 0.0f)) continue;
         wind[tried_count] = w;
         tried[tried_count++] = index[i];

@@ -54,8 +54,9 @@ void leave(const ContactCache& book, uint32_t* floor, const NearContacts& near, 
             continue;
         }
         if (near.holds(i)) continue;
-        book.still_time[i] = 0.0f;
         floor[i] = 0; // it can come back from the other side
+        if (book.touching[0][i] == touching_water) continue;
+        book.still_time[i] = 0.0f;
         if (book.stay[0][i] != 0.0f)
             for (float* row : book.stay) row[i] = 0.0f;
         if (book.notes.noted && book.touching[0][i] != 0) book.notes.noted[book.notes.slot(i)] |= noted_touch;
