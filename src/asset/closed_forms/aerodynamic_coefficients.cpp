@@ -45,15 +45,20 @@ double flatness(const AerodynamicGeometry& g, size_t k) {
     return g.area[k] > other ? 1.0 - other / g.area[k] : 0.0;
 }
 
-// How much of a plate it is: a thick body that is round at the rim is less of one than one with edges.
-double sheetness(const AerodynamicGeometry& g, size_t k) {
-    const double flat = flatness(g, k), lost = (1.0 - flat) * (1.0 - g.edges[k]);
-    return flat * std::max(0.0, 1.0 - 2.0 * lost * lost);
+// From a share of 0.05 on: bodies thinner than that are sheets.
+double beyond_thin(double share) {
+    return std::max(0.0, (share - 0.05) / 0.95);
 }
 
-// How little of a plate it is: 1 for rods and round bodies, 0 for sheets, and nearly so for thin bodies.
+// How much of a plate it is: a thick body that is round at the rim is less of one than one with edges.
+double sheetness(const AerodynamicGeometry& g, size_t k) {
+    const double flat = flatness(g, k), lost = beyond_thin(1.0 - flat) * (1.0 - g.edges[k]);
+    return flat * std::max(0.0, 1.0 - 2.25 * lost * lost);
+}
+
+// How little of a plate it is: 1 for rods and round bodies, 0 for thin ones.
 double compactness(const AerodynamicGeometry& g) {
-    const double rest = 1.0 - std::max({sheetness(g, 0), sheetness(g, 1), sheetness(g, 2)});
+    const double rest = beyond_thin(1.0 - std::max({sheetness(g, 0), sheetness(g, 1), sheetness(g, 2)}));
     return rest * rest * (3.0 - 2.0 * rest);
 }
 
