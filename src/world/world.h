@@ -104,7 +104,7 @@ struct lr_world {
     // Wakes sleeping bodies along a collider's way in the step.
     void wake_at(uint32_t collider);
     void wake_in_water(const lr::Water::Record& before); // the water has changed
-    bool flow_may_wake() const; // whether wind or water can move sleeping bodies
+    bool flow_may_wake() const;                          // whether wind or water can move sleeping bodies
     bool any_asleep() const;
     // capacity 0 disables them.
     lr_status set_events(uint32_t capacity, uint32_t kinds);

@@ -215,7 +215,7 @@ RowResult run_solids(const Context& context) {
     struct Case {
         const char* name;
         Asset body;
-        double sphericity;  // of those whose speed is known
+        double sphericity; // of those whose speed is known
         double tilt = 0.0; // of the axis z off the vertical (rods: 90), degrees
         Statistic descent = {};
     };
