@@ -53,16 +53,16 @@ struct Leaving {
     }
 };
 
-// v0, w0, v: before and after the substep, body frame.
+// v0, w0, v: before and after the substep, body frame. carried: a slow collider takes it along.
 Leaving leaving(const ContactStep& step, Vector gravity, const ContactCache& book, const BodyAfter& body,
-                const Pose& now, Vector v0, Vector w0, Vector v, float h) {
+                const Pose& now, Vector v0, Vector w0, Vector v, float h, bool carried) {
     Leaving out{};
     if (book.stay[0][body.index] == 0.0f && dot(v0, v0) + dot(w0, w0) == 0.0f) out.falls = rotate(now.rotation, v);
     out.fast = 0.5f * step.gravity * h;
     out.before = rotate(now.rotation, v0);
     out.after = rotate(now.rotation, v);
     out.moves = body.speed > body.moving;
-    out.gone = !(way_in_place(book, body) < body.place);
+    out.gone = carried || !(way_in_place(book, body) < body.place);
     out.clear = 0.5f * contact_margin(body.reach, now.position, step.gravity, h);
     if (step.gravity > 0.0f) out.down = 2.0f / step.gravity * gravity;
     return out;
@@ -138,9 +138,8 @@ void BodyContactStep::hold_group(const BodyContactBatch& member, uint32_t first,
             body.speed = lasting_speed(body, v0, w0, v, w, fall);
         }
         const bool carried = group.carried(i, body.moving);
-        Leaving leaves = leaving(member.run.step, vector_of(world_->gravity), member.run.book, body, pose_in(field, i),
-                                 v0, w0, v, taken.h);
-        leaves.gone |= carried;
+        const Leaving leaves = leaving(member.run.step, vector_of(world_->gravity), member.run.book, body,
+                                       pose_in(field, i), v0, w0, v, taken.h, carried);
         enter_body(member.run.book, body, !carried && may_sleep(*member.run.step.settings), taken.h, last(substep),
                    [&](uint32_t collider) { return group.touch_with(i, collider, taken); });
         group.visit_asleep(i, [&](const ContactGroup::Asleep& other, const SlotContact& s, bool touched) {
@@ -338,9 +337,8 @@ void BodyContactStep::put_back(uint32_t place, uint32_t substep) {
     if (least < no_contact) body.place = place_in_heap(body, least, *member.run.step.shape, from.scale, fall * h);
     const bool carried = last(substep) && c.tile[place] != 0;
     if (bears) {
-        Leaving leaves =
-            leaving(member.run.step, vector_of(world_->gravity), member.run.book, body, now(from), v0, w0, v, h);
-        leaves.gone |= carried;
+        const Leaving leaves = leaving(member.run.step, vector_of(world_->gravity), member.run.book, body, now(from),
+                                       v0, w0, v, h, carried);
         each_held(place, [&](uint32_t k, float impulse) {
             const uint32_t at = c.first_held[place] + k;
             if (c.held[at].collider == ContactGroup::a_body)

@@ -401,22 +401,33 @@ TEST_CASE("bodies at rest that meet each other cost next to nothing") {
     CHECK(many < 3.0 * few + 1e-4);
 }
 
+namespace {
+// A box of 4 m whose top is at the height 0.
+lr_collider add_raft(const World& world) {
+    lr_collider_desc d = box_collider(2.0f, 0.1f, 2.0f);
+    d.position[1] = -0.1f;
+    return add_collider(world, d);
+}
+
+void drive(const World& world, lr_collider raft, float speed) {
+    lr_collider_motion m = motion_of(raft, LR_MOVE_VELOCITY);
+    m.linear_velocity[0] = speed;
+    REQUIRE(lr_collider_move(world.get(), &m, 1) == LR_OK);
+}
+} // namespace
+
 // Those on top fell asleep, or never woke, and stayed where they were: the raft took its lowest layer alone.
 TEST_CASE("a stack goes along with a slow raft") {
     const Asset asset = brick();
     const World world = make(world_desc());
     const lr_batch batch = add_batch(world, asset, 4);
     set_pair(world, batch, batch);
-    lr_collider_desc d = box_collider(2.0f, 0.1f, 2.0f);
-    d.position[1] = -0.1f;
-    const lr_collider raft = add_collider(world, d);
+    const lr_collider raft = add_raft(world);
     std::vector<lr_body> bodies;
     for (int i = 0; i < 4; ++i) bodies.push_back(add_body(world, batch, at_rest_at({0.0, 0.021 + 0.041 * i, 0.0})));
     steps(world, 240, 1.0f / 60.0f, 4);
     for (const lr_body body : bodies) REQUIRE(rests(world, body));
-    lr_collider_motion m = motion_of(raft, LR_MOVE_VELOCITY);
-    m.linear_velocity[0] = 0.02f;
-    REQUIRE(lr_collider_move(world.get(), &m, 1) == LR_OK);
+    drive(world, raft, 0.02f);
     steps(world, 600, 1.0f / 60.0f, 4);
     for (const lr_body body : bodies) CHECK(state_of(world, body).position[0] > 0.17f); // of 0.2
 }
@@ -426,12 +437,8 @@ TEST_CASE("on a slow belt a body does not land over and over") {
     const Asset asset = brick();
     const World world = make(world_desc());
     const lr_batch batch = add_batch(world, asset, 1);
-    lr_collider_desc d = box_collider(2.0f, 0.1f, 2.0f);
-    d.position[1] = -0.1f;
-    const lr_collider belt = add_collider(world, d);
-    lr_collider_motion m = motion_of(belt, LR_MOVE_VELOCITY);
-    m.linear_velocity[0] = 0.01f;
-    REQUIRE(lr_collider_move(world.get(), &m, 1) == LR_OK);
+    const lr_collider belt = add_raft(world);
+    drive(world, belt, 0.01f);
     const lr_body body = add_body(world, batch, at_rest_at({0.0, 0.021, 0.0}));
     keep_events(world, 100, LR_EVENTS_LANDED | LR_EVENTS_WOKE);
     size_t told = 0;
@@ -441,8 +448,7 @@ TEST_CASE("on a slow belt a body does not land over and over") {
     }
     CHECK(told == 0);
     CHECK(state_of(world, body).position[0] == doctest::Approx(0.1).epsilon(0.05));
-    m.linear_velocity[0] = 0.0f;
-    REQUIRE(lr_collider_move(world.get(), &m, 1) == LR_OK);
+    drive(world, belt, 0.0f);
     steps(world, 120, 1.0f / 60.0f, 4);
     CHECK(rests(world, body));
 }
