@@ -53,6 +53,14 @@ struct ContactCache {
     void (*falls_asleep)(void* batch, uint32_t index) = nullptr;
     void* batch = nullptr;
     TouchNotes notes;
+
+    // The body touches nothing.
+    void forget(uint32_t index) const {
+        still_time[index] = 0.0f;
+        if (stay[0][index] != 0.0f)
+            for (float* row : stay) row[index] = 0.0f;
+        for (uint32_t* row : touching) row[index] = 0;
+    }
 };
 
 // A body falls asleep after touching something and hardly moving for this long.

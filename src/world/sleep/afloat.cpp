@@ -23,12 +23,6 @@ bool cuts(const SurfaceInstant& plane, const WaterBody& water, float scale, cons
     const float height = dot(up, pose.position - vector_of(plane.point)) + scale * dot(normal, vector_of(water.center));
     return height * height < scale * scale * squared + blur * blur;
 }
-
-void forget(const ContactCache& book, uint32_t index) {
-    book.still_time[index] = 0.0f;
-    for (float* row : book.stay) row[index] = 0.0f;
-    book.touching[0][index] = 0;
-}
 } // namespace
 
 void rest_afloat(const lr_world& world, Batch& batch, uint32_t begin, uint32_t end) {
@@ -59,7 +53,7 @@ void rest_afloat(const lr_world& world, Batch& batch, uint32_t begin, uint32_t e
         const Pose pose = pose_of(a, i);
         if (!still || body.speed > trembling * body.still || is_held(a.field[field_age_remainder][i]) ||
             !cuts(plane, *water, scale, pose, blur)) {
-            if (touching != 0) forget(book, i);
+            if (touching != 0) book.forget(i);
             continue;
         }
         // Nothing else stops it: what trembles on the ground drifts here.
@@ -75,7 +69,7 @@ void forget_afloat(Batch& batch) {
     if (!batch.columns().has(part_contact)) return;
     const ContactCache book = batch.contact_cache();
     for (uint32_t i = 0; i < batch.awake(); ++i)
-        if (book.touching[0][i] == touching_water) forget(book, i);
+        if (book.touching[0][i] == touching_water) book.forget(i);
 }
 
 // A float drifts at the root of the fluids' densities times the wind.

@@ -56,11 +56,8 @@ void leave(const ContactCache& book, uint32_t* floor, const NearContacts& near, 
         if (near.holds(i)) continue;
         floor[i] = 0; // it can come back from the other side
         if (book.touching[0][i] == touching_water) continue;
-        book.still_time[i] = 0.0f;
-        if (book.stay[0][i] != 0.0f)
-            for (float* row : book.stay) row[i] = 0.0f;
         if (book.notes.noted && book.touching[0][i] != 0) book.notes.noted[book.notes.slot(i)] |= noted_touch;
-        for (uint32_t* row : book.touching) row[i] = 0;
+        book.forget(i);
     }
 }
 
