@@ -126,6 +126,8 @@ struct StationData {
         lift_arm{}; // m, along chord and span: how far aft of `place` attached lift acts, besides Munk's moment
     double separated_shedding =
         0.0; // m^3, the part of the added mass along the normal whose momentum a separated stream leaves behind
+    std::array<double, 3>
+        hollow{}; // along chord, span and normal, towards the convex side of a bowl: there a stream u meets 1 - hollow.u/|u| of the normal force
     double camber = 0.0; // incidence at which a stream along the chord lifts nothing, with its sign reversed
 };
 inline constexpr size_t most_stations = 8;
@@ -144,7 +146,8 @@ inline constexpr size_t most_stations = 8;
     X(spin_drag, 0.0, 1e6, 5.0)                                                                                        \
     X(spin_drag_stream, 0.0, 1e6, 4.0)                                                                                 \
     X(spin_drag_stokes, 0.0, 1e6, 3.0)                                                                                 \
-    X(lift_arm, -1.0, 1.0, 1.0)
+    X(lift_arm, -1.0, 1.0, 1.0)                                                                                        \
+    X(hollow, -1.0, 1.0, 0.0)
 #define LR_STATION_NUMBERS(X)                                                                                          \
     X(plate_drag, 0.0, 1e6, 2.0)                                                                                       \
     X(separated_shedding, 0.0, 100.0, 3.0)                                                                             \

@@ -378,7 +378,7 @@ private:
             warn("The shape has more wings and bends than its stations can describe.",
                  "Take its flight as a rough likeness, or bake a simpler shape.");
         if (stations_.fit == StationFit::hidden)
-            warn("Large parts of the surface lie behind others (a deep bowl, a tube, a crumpled sheet): the loads are "
+            warn("Large parts of the surface lie behind others (a tube, a crumpled sheet): the loads are "
                  "those of a plate of its outline.",
                  "Take its fall as a rough likeness; close the shape if it has a filling or lid.");
         if (stations_.fit == StationFit::hollow)

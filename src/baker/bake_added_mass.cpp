@@ -54,7 +54,7 @@ bool are_mostly_needles(const Mesh& mesh) {
 // The same body with needles joined to broad faces; a very thin solid, between whose sides the equations hardly have a solution, as one of its sides.
 bool solve_plainer(const BodyMesh& body, const AddedMassOptions& how, AddedMass& out, Faults& faults,
                    const Progress& report) {
-    constexpr std::size_t most_faces = 5000, few_needles = 1000;
+    constexpr std::size_t most_dense = 5000, few_needles = 1000;
     constexpr double nowhere_else = 1e-4,
                      thin = 0.05; // the distance that faces may move, over the size and the thickness
     const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
@@ -63,7 +63,7 @@ bool solve_plainer(const BodyMesh& body, const AddedMassOptions& how, AddedMass&
     double distance = nowhere_else * size;
     if (!body.is_sheet) distance = std::min(distance, thin * 2.0 * solid.volume / solid.area);
     const Mesh plain = simplified(body.mesh, distance);
-    if (plain.faces.size() > most_faces) return false;
+    if (plain.faces.size() > most_dense) return false;
     const auto solve_it = [&](const Mesh& mesh, bool is_sheet) {
         faults.clear();
         return is_sheet ? compute_sheet_added_mass(mesh, origin, {}, out, faults, report, how)

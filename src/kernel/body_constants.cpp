@@ -500,6 +500,7 @@ void make_station(const StationData& from, double d, double start_drag, StationC
     to.plate_drag = static_cast<float>(0.5 * d * from.plate_drag);
     to.start_drag = static_cast<float>(0.5 * d * from.plate_drag * start_drag);
     to.separated_shedding = static_cast<float>(from.separated_shedding);
+    put(from.hollow, 1.0, to.hollow);
     to.camber = static_cast<float>(from.camber);
 }
 } // namespace

@@ -19,7 +19,7 @@ struct StationConstants {
     float lift[2], vortex[2], stall[2]; // along chord and span; stall: the inverse
     float plate_drag, start_drag;
     float lift_arm[2], separated_shedding, plate_share;
-    float camber;
+    float hollow[3], camber;
 };
 
 struct StationSet {

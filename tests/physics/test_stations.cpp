@@ -272,6 +272,7 @@ TEST_CASE("stations: a body with two equal sides keeps its mirror symmetry") {
         s.place[1] = std::abs(s.place[1]) + 0.01;
         data.stations.push_back(s);
         s.place[1] = -s.place[1];
+        s.hollow[1] = -s.hollow[1];
         for (const size_t i : {1u, 3u, 5u, 7u}) s.axes[i] = -s.axes[i]; // y of chord and normal; x and z of the span
         data.stations.push_back(s);
     }

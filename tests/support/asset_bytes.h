@@ -49,6 +49,7 @@ inline lr::AssetData winged_data() {
         s.spin_drag_stream = share(a.spin_drag_stream, part), s.spin_drag_stokes = share(a.spin_drag_stokes, part);
         s.plate_drag = part * a.plate_drag;
         s.lift_arm = {0.002, 0.001, 0.0};
+        s.hollow = {0.02, -0.01, 0.1};
         s.separated_shedding = 1e-7 * part, s.camber = 0.02;
         data.stations.push_back(s);
     }

@@ -66,11 +66,12 @@ private:
         const double sine2 = incidence * incidence / (along * along + incidence * incidence);
         const double attached = (1.0 - sine2) / (1.0 - sine2 + (1.0 - stall) * std::pow(sine2 / stall, stall_power));
         const double half = 0.5 * density * s2;
-        const double lift = half * attached *
+        const double open = std::max(1.0 - (s.hollow[0] * u[0] + s.hollow[1] * u[1] + s.hollow[2] * u[2]) / speed, 0.0);
+        const double lift = open * half * attached *
                             ((cx * s.plate_lift[0] + cy * s.plate_lift[1]) * along +
                              (cx * s.plate_vortex[0] + cy * s.plate_vortex[1]) * std::abs(incidence));
         const double tilt = 1.0 - u[2] * u[2] / (speed * speed);
-        const double broadside = half * s.plate_drag * (1.0 - attached) * speed * (1.0 + 0.8 * tilt);
+        const double broadside = open * half * s.plate_drag * (1.0 - attached) * speed * (1.0 + 0.8 * tilt);
         const double start = -half * streaming(light) * s.plate_drag * whole.start_drag * test::length(behind) *
                              dot(behind, stream) / (speed * speed);
         const double normal = std::max(lift + broadside + start, 0.0);

@@ -54,6 +54,7 @@ inline lr::StationData some_station(double area, double width) {
     s.spin_drag_stokes = {1.0 * volume, 2.0 * volume, 1.5 * volume};
     s.plate_drag = 1.3 * area;
     s.lift_arm = {0.15 * width, 0.1 * width, 0.0};
+    s.hollow = {0.1, 0.05, 0.2};
     s.separated_shedding = 0.2 * volume;
     s.camber = 0.05;
     return s;

@@ -152,4 +152,18 @@ std::pair<Part, Part> split_lump(const Part& part, double size) {
     for (std::size_t i = 0; i < fine.size(); ++i) (lump[i] ? out.first : out.second).push_back(fine[i]);
     return out;
 }
+
+void find_open_sides(Part& part, double size) {
+    const FaceTree tree(part);
+    for (Facet& f : part) {
+        double area = 0.0, open = 0.0;
+        for (const Facet& piece : refined({f}, size / 16.0))
+            for (const double side : {1.0, -1.0}) {
+                if (side < 0.0 && f.sides < 2.0) continue;
+                area += piece.area;
+                if (tree.nearest({piece.middle(), side * f.normal}, 1e-9 * size) > size) open += piece.area;
+            }
+        f.open = area > 0.0 ? open / area : 1.0;
+    }
+}
 } // namespace lr::baker

@@ -30,8 +30,10 @@ double normal_force(const StationData& t, const Vector3d& u, bool whole) {
         const double left = (1.0 - limit) * (whole ? x * x : x);
         attached = 1.0 - sine2 + left > 0.0 ? (1.0 - sine2) / (1.0 - sine2 + left) : 0.0;
     }
-    return u.z() * (attached * (slope * std::sqrt(along) + vortex * std::abs(u.z())) +
-                    (1.0 - attached) * t.plate_drag * s * (1.0 + 0.8 * along / s2));
+    const Vector3d hollow = vector_of(t.hollow);
+    return std::max(1.0 - hollow.dot(u) / s, 0.0) * u.z() *
+           (attached * (slope * std::sqrt(along) + vortex * std::abs(u.z())) +
+            (1.0 - attached) * t.plate_drag * s * (1.0 + 0.8 * along / s2));
 }
 } // namespace
 

@@ -2,6 +2,7 @@
 
 #include "asset/closed_forms/aerodynamic_coefficients.h"
 #include "baker/aerodynamics/camber.h"
+#include "baker/aerodynamics/hollow.h"
 #include "baker/aerodynamics/local_thickness.h"
 #include "baker/aerodynamics/silhouette.h"
 #include "baker/aerodynamics/station_loads.h"
@@ -33,6 +34,7 @@ constexpr double convex = 0.9;          // volume over the hull's
 constexpr double slender = 3.0;         // root mean square of the span over that of the chord
 constexpr double hiding = 0.36;         // share of the surface in the lee of the rest; a hemispherical bowl has 1/3
 constexpr double far_from_convex = 0.5; // volume over the hull's
+constexpr double deep = 0.45;           // hollow: a bowl, whose bottom counts; not a tube, which falls across its axis
 constexpr double reynolds = 1e4;
 
 // Munk's moment puts the lift of a short wing further ahead of its middle than thin wings have it, at the quarter chord. Falls of discs fit best with
@@ -182,6 +184,7 @@ struct Body {
     double size, area; // area of all parts
     const StationOptions& options;
     const AerodynamicData& loads;
+    Vector3d hollow;
 };
 
 struct Grid {
@@ -217,6 +220,7 @@ StationData station_of(const Part& part, const Plan& plan, const Grid& grid, dou
     if (grid.along_span > 1) out.spin_lift[0] = out.spin_drag[0] = out.spin_drag_stream[0] = 0.0;
     if (!whole_chord) out.spin_lift[1] = out.spin_drag[1] = out.spin_drag_stream[1] = 0.0;
     out.place = to_array(m.centroid);
+    shape_as_wall(part, body.hollow, out);
     const double width = whole_chord ? g.extent[1] : plan.wing.span;
     const double own_chord =
         width > 0.0 ? std::min((whole_chord ? g.area[2] : plan.wing.area) / width, plan.wing.chord) : 0.0;
@@ -369,7 +373,7 @@ double share_hidden(const Part& part, const AerodynamicData& loads) {
 Stations make_stations(const Mesh& mesh, const AerodynamicData& loads, const Vector3d& center,
                        const StationOptions& options) {
     Stations out;
-    const Part all = part_of(mesh, options.thickness > 0.0 ? 2.0 : 1.0, options.solid_faces);
+    Part all = part_of(mesh, options.thickness > 0.0 ? 2.0 : 1.0, options.solid_faces);
     const PartMoments m = moments_of(all);
     double size = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -390,10 +394,13 @@ Stations make_stations(const Mesh& mesh, const AerodynamicData& loads, const Vec
     if (!is_flat && !sheet && options.volume > convex * options.hull_volume) return out;
     const Vector3d offset = along.centroid - normal.dot(along.centroid) * normal;
     if (is_flat && compactness(faces, normal) > least_compactness && offset.norm() < off_centre * size) return out;
-    if (share_hidden(all, loads) > hiding) {
+
+    const Vector3d hollow = hollow_of(all, size);
+    if (share_hidden(all, loads) > hiding && hollow.norm() < deep) {
         out.fit = StationFit::hidden;
         return out;
     }
+    find_open_sides(all, size);
 
     std::vector<Plan> plans;
     auto [lump, rest] = sheet ? std::pair{Part{}, all} : split_lump(all, size);
@@ -415,7 +422,7 @@ Stations make_stations(const Mesh& mesh, const AerodynamicData& loads, const Vec
         out.fit = StationFit::coarse;
         return out;
     }
-    const Body body{size, m.area, options, loads};
+    const Body body{size, m.area, options, loads, hollow};
     std::vector<Grid> fine;
     for (const Plan& plan : plans) fine.push_back(plan.lump ? Grid{} : plan.curved ? Grid{8, 8} : Grid{32, 1});
     const std::vector<Motion> motions = test_motions(reynolds * options.viscosity / options.length, size);

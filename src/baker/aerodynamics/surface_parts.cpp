@@ -22,11 +22,12 @@ constexpr double folded = 0.03;       // mean squared sine of the tilt, above wh
 constexpr double flat_sides = 0.1;    // what is left of it within the sides
 constexpr double least_share = 0.04;  // of the area, in a group
 constexpr double good_sectors = 0.88; // their mean compactness
+constexpr double walls_apart = 0.25;  // root mean square along the normal over the root of half the area: two walls
 constexpr int directions = 24, offsets = 23;
 
 void add(Part& part, const Vector3d& a, const Vector3d& b, const Vector3d& c, const Facet& from) {
     const double twice = (b - a).cross(c - a).norm();
-    if (twice > 0.0) part.push_back({{a, b, c}, from.sides, from.normal, 0.25 * twice * from.sides});
+    if (twice > 0.0) part.push_back({{a, b, c}, from.sides, from.normal, 0.25 * twice * from.sides, from.open});
 }
 
 // Lloyd's iteration of two axes over the normals. Returns the misfit; `second` receives the faces of the second axis.
@@ -375,7 +376,12 @@ std::vector<Part> split_by_normal(Part part, std::size_t most) {
     const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(m.normals);
     const Vector3d n = solver.eigenvectors().col(2), e = solver.eigenvectors().col(1);
     const double tilt = 1.0 - solver.eigenvalues()[2];
-    if (most < 2 || tilt < folded) return {std::move(part)};
+    if (most < 2) return {std::move(part)};
+    if (n.dot(m.second * n) > 0.5 * walls_apart * walls_apart * m.area) {
+        auto [below, above] = cut(part, n, n.dot(m.centroid));
+        if (!below.empty() && !above.empty()) return {std::move(below), std::move(above)};
+    }
+    if (tilt < folded) return {std::move(part)};
     double steep = 0.0;
     for (const Facet& f : part)
         if (std::abs(f.normal.dot(n)) < 0.5) steep += f.area;

@@ -15,7 +15,8 @@ struct Facet {
     std::array<Eigen::Vector3d, 3> at;
     double sides; // that touch the fluid: 1 on a solid, 2 on a sheet
     Eigen::Vector3d normal;
-    double area; // of the plate that it is a face of: half of what the fluid touches
+    double area;       // of the plate that it is a face of: half of what the fluid touches
+    double open = 1.0; // of its sides, the share that does not face another part of the body
     Eigen::Vector3d middle() const { return (at[0] + at[1] + at[2]) / 3.0; }
 };
 using Part = std::vector<Facet>;
@@ -53,8 +54,8 @@ struct Slice {
 // polynomials up to degree 2 n - 1, as forces (2) and moments (3) of a wing that turns are in the place.
 std::vector<Slice> sliced(const Part& part, const Eigen::Vector3d& direction, std::size_t n);
 
-// Groups of faces with about the same normal axis: the wings and the keel of a dart, the sides of a sharp fold. A part that is only curved stays
-// together up to tilts of 60 degrees.
+// Groups of faces with about the same normal axis: the wings and the keel of a dart, the sides of a sharp fold, each wall of a steep bowl. A part that is
+// only curved stays together up to tilts of 60 degrees.
 std::vector<Part> split_by_normal(Part part, std::size_t most);
 
 // Seen along `normal`, parts that each are about as compact as a plate: the arms of a cross or star, the sides of a ring, as sectors about the

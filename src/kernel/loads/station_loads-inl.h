@@ -53,10 +53,11 @@ HWY_INLINE void add_station(const StationConstants& k, const A& a, const Held& h
     const VF s2 = speed_squared(u), s = hn::Sqrt(s2), inverse_s2 = one / s2, root = hn::Sqrt(s * nu);
     const Vec3 part = inverse_s2 * times(u, u);
     // The normal force: `stiff` times the stream along the normal, which opposes it, and the lift of camber and wake, across the stream.
-    const VF lift =
-        fluid_lift * attached * (by_direction(k.lift) * hn::Sqrt(along) + by_direction(k.vortex) * hn::Abs(across));
+    const VF open = hn::Max(one - inverse_s2 * s * dot(broadcast(k.hollow), u), zero);
+    const VF lift = open * fluid_lift * attached *
+                    (by_direction(k.lift) * hn::Sqrt(along) + by_direction(k.vortex) * hn::Abs(across));
     const VF growing = hn::Sqrt(speed_squared(behind)) * dot(behind, u) * inverse_s2;
-    const VF broad = constant(k.plate_drag) * separated * (constant(0.8f) * (one - part.z) + one) * s;
+    const VF broad = open * constant(k.plate_drag) * separated * (constant(0.8f) * (one - part.z) + one) * s;
     const VF stiff =
         hn::Max(lift + fluid_drag * (broad - constant(k.start_drag) * constant(a.streaming) * growing), zero);
     const VF normal = inverse_s2 * lift * (across - u.z);

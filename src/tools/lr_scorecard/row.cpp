@@ -72,6 +72,8 @@ std::span<const Row> all_rows() {
          3.0, run_seed},
         {"dart", "measured", "A folded dart glides, stalls, turns", "known behaviour", 4.0, 2.0, run_dart},
         {"cap", "measured", "Caps fall with their convex side down", "known behaviour", 4.0, 2.0, run_cap},
+        {"bowls", "measured", "Paper cones and half a sphere fall with their convex side down", "Hoerner 1965", 4.0,
+         2.0, run_bowls},
         {"curled-leaf", "measured", "Curled and twisted leaves turn about the vertical", "known behaviour", 4.0, 2.0,
          run_curled_leaf},
         {"holes", "measured", "Discs that tumble flutter with a hole", "Vincent, Shambaugh and Kanso 2016", 5.0, 2.0,

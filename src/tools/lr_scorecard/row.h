@@ -95,6 +95,7 @@ RowResult run_turbulence_fall(const Context&);
 RowResult run_seed(const Context&);
 RowResult run_dart(const Context&);
 RowResult run_cap(const Context&);
+RowResult run_bowls(const Context&);
 RowResult run_curled_leaf(const Context&);
 RowResult run_holes(const Context&);
 RowResult run_cross(const Context&);

@@ -246,6 +246,21 @@ Asset bake_cap(double diameter, double rise, double areal_density) {
     return load(mesh.bake(sheet_options(1e-4, areal_density, Fluid{})));
 }
 
+Asset bake_bowl(double diameter, double half_angle, double areal_density) {
+    const double radius = 0.5 * diameter;
+    Triangles mesh = disc_mesh(radius, 12);
+    for (size_t i = 0; i < mesh.positions.size(); i += 3) {
+        double *const at = &mesh.positions[i], r = std::hypot(at[0], at[1]);
+        if (half_angle > 0.0) {
+            at[2] = r / std::tan(half_angle * pi / 180.0);
+            continue;
+        }
+        const double t = 0.5 * pi * r / radius, wider = r > 0.0 ? radius * std::sin(t) / r : 1.0;
+        at[0] *= wider, at[1] *= wider, at[2] = radius * (1.0 - std::cos(t));
+    }
+    return load(mesh.bake(sheet_options(1e-4, areal_density, Fluid{})));
+}
+
 Asset bake_curled_leaf(double width, double length, double curl, double twist, double areal_density) {
     Triangles mesh = disc_mesh(0.5, 12);
     for (size_t i = 0; i < mesh.positions.size(); i += 3) {

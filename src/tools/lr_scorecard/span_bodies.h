@@ -33,6 +33,9 @@ Asset bake_dart(const DartShape& shape);
 // Part of a sphere, open towards +z. rise: of the diameter.
 Asset bake_cap(double diameter, double rise, double areal_density);
 
+// A cone, its tip down, or, with half_angle (degrees) 0, half a sphere; open towards +z.
+Asset bake_bowl(double diameter, double half_angle, double areal_density);
+
 // An ellipse, y along its rib. curl, twist: 1/m; z = curl x^2/2 + twist x y.
 Asset bake_curled_leaf(double width, double length, double curl, double twist, double areal_density);
 
