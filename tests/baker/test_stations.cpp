@@ -467,6 +467,22 @@ TEST_CASE("stations: added mass where all stand edgewise stays of the body's siz
     CHECK(sum <= 3e-5 / 0.05 * 1.001);
 }
 
+TEST_CASE("stations: the blades of a paper helicopter are cut alike") {
+    Mesh mesh = shapes::patch(2, 8, [](double u, double v) { return Vector3d(0.02 * (u - 0.5), 0.0, -0.1 * v); });
+    for (const double side : {1.0, -1.0})
+        mesh = shapes::joined(std::move(mesh), shapes::patch(8, 2, [&](double u, double v) {
+                                  return Vector3d(side * 0.025 * v, side * 0.085 * u, 0.03 * u);
+                              }));
+    const Vector3d weight(0.0, 0.0, -0.05);
+    const Made m = made(mesh, 2e-4, &weight);
+    REQUIRE(m.stations.at.size() >= 4);
+    for (const StationData& s : m.stations.at)
+        CHECK(std::any_of(m.stations.at.begin(), m.stations.at.end(), [&](const StationData& o) {
+            return (Vector3d(-place(o).x(), -place(o).y(), place(o).z()) - place(s)).norm() < 0.01 * m.size &&
+                   std::abs(o.plate_drag - s.plate_drag) < 0.03 * s.plate_drag;
+        }));
+}
+
 TEST_CASE("stations: bowls know their hollow, whatever their triangles and frame") {
     const auto hollow = [](const Mesh& mesh) { return hollow_of(part_of(mesh, 2.0), 2.0); };
     CHECK(hollow(shapes::disc(8)).norm() == 0.0);

@@ -409,7 +409,9 @@ Stations make_stations(const Mesh& mesh, const AerodynamicData& loads, const Vec
         plans.back().lump = true;
         plans.back().curved = false;
     }
-    std::vector<Part> groups = split_by_normal(std::move(rest), 4);
+    std::vector<Part> groups;
+    for (Part& group : split_by_normal(std::move(rest), 4))
+        for (Part& wall : split_walls(std::move(group))) groups.push_back(std::move(wall));
     for (std::size_t i = 0; i < groups.size(); ++i) {
         const Vector3d n = common_normal(moments_of(groups[i]), normal);
         const std::size_t others = plans.size() + (groups.size() - 1 - i);

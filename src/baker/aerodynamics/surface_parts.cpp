@@ -376,12 +376,7 @@ std::vector<Part> split_by_normal(Part part, std::size_t most) {
     const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(m.normals);
     const Vector3d n = solver.eigenvectors().col(2), e = solver.eigenvectors().col(1);
     const double tilt = 1.0 - solver.eigenvalues()[2];
-    if (most < 2) return {std::move(part)};
-    if (n.dot(m.second * n) > 0.5 * walls_apart * walls_apart * m.area) {
-        auto [below, above] = cut(part, n, n.dot(m.centroid));
-        if (!below.empty() && !above.empty()) return {std::move(below), std::move(above)};
-    }
-    if (tilt < folded) return {std::move(part)};
+    if (most < 2 || tilt < folded) return {std::move(part)};
     double steep = 0.0;
     for (const Facet& f : part)
         if (std::abs(f.normal.dot(n)) < 0.5) steep += f.area;
@@ -403,6 +398,14 @@ std::vector<Part> split_by_normal(Part part, std::size_t most) {
     std::vector<Part> out = split_by_normal(std::move(halves[first]), most - 1);
     for (Part& p : split_by_normal(std::move(halves[1 - first]), most - out.size())) out.push_back(std::move(p));
     return out;
+}
+
+std::vector<Part> split_walls(Part part) {
+    const PartMoments m = moments_of(part);
+    const Vector3d n = common_normal(m, Vector3d::UnitZ());
+    if (n.dot(m.second * n) < 0.5 * walls_apart * walls_apart * m.area) return {std::move(part)};
+    auto [below, above] = cut(part, n, n.dot(m.centroid));
+    return {std::move(below), std::move(above)};
 }
 
 std::vector<Slice> sliced(const Part& part, const Vector3d& direction, std::size_t n) {

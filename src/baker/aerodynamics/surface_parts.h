@@ -54,9 +54,12 @@ struct Slice {
 // polynomials up to degree 2 n - 1, as forces (2) and moments (3) of a wing that turns are in the place.
 std::vector<Slice> sliced(const Part& part, const Eigen::Vector3d& direction, std::size_t n);
 
-// Groups of faces with about the same normal axis: the wings and the keel of a dart, the sides of a sharp fold, each wall of a steep bowl. A part that is
-// only curved stays together up to tilts of 60 degrees.
+// Groups of faces with about the same normal axis: the wings and the keel of a dart, the sides of a sharp fold. A part that is only curved stays
+// together up to tilts of 60 degrees.
 std::vector<Part> split_by_normal(Part part, std::size_t most);
+
+// Of such a group the two walls of a steep bowl, if it lies to both sides of a gap.
+std::vector<Part> split_walls(Part part);
 
 // Seen along `normal`, parts that each are about as compact as a plate: the arms of a cross or star, the sides of a ring, as sectors about the
 // centroid; else by straight cuts.
