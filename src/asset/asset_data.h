@@ -153,7 +153,7 @@ inline constexpr size_t most_stations = 8;
     X(separated_shedding, 0.0, 100.0, 3.0)                                                                             \
     X(camber, -1.0, 1.0, 0.0)
 
-// Null if a body of any size can have these loads, else the reason.
+// Null if a body of any size can have these loads, else the reason, which lasts until the thread's next one.
 const char* wrong_in(const AerodynamicData& loads);
 
 struct HullData {

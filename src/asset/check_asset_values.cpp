@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <type_traits>
 
 namespace lr {
@@ -251,14 +252,16 @@ constexpr Number numbers[] = {{&AssetData::mass, "mass", 1e-18, 1e12},
 
 const char* wrong_in(const AerodynamicData& a) {
     // Bodies are at most 1000 m large, which bounds lengths to the fifth power. 1e-6: callers can have single precision.
-    bool usable = is_rotation(a.axes, 1e-6);
+    if (!is_rotation(a.axes, 1e-6)) return "axes are no right-handed, orthogonal unit vectors";
     for (const auto& c : coefficients<AerodynamicData>) {
         const double unit = c.power == 0.0 ? 1.0 : 1e10;
         const auto within = [&](double v) { return v >= c.least * unit && v <= c.most * unit; }; // false for NaN
-        usable = usable &&
-                 (c.number ? within(a.*c.number) : std::all_of((a.*c.vector).begin(), (a.*c.vector).end(), within));
+        if (c.number ? within(a.*c.number) : std::all_of((a.*c.vector).begin(), (a.*c.vector).end(), within)) continue;
+        static thread_local char why[64];
+        std::snprintf(why, sizeof why, "%s is out of range", c.name + 1);
+        return why;
     }
-    return usable ? nullptr : "a value is out of range, or the axes are not a rotation";
+    return nullptr;
 }
 
 bool check_asset(const AssetData& d, Faults& faults) {

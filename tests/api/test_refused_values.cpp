@@ -393,6 +393,14 @@ TEST_CASE("gravity, wind, batches and tables refuse impossible values and leave 
     check_fields<lr_aerodynamics>(
         a, fields, [&](const lr_aerodynamics* d) { return lr_batch_set_aerodynamics(w, batch, d); },
         [] { return uint64_t{0}; });
+    for (const AerodynamicField& f : aerodynamic_fields) {
+        lr_aerodynamics wrong = a;
+        const double high = 1.1 * f.most;
+        std::memcpy(reinterpret_cast<char*>(&wrong) + f.offset + 8 * (f.size - 1), &high, sizeof high);
+        CHECK(lr_batch_set_aerodynamics(w, batch, &wrong) == LR_ERROR_INVALID_ARGUMENT);
+        CAPTURE(std::string(lr_last_error()));
+        CHECK(std::strstr(lr_last_error(), (std::string(f.name) + " is").c_str()) != nullptr);
+    }
     a.drag[1] *= 2.0;
     REQUIRE(lr_batch_set_aerodynamics(w, batch, &a) == LR_OK);
     lr_aerodynamics now = initialised(lr_aerodynamics_init);
