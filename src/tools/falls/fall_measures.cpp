@@ -106,8 +106,10 @@ void judge(Fall& fall, std::span<const Sample> samples, double interval, const S
         !fall.spirals && one_way && turns >= limits.spin_per_length * lengths && turns > 0.5 * m.half_turns;
     const bool glides =
         fall.spirals || (!turns_over && way.net >= flat && way.net >= limits.glide_straightness * way.path);
-    const bool keeps_attitude = attitude_change(normals) < limits.steady_angle;
-    const bool irregular = swings >= limits.judged_swings && m.regularity < limits.regularity;
+    const double change = attitude_change(normals);
+    const bool keeps_attitude = change < limits.steady_angle;
+    const bool irregular =
+        swings >= limits.judged_swings && m.regularity < limits.regularity && change >= limits.rocking_angle;
     fall.motion = spins                                       ? Motion::spinning
                   : m.tumbling_share >= limits.tumbling_share ? Motion::tumbling
                   : glides                                    ? Motion::gliding

@@ -9,13 +9,14 @@
 namespace lr::falls {
 
 // steady: keeps its attitude; fluttering: swings to and fro; tumbling: turns over and over; spinning: autorotates about the
-// vertical; gliding: flies flatter than 45 degrees, straight on or in a spiral; chaotic: turns over now and then, or swings without a period.
+// vertical; gliding: flies flatter than 45 degrees, straight on or in a spiral; chaotic: turns over now and then, or swings far without a period.
 enum class Motion : uint8_t { steady, fluttering, tumbling, spinning, gliding, chaotic };
 inline constexpr std::array<const char*, 6> motion_names{"steady",   "fluttering", "tumbling",
                                                          "spinning", "gliding",    "chaotic"};
 
 struct MotionLimits {
     double steady_angle = 6.0;       // degrees: steady within it of the mean attitude, 95 % of the time
+    double rocking_angle = 45.0;     // the same for bodies that flutter, however irregularly
     double tumbling_share = 0.5;     // least part of the time in straight half turns, two or more in a row
     double spin_turns = 1.0;         // about the vertical, least net turns
     double spin_per_length = 0.05;   // least net turns in a fall by the body's length

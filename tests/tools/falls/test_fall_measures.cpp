@@ -175,6 +175,17 @@ TEST_CASE("fall measures: chaotic is a swing with a turn over now and then") {
     CHECK(f.turnovers < 1.0);
 }
 
+TEST_CASE("fall measures: what rocks without a period flutters, unless it rocks far") {
+    for (const double degrees : {20.0, 70.0}) {
+        CAPTURE(degrees);
+        const auto turned = [&](double t) {
+            return about(x_axis, degrees * pi / 180.0 * std::sin(1.5 * t + 0.25 * t * t));
+        };
+        const Fall f = measure(track(20.0, straight({0.0, -1.0, 0.0}), turned), sheet(), still);
+        CHECK(f.motion == (degrees < 45.0 ? Motion::fluttering : Motion::chaotic));
+    }
+}
+
 TEST_CASE("fall measures: a fall that still speeds up is not settled") {
     const auto accelerated = [](double t) { return Vector3d(0.0, -2.0 * t * t, 0.0); };
     const Fall f = measure(track(1.0, accelerated, upright), sheet(), still);
