@@ -268,10 +268,11 @@ public:
     bool holds(uint32_t body) const { return near_[body - begin_] != 0; }
     // Sorts by class, less than `classes`, then by index: similar bodies share vectors, which run until their last lane is done.
     template <class Class> void arrange(uint32_t classes, Class&& class_of) {
-        uint32_t sorted[field_block], at = 0;
+        uint32_t sorted[field_block], of[field_block], at = 0;
+        for (uint32_t i = 0; i < count_; ++i) of[i] = class_of(index_[i]);
         for (uint32_t c = 0; c < classes; ++c)
             for (uint32_t i = 0; i < count_; ++i)
-                if (class_of(index_[i]) == c) sorted[at++] = index_[i];
+                if (of[i] == c) sorted[at++] = index_[i];
         std::copy_n(sorted, count_, index_);
     }
     const uint32_t* marks() const { return near_; } // of each body from `begin` on: 0 if it is not among them
