@@ -4,10 +4,13 @@
 #include "baker/asset_report.h"
 #include "baker/file_io.h"
 #include "baker/plot/plots.h"
+#include "tools/falls/how_it_falls.h"
 #include "tools/lr_bake/preview.h"
 
 #include <chrono>
+#include <exception>
 #include <filesystem>
+#include <memory>
 #include <string_view>
 #include <system_error>
 
@@ -88,6 +91,18 @@ bool is_current(const BakeJob& job) {
     return find_input_hash(job.bake) == made.input_hash;
 }
 
+// Nothing if the runtime refuses: a bake must not fail for a remark about it.
+std::string fall_of(const std::vector<uint8_t>& bytes) {
+    lr_asset* loaded = nullptr;
+    if (lr_asset_load_memory(bytes.data(), bytes.size(), &loaded) != LR_OK) return "";
+    const std::unique_ptr<lr_asset, decltype(&lr_asset_release)> asset(loaded, lr_asset_release);
+    try {
+        return falls::how_it_falls(asset.get());
+    } catch (const std::exception&) {
+        return "";
+    }
+}
+
 std::vector<uint8_t> to_bytes(const std::string& text) {
     return {text.begin(), text.end()};
 }
@@ -118,7 +133,8 @@ BakeOutcome make_outputs(const BakeJob& job, const BakeProgress& progress, const
             outcome.files.push_back(write_asset(outcome.asset));
             if (!job.report.empty())
                 outcome.files.push_back(to_bytes(report_json(outcome.asset, outcome.faults, outcome.timings, errors)));
-            if (!job.preview.empty()) outcome.files.push_back(draw_preview(outcome.asset, body));
+            if (job.drop || !job.preview.empty()) outcome.fall = fall_of(outcome.files[0]);
+            if (!job.preview.empty()) outcome.files.push_back(draw_preview(outcome.asset, body, outcome.fall));
             if (!job.plots.empty())
                 for (const std::string& plot : make_plots(outcome.asset, body)) outcome.files.push_back(to_bytes(plot));
         }

@@ -18,6 +18,7 @@ struct BakeJob {
     std::string plot_prefix;
     // Keep outputs that are up to date.
     bool if_changed = false;
+    bool drop = false; // for BakeOutcome::fall; a preview needs it too
 
     std::string input_name() const { return bake.semi_axes ? "ellipsoid" : bake.mesh_path; }
     std::vector<std::string> outputs() const;
@@ -30,6 +31,7 @@ struct BakeOutcome {
     Faults faults;
     BakeTimings timings;
     std::vector<std::vector<uint8_t>> files; // contents of outputs()
+    std::string fall; // how it falls; empty if not asked for, or if the runtime refuses the asset
     double seconds = 0.0;
 };
 

@@ -5,7 +5,6 @@
 #include "baker/file_io.h"
 #include "baker/printable_text.h"
 #include "tools/console.h"
-#include "tools/falls/how_it_falls.h"
 #include "tools/lr_bake/bake_job.h"
 #include "tools/lr_bake/bake_many.h"
 #include "tools/lr_bake/memory_budget.h"
@@ -17,7 +16,6 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
-#include <memory>
 #include <new>
 #include <string>
 #include <system_error>
@@ -42,20 +40,13 @@ void print(const std::string& file, const Faults& faults, bool warnings) {
     }
 }
 
-// Nothing if the runtime refuses: the asset is written, and a bake must not fail for a remark about it.
-std::string remark(const std::vector<uint8_t>& bytes, double fluid_density) {
-    lr_asset* loaded = nullptr;
-    if (lr_asset_load_memory(bytes.data(), bytes.size(), &loaded) != LR_OK) return "";
-    const std::unique_ptr<lr_asset, decltype(&lr_asset_release)> asset(loaded, lr_asset_release);
-    const bool air = std::abs(fluid_density - 1.2) < 0.12, water = std::abs(fluid_density - 998.0) < 50.0;
-    try {
-        return std::string(air     ? "  in air          "
-                           : water ? "  in water        "
-                                   : "  in its fluid    ") +
-               falls::how_it_falls(asset.get()) + "\n";
-    } catch (const std::exception&) {
-        return "";
-    }
+std::string remark(const BakeOutcome& outcome) {
+    if (outcome.fall.empty()) return "";
+    const double density = outcome.asset.fluid_density;
+    return std::string(std::abs(density - 1.2) < 0.12     ? "  in air          "
+                       : std::abs(density - 998.0) < 50.0 ? "  in water        "
+                                                          : "  in its fluid    ") +
+           outcome.fall + "\n";
 }
 
 BakeJob single_job(const CommandLine& line) {
@@ -66,6 +57,7 @@ BakeJob single_job(const CommandLine& line) {
     job.preview = line.preview;
     job.plots = line.plots;
     job.if_changed = line.if_changed;
+    job.drop = !line.quiet;
     return job;
 }
 
@@ -86,8 +78,7 @@ int run_bake(const CommandLine& line) {
         std::printf("%s: unchanged\n", output.c_str());
     else
         std::printf("%s%s  written         %s, %zu bytes\n%s", summary(outcome.asset).c_str(),
-                    summary(outcome.timings).c_str(), output.c_str(), size,
-                    remark(outcome.files[0], outcome.asset.fluid_density).c_str());
+                    summary(outcome.timings).c_str(), output.c_str(), size, remark(outcome).c_str());
     return 0;
 }
 

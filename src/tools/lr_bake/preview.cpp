@@ -241,7 +241,7 @@ std::string rounded(double value, const char* unit) {
     return text;
 }
 
-void legend(Picture& picture, const AssetData& asset) {
+void legend(Picture& picture, const AssetData& asset, const std::string& fall) {
     double x = 48.0;
     const double y = height - 34.0;
     const auto word = [&](const std::string& text) {
@@ -267,11 +267,11 @@ void legend(Picture& picture, const AssetData& asset) {
     word("mass " + (mass >= 1.0    ? rounded(mass, "kg")
                     : mass >= 1e-3 ? rounded(1e3 * mass, "g")
                                    : rounded(1e6 * mass, "mg")));
-    word("falls at about " + rounded(asset.u0, "m/s"));
+    word(fall);
 }
 } // namespace
 
-std::vector<uint8_t> draw_preview(const AssetData& asset, const Mesh& body) {
+std::vector<uint8_t> draw_preview(const AssetData& asset, const Mesh& body, const std::string& fall) {
     Picture picture(width, height, paper);
     const Frame frame = frame_of(asset, body);
     const auto& [along, across, thin] = frame.axis;
@@ -282,7 +282,7 @@ std::vector<uint8_t> draw_preview(const AssetData& asset, const Mesh& body) {
     view.draw(1010.0, 580.0, 560.0, 320.0, -across, along);
     write_text(picture, {1030.0, 562.0}, 14.0, grey, "edge on");
     picture.line({995.0, 60.0}, {995.0, height - 90.0}, 1.0, grey, 0.5f);
-    legend(picture, asset);
+    legend(picture, asset, fall);
     return tools::encode_png(picture);
 }
 } // namespace lr::baker
