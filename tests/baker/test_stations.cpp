@@ -2,18 +2,13 @@
 #include "asset/asset_file.h"
 #include "baker/added_mass/added_mass.h"
 #include "baker/aerodynamics/camber.h"
-#include "baker/aerodynamics/hollow.h"
 #include "baker/aerodynamics/local_thickness.h"
-#include "baker/aerodynamics/mesh_geometry.h"
-#include "baker/aerodynamics/principal_axes.h"
 #include "baker/aerodynamics/station_loads.h"
 #include "baker/aerodynamics/stations.h"
 #include "baker/asset_report.h"
 #include "baker/bake.h"
 #include "baker/json.h"
-#include "baker/mesh/convex_hull.h"
-#include "baker/mesh/mass_properties.h"
-#include "sheet_shapes.h"
+#include "made_stations.h"
 #include "support/reference_aerodynamics.h"
 
 #include <doctest/doctest.h>
@@ -29,50 +24,9 @@ using doctest::Approx;
 using Eigen::Vector3d;
 using std::numbers::pi;
 namespace shapes = lr::test;
+using shapes::cap, shapes::curled, shapes::made, shapes::Made, shapes::place, shapes::row, shapes::viscosity;
 
 namespace {
-
-constexpr double viscosity = 1.5e-5;
-
-struct Made {
-    Stations stations;
-    AerodynamicData loads;
-    Vector3d center; // of the loads
-    double area, size;
-};
-
-// The same steps as in a bake. thickness 0: a solid. weight: centre of mass.
-Made made(Mesh mesh, double thickness, const Vector3d* weight = nullptr, std::size_t most = most_stations) {
-    const MassProperties body =
-        thickness > 0.0 ? compute_sheet_mass_properties(mesh, thickness) : compute_mass_properties(mesh);
-    const Vector3d center = weight ? *weight : body.centroid;
-    for (Vector3d& v : mesh.vertices) v -= center;
-    std::array<double, 9> inertia{};
-    for (std::size_t i = 0; i < 9; ++i)
-        inertia[i] = body.inertia(static_cast<Eigen::Index>(i / 3), static_cast<Eigen::Index>(i % 3));
-    const std::array<double, 9> axes = shape::principal_axes(inertia);
-    const Vector3d buoyancy = body.centroid - center;
-    shape::AerodynamicGeometry g =
-        thickness > 0.0 ? sheet_geometry(mesh, thickness, axes, buoyancy) : mesh_geometry(mesh, axes, buoyancy);
-    g.volume = body.volume;
-    Made out;
-    out.loads = shape::default_aerodynamics(g);
-    out.center = buoyancy + Vector3d(g.center[0], g.center[1], g.center[2]);
-    StationOptions how;
-    how.thickness = thickness;
-    how.volume = body.volume;
-    ConvexHull hull;
-    Faults faults;
-    if (compute_convex_hull(mesh.vertices, hull, faults))
-        for (const Face& f : hull.faces)
-            how.hull_volume += hull.vertices[f[0]].dot(hull.vertices[f[1]].cross(hull.vertices[f[2]])) / 6.0;
-    how.length = out.size = body.extents.maxCoeff();
-    how.viscosity = viscosity;
-    how.most = most;
-    out.area = thickness > 0.0 ? body.area : 0.5 * body.area;
-    out.stations = make_stations(mesh, out.loads, out.center, how);
-    return out;
-}
 
 Mesh asset(const std::string& name) {
     Mesh mesh;
@@ -81,41 +35,11 @@ Mesh asset(const std::string& name) {
     return mesh;
 }
 
-Vector3d place(const StationData& s) {
-    return {s.place[0], s.place[1], s.place[2]};
-}
-
-Vector3d row(const StationData& s, std::size_t k) {
-    return {s.axes[3 * k], s.axes[3 * k + 1], s.axes[3 * k + 2]};
-}
-
 // A wing with a rounded tip, its span along x; root at 0.
 Mesh wing(int nu, int nv) {
     return shapes::patch(nu, nv, [](double u, double v) {
         const double chord = 0.012 * (0.5 + u * (2.2 - 2.2 * u));
         return Vector3d(0.045 * u, chord * (0.3 - v), 0.0);
-    });
-}
-
-Mesh cap(double rise, int rings) {
-    Mesh mesh = shapes::disc(rings);
-    const double height = 2.0 * rise, radius = (1.0 + height * height) / (2.0 * height);
-    for (Vector3d& v : mesh.vertices) v.z() = std::sqrt(radius * radius - v.head<2>().squaredNorm()) - radius;
-    return mesh;
-}
-
-// Of radius 1, its tip down, open upwards.
-Mesh cone(double half_angle, int rings) {
-    Mesh mesh = shapes::disc(rings);
-    for (Vector3d& v : mesh.vertices) v.z() = v.head<2>().norm() / std::tan(half_angle * pi / 180.0);
-    return mesh;
-}
-
-// A sheet bent about its long side, over this angle.
-Mesh curled(double angle, int n) {
-    return shapes::patch(2 * n, n, [=](double u, double v) {
-        const double t = angle * (v - 0.5);
-        return Vector3d(3.0 * (u - 0.5), std::sin(t) / angle, std::cos(t) / angle);
     });
 }
 
@@ -481,64 +405,6 @@ TEST_CASE("stations: the blades of a paper helicopter are cut alike") {
             return (Vector3d(-place(o).x(), -place(o).y(), place(o).z()) - place(s)).norm() < 0.01 * m.size &&
                    std::abs(o.plate_drag - s.plate_drag) < 0.03 * s.plate_drag;
         }));
-}
-
-TEST_CASE("stations: bowls know their hollow, whatever their triangles and frame") {
-    const auto hollow = [](const Mesh& mesh) { return hollow_of(part_of(mesh, 2.0), 2.0); };
-    CHECK(hollow(shapes::disc(8)).norm() == 0.0);
-    CHECK(hollow(cap(0.1, 8)).norm() == 0.0);
-    CHECK(hollow(curled(6.2, 16)).norm() < 0.02); // a tube has none
-    double before = 0.7;
-    for (const double half_angle : {30.0, 45.0, 60.0}) {
-        CAPTURE(half_angle);
-        const Vector3d coarse = hollow(cone(half_angle, 4)), fine = hollow(cone(half_angle, 16));
-        CHECK(fine.z() < -0.1);
-        CHECK(fine.head<2>().norm() < 0.01);
-        CHECK((coarse - fine).norm() < 0.05 * fine.norm());
-        CHECK(fine.norm() < before - 0.1);
-        before = fine.norm();
-        Mesh other = cone(half_angle, 16);
-        const Eigen::Matrix3d turn = shapes::some_rotation();
-        shapes::apply(other, turn);
-        for (std::size_t i = 0; i < other.faces.size(); i += 2) std::swap(other.faces[i][1], other.faces[i][2]);
-        CHECK((hollow(other) - turn * fine).norm() < 0.03 * fine.norm());
-    }
-}
-
-TEST_CASE("stations: the drag of bowls, their tip and their hollow first") {
-    // Hoerner, Fluid-Dynamic Drag, ch. 3: cones with an open base, and half a sphere.
-    struct Row {
-        const char* name;
-        Mesh mesh;
-        double tip_first, hollow_first;
-    };
-    Mesh half_sphere = shapes::disc(12);
-    for (Vector3d& v : half_sphere.vertices) {
-        const double r = v.head<2>().norm(), t = 0.5 * pi * r;
-        v = r > 0.0 ? Vector3d(v.x() / r * std::sin(t), v.y() / r * std::sin(t), 1.0 - std::cos(t)) : Vector3d::Zero();
-    }
-    for (const Row& r : {Row{"cone of 60 degrees", cone(30.0, 12), 0.50, 1.35},
-                         {"of 90", cone(45.0, 12), 0.72, 1.35},
-                         {"of 120", cone(60.0, 12), 0.95, 1.3},
-                         {"half a sphere", half_sphere, 0.40, 1.40}}) {
-        CAPTURE(std::string(r.name));
-        const Made m = made(r.mesh, 0.002);
-        REQUIRE(m.stations.at.size() >= 4);
-        const double speed = 1e4 * viscosity / m.size;
-        const auto drag = [&](double direction) {
-            const Motion motion{Vector3d(0.0, 0.0, direction * speed), Vector3d::Zero()};
-            double sum = 0.0;
-            for (StationData s : m.stations.at) {
-                s.camber = 0.0; // the kernel has it in attached streams alone
-                sum -= loads_of(s, motion, viscosity, m.size)[2];
-            }
-            return direction * sum / (0.5 * speed * speed * pi);
-        };
-        CHECK(drag(-1.0) == Approx(r.tip_first).epsilon(0.1).scale(1.0));
-        CHECK(drag(1.0) == Approx(r.hollow_first).epsilon(0.1).scale(1.0));
-        for (const StationData& s : m.stations.at) // no two walls as one
-            CHECK(place(s).head<2>().norm() > 0.2);
-    }
 }
 
 TEST_CASE("stations: what no sum of parts describes is said") {

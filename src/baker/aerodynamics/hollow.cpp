@@ -45,8 +45,7 @@ Vector3d hollow_of(const Part& part, double size) {
     const Part faces = refined(part, size / cells_along);
     const std::vector<Cell> places = cells_of(faces, size / cells_along);
     Vector3d sum = Vector3d::Zero(), convex = Vector3d::Zero();
-    double area = 0.0, all = 0.0;
-    for (const Cell& c : places) all += c.area;
+    double area = 0.0;
     for (const Facet& f : faces) {
         const Vector3d at = f.middle();
         double above = 0.0; // on the side of the normal
@@ -55,11 +54,11 @@ Vector3d hollow_of(const Part& part, double size) {
             const double square = to.squaredNorm(), height = f.normal.dot(to);
             if (square > 0.0) above += c.area * height * std::abs(height) / square;
         }
-        sum -= f.area * above / all * f.normal;
+        sum -= f.area * above * f.normal;
         convex -= f.area * (above > 0.0 ? 1.0 : -1.0) * f.normal;
         area += f.area;
     }
-    const double parallel = convex.norm() / area, length = sum.norm() / area;
+    const double parallel = convex.norm() / area, length = sum.norm() / (area * area);
     if (!(length > 0.0)) return Vector3d::Zero();
     const double x = std::max(share_caught * length / std::max(parallel, least_parallel) - shallow, 0.0);
     return std::min(x + 0.6 * x * x, most_caught) / sum.norm() * sum;
