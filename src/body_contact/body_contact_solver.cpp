@@ -11,7 +11,7 @@ namespace lr {
 namespace {
 
 constexpr auto lanes = static_cast<uint32_t>(contact_lanes);
-constexpr uint32_t body_contact_sweeps = 30, roll_every = 4;
+constexpr uint32_t path_sweeps = 36, velocity_sweeps = 24, roll_every = 4;
 constexpr uint32_t bounce_rounds = 2, bounce_sweeps = 3;
 constexpr uint32_t held_sweeps = 4; // extra sweeps over fixed things: a heap must not press a body into a collider
 constexpr uint32_t lanes_grain = 4;
@@ -26,7 +26,8 @@ constexpr uint32_t first_task(uint32_t levels, uint32_t level) {
 bool BodyContactSolver::reserve_bodies(uint32_t count) {
     if (!grow(*allocator_, bodies_, size_t{count} + 1) || !grow(*allocator_, twists_, size_t{count} + 1) ||
         !grow(*allocator_, twists_before_, count) || !grow(*allocator_, directions_, count) ||
-        !grow(*allocator_, holding_, count) || !grow(*allocator_, kind_of_, count / lanes + 1))
+        !grow(*allocator_, holding_, count) || !grow(*allocator_, heaps_, count) ||
+        !grow(*allocator_, kind_of_, count / lanes + 1))
         return false;
     body_count_ = count;
     return true;
@@ -236,7 +237,7 @@ template <class Function> void BodyContactSolver::each_lanes(const Workers& work
 // as the gradient; 16 sweeps then do as much as 60. Bodies follow the search direction before the next sweep, impulses in it. Sums
 // go over tasks in order: the same on every machine.
 void BodyContactSolver::sweep(const BodyContactTarget& target, const BodyContactInput& in, const Workers& workers,
-                              bool rolls) {
+                              bool rolls, uint32_t most) {
     std::copy_n(twists_.data(), body_count_, twists_before_.data());
     std::fill_n(directions_.data(), body_count_, SolverTwist{});
     const SolverSearch search{twists_before_.data(), directions_.data()};
@@ -248,7 +249,7 @@ void BodyContactSolver::sweep(const BodyContactTarget& target, const BodyContact
     double former = 0.0;
     float part = 0.0f;
     bool follows = false;
-    for (uint32_t n = 0; n < body_contact_sweeps; ++n) {
+    for (uint32_t n = 0; n < most; ++n) {
         each_task(workers, [&](uint32_t task) {
             if (follows && task < tiles) follow(task, part);
             Swept swept{0.0, false};
@@ -266,7 +267,7 @@ void BodyContactSolver::sweep(const BodyContactTarget& target, const BodyContact
             if (swept.changed) changed = true;
             squares += swept.squares;
         }
-        const bool last = n + 1 == body_contact_sweeps; // respects all bounds
+        const bool last = n + 1 == most; // respects all bounds
         follows = !last && changed;
         if (follows) {
             const bool onward = former > 0.0 && squares <= former; // else it restarts
@@ -290,6 +291,41 @@ void BodyContactSolver::sweep(const BodyContactTarget& target, const BodyContact
                 target.sweep(in, blocks_[b], 0.0f);
     };
     workers.run(tiles, 1, hold);
+}
+
+// The velocity projection starts from the path's impulses p times a factor f, the one that leaves the least energy: p . J (v + f M^-1 J^T p) = 0.
+// It is the same for all bodies that touch each other, if only through others. A heap is full of large impulses that hold each other; with
+// factors of its own for each pair they do not, and such a start had up to a hundred times the energy of the heap.
+void BodyContactSolver::start_velocities(const BodyContactScene& scene, float h) {
+    constexpr double most = 2.0; // that of bodies at rest: weight moves them by g h^2/2 and gives them g h
+    for (uint32_t i = 0; i < body_count_; ++i) heaps_[i] = {i, 0.0, 0.0};
+    const auto first_of = [&](uint32_t body) {
+        while (heaps_[body].parent != body) body = heaps_[body].parent = heaps_[heaps_[body].parent].parent;
+        return body;
+    };
+    const std::span<const BodyContactPair> units(scene.units, scene.unit_count);
+    for (const BodyContactPair& unit : units) {
+        if (unit.b == BodyContactPair::nobody) continue;
+        const uint32_t a = first_of(unit.a), b = first_of(unit.b);
+        heaps_[std::max(a, b)].parent = std::min(a, b);
+    }
+    for (uint32_t i = 0; i < body_count_; ++i)
+        heaps_[i].parent = heaps_[heaps_[i].parent].parent; // now all are first ones
+    const auto sums_of = [&](const BodyContactPair& unit) -> Heap& { return heaps_[heaps_[unit.a].parent]; };
+    for (const BodyContactPair& unit : units) {
+        const PairBlock& block = blocks_[unit.block];
+        const auto unit_mass = static_cast<double>(mass(scene.kinds, unit.a));
+        Heap& sums = sums_of(unit);
+        sums.stopping += unit_mass * static_cast<double>(block.start[unit.lane]);
+        sums.moving += unit_mass * static_cast<double>(block.moving[unit.lane]);
+    }
+    const double limit = most / static_cast<double>(h);
+    for (const BodyContactPair& unit : units) {
+        const Heap& sums = sums_of(unit);
+        const double best = sums.stopping / sums.moving;
+        blocks_[unit.block].start[unit.lane] =
+            best > 0.0 ? static_cast<float>(std::min(best, limit)) : 0.0f; // also of NaN
+    }
 }
 
 // Restitution and friction together can add energy (Kane 1984): reduces the bounce of such contacts.
@@ -319,11 +355,12 @@ bool BodyContactSolver::solve(const BodyContactTarget& target, float h, float gr
                [&](const PairBlock& block) { fill(scene.kinds, static_cast<uint32_t>(&block - blocks_.data())); });
     each_lanes(workers, [&](uint32_t kind, uint32_t begin) { target.begin(in, kind, begin); });
     each_block(workers, [&](PairBlock& block) { target.way(in, block); });
-    sweep(target, in, workers, rolls);
+    sweep(target, in, workers, rolls, path_sweeps);
     each_lanes(workers, [&](uint32_t kind, uint32_t begin) { target.move(in, kind, begin); });
     each_block(workers, [&](PairBlock& block) { target.touch(in, block); });
+    start_velocities(scene, h);
     each_block(workers, [&](PairBlock& block) { target.velocity(in, block); });
-    sweep(target, in, workers, rolls);
+    sweep(target, in, workers, rolls, velocity_sweeps);
     restrain(target, in, workers);
     each_lanes(workers, [&](uint32_t kind, uint32_t begin) { target.finish(in, kind, begin); });
     return true;

@@ -104,7 +104,9 @@ private:
     template <class Function> void each_task(const Workers& workers, const Function& function);
     template <class Function> void each_block(const Workers& workers, const Function& function);
     template <class Function> void each_lanes(const Workers& workers, const Function& function);
-    void sweep(const BodyContactTarget& target, const BodyContactInput& in, const Workers& workers, bool rolls);
+    void sweep(const BodyContactTarget& target, const BodyContactInput& in, const Workers& workers, bool rolls,
+               uint32_t most);
+    void start_velocities(const BodyContactScene& scene, float h);
     void restrain(const BodyContactTarget& target, const BodyContactInput& in, const Workers& workers);
 
     Allocator* allocator_;
@@ -122,6 +124,12 @@ private:
     Buffer<const BodyContactPair*> order_, spare_;
     Buffer<const BodyContactPair*> unit_of_; // by block and lane; null: none
     Buffer<PairBlock> blocks_;
+    // A heap, by its first body: its bodies' parents towards that one, and sums over its units.
+    struct Heap {
+        uint32_t parent;
+        double stopping, moving;
+    };
+    Buffer<Heap> heaps_; // by body
     // Of a task's last sweep: on lines of their own, as each is written by the core that sweeps it.
     struct alignas(64) Swept {
         double squares;

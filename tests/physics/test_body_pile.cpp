@@ -126,8 +126,8 @@ TEST_CASE("a heap presses none of its bodies through a thin shelf") {
     constexpr uint32_t count = 60;
     constexpr double high = 0.2; // m, the shelf
     const std::vector<float> corners = box_corners(0.5f, 2.5e-3f, 0.5f);
-    const Triangles fine = fine_sheet(120, 0.005f, [](float, float) { return 0.0f; });
-    const Triangles coarse = fine_sheet(12, 0.05f, [](float, float) { return 0.0f; });
+    const Triangles fine = fine_sheet(120, 0.01f, [](float, float) { return 0.0f; });
+    const Triangles coarse = fine_sheet(12, 0.1f, [](float, float) { return 0.0f; });
     const lr_collider_desc shelves[] = {box_collider(0.5f, 2.5e-3f, 0.5f), hull_collider(corners), mesh_collider(fine),
                                         mesh_collider(coarse)};
     const Asset kinds[] = {make(rigid_box(0.06, 4e-4, 0.04, 700.0)), make(rigid_box(0.06, 0.003, 0.002, 400.0))};

@@ -15,13 +15,12 @@ struct alignas(64) SolverBody {
     // Results of contact.
     float way[6]; // displacement, twist (v, d s w) times seconds; in the second projection: the velocity before it
     float correction[6]; // of the displacement
-    float guess;     // h v . s / s^2 of the motion without contact: a first velocity impulse over the path's, times h
-    float shallow;   // m, the least gap with a collider at the beginning, at most 0
-    float carried;   // m/s, of the fastest surface that it touches
-    float touches;   // 1: touches something
-    float rolled[3]; // angular impulse against rolling
-    float dust;      // m or m/s: smaller changes do not count
-    float share;     // of the path's impulses that counts as motion
+    float shallow;       // m, the least gap with a collider at the beginning, at most 0
+    float carried;       // m/s, of the fastest surface that it touches
+    float touches;       // 1: touches something
+    float rolled[3];     // angular impulse against rolling
+    float dust;          // m or m/s: smaller changes do not count
+    float share;         // of the path's impulses that counts as motion
 };
 // The part of a body that sweeps change.
 struct alignas(32) SolverTwist {
@@ -82,6 +81,9 @@ struct PairBlock {
     Friction friction;
     Row row[block_contacts];
     LaneRow changed; // sum of squares of the last sweep's changes
+    // The path's impulses times the velocities that they have to stop, m^2/s, then the velocity projection's start over them, 1/s; and times
+    // the displacement that they made, m^2.
+    LaneRow start, moving;
 
     // Read and written outside sweeps alone.
     LaneRow normal[3];          // world, unit, from b to a

@@ -16,8 +16,8 @@ namespace lr::LR_KERNEL_NAMESPACE {
 
 // Fields of SolverBody by their index in floats.
 constexpr size_t at_x = 0, at_q = 3, at_x0 = 7, at_q0 = 10, at_v = 14, at_w = 17, at_v0 = 20, at_w0 = 23, at_scale = 26,
-                 at_way = 27, at_correction = 33, at_guess = 39, at_shallow = 40, at_carried = 41, at_touches = 42,
-                 at_rolled = 43, at_dust = 46, at_share = 47, fields_of_body = 48;
+                 at_way = 27, at_correction = 33, at_shallow = 39, at_carried = 40, at_touches = 41, at_rolled = 42,
+                 at_dust = 45, at_share = 46, fields_of_body = 48; // a multiple of 4
 constexpr size_t twist_floats = sizeof(SolverTwist) / sizeof(float);
 static_assert(offsetof(SolverBody, rolled) == at_rolled * sizeof(float));
 
@@ -151,7 +151,7 @@ HWY_INLINE Reduced operator-(const Reduced& a, const Reduced& b) {
     return {a.press - b.press, a.drag - b.drag};
 }
 // Velocity of a relative to b.
-HWY_INLINE Reduced relative_motion(const Side& a, const Side& b, const Twist& ta, const Twist& tb) {
+HWY_NOINLINE Reduced relative_motion(const Side& a, const Side& b, const Twist& ta, const Twist& tb) {
     return reduced(motion_of(a, ta) - motion_of(b, tb));
 }
 template <bool kFull, bool kPair>

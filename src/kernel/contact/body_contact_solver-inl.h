@@ -191,7 +191,7 @@ HWY_INLINE Reduced started(PairBlock& block, size_t at, const VF* pressed, Vec3 
     store3(f.change, at, zero3());
     return {press, drag};
 }
-HWY_INLINE Matrix frame_of(const PairBlock& block, size_t at) {
+HWY_NOINLINE Matrix frame_of(const PairBlock& block, size_t at) {
     const Vec3 normal = load3(block.normal, at);
     Vec3 first, second;
     tangents(normal, first, second);
@@ -379,10 +379,6 @@ bool body_contact_roll(const BodyContactInput& in, uint32_t kind, uint32_t begin
     return true;
 }
 
-// The velocity's impulse starts from that of the path over h. As with velocity and path, the first is twice the second for a body that was at
-// rest, equal after a blow, and nothing for one that has just come to its highest point: twice there would toss it up once more.
-constexpr float most_guess = 2.0f;
-
 void body_contact_move(const BodyContactInput& in, uint32_t kind, uint32_t begin) {
     GatheredBodies bodies(in, begin);
     auto& row = bodies.row;
@@ -397,13 +393,9 @@ void body_contact_move(const BodyContactInput& in, uint32_t kind, uint32_t begin
         Quaternion q = load4(row + at_q, at);
         store3(row + at_x, at, load3(row + at_x, at) + to_world(q, correction.v));
         const Twist met = twist_of(row, at_v, at, size.length);
-        const VF square = dot(way.v, way.v) + dot(way.u, way.u);
-        const VF ratio = constant(in.h) * (dot(met.v, way.v) + dot(met.u, way.u)) / hn::Max(square, constant(1e-30f));
-        // In substeps in which a body falls by less than the slop, most of the path's impulses undo older overlap. That is no motion, and over h it
-        // would be a large one.
+        // In substeps in which a body falls by less than the slop, most of the path's impulses undo older overlap. The next substep has none.
         const VF share = hn::Min(constant(0.5f * in.gravity * (in.h * in.h)) / size.slop, constant(1.0f));
         store1(row[at_share], at, share);
-        store1(row[at_guess], at, share * hn::Max(hn::Min(ratio, constant(most_guess)), zero));
         const Twist seen{to_world(q, met.v), to_world(q, met.u)};
         q = normalised(turn(q, q, half * size.inverse, correction.u));
         store4(row + at_q, at, q);
@@ -421,29 +413,39 @@ void body_contact_move(const BodyContactInput& in, uint32_t kind, uint32_t begin
 void body_contact_touch(const BodyContactInput& in, PairBlock& block) {
     const Gathered g(in, block);
     const VF zero = hn::Zero(DF()), one = constant(1.0f), empty = constant(0.5f * no_contact);
+    const VF within = constant(0.5f * in.gravity * (in.h * in.h)); // weight presses bodies so deep into each other
     alignas(64) LaneRow carried, shallow, touching;
     for (size_t at = 0; at < block.lanes; at += hn::Lanes(DF())) {
         const Size size_a = size_of(in.kinds[block.kind_a], g.a, at), size_b = size_of(in.kinds[block.kind_b], g.b, at);
         const auto pair = load1(block.ratio, at) > zero, solid = load1(block.solid, at) > zero;
         const VF slop = hn::Min(size_a.slop, hn::IfThenElse(pair, size_b.slop, size_a.slop));
-        const Reduced moved = relative_motion(side_a(in, block, at), side_b(in, block, at),
-                                              load6(g.a + at_correction, at), load6(g.b + at_correction, at));
+        const Side a = side_a(in, block, at), b = side_b(in, block, at);
+        const Reduced moved = relative_motion(a, b, load6(g.a + at_correction, at), load6(g.b + at_correction, at));
+        const Reduced came = relative_motion(a, b, load6(g.a + at_way, at), load6(g.b + at_way, at));
+        const Vec3 drift = frame_of(block, at) * load3(block.surface, at), dragged = load3(block.friction.dragged, at);
         VF least = zero, any = zero;
+        VF stopping = dot(dragged, Vec3{drift.y, drift.z, zero} - came.drag), moving = dot(dragged, moved.drag);
         for (uint32_t k = 0; k < block.used; ++k) {
             PairBlock::Place& c = block.place[k];
-            const VF given = load1(c.gap, at);
+            const Vec3 direction = press_direction(block.row[k], at);
+            const VF given = load1(c.gap, at), pressed = load1(block.row[k].pressed, at);
             const auto there = given < empty;
-            const VF opened = dot(press_direction(block.row[k], at), moved.press);
+            const VF opened = dot(direction, moved.press);
+            stopping += pressed * (drift.x - dot(direction, came.press));
+            moving += pressed * opened;
             const VF gap = hn::IfThenElse(there, given + opened, given);
-            const auto touches = hn::And(there, hn::Or(load1(block.row[k].pressed, at) > zero, gap <= slop));
+            const auto touches = hn::And(there, hn::Or(pressed > zero, gap <= slop));
             store1(c.gap, at, gap);
             store1(c.touching, at, hn::IfThenElseZero(touches, one));
             any = hn::IfThenElse(touches, one, any);
-            least = hn::Min(least, hn::IfThenElseZero(hn::And(touches, solid), load1(c.before, at)));
+            const VF began = load1(c.before, at) + hn::IfThenElse(solid, zero, within);
+            least = hn::Min(least, hn::IfThenElseZero(touches, began));
         }
         store1(carried, at, any * greatest(load3(block.surface, at)));
         store1(shallow, at, least);
         store1(touching, at, any);
+        store1(block.start, at, stopping);
+        store1(block.moving, at, moving);
     }
     for (size_t lane = 0; lane < block.lanes; ++lane) {
         SolverBody& a = in.bodies[block.a[lane]];
@@ -452,6 +454,7 @@ void body_contact_touch(const BodyContactInput& in, PairBlock& block) {
         a.touches = HWY_MAX(a.touches, touching[lane]);
         if (block.ratio[lane] == 0.0f) continue;
         SolverBody& b = in.bodies[block.b[lane]];
+        b.shallow = HWY_MIN(b.shallow, shallow[lane]);
         b.touches = HWY_MAX(b.touches, touching[lane]);
     }
 }
@@ -464,7 +467,6 @@ void body_contact_velocity(const BodyContactInput& in, PairBlock& block) {
     const float frequency = 1.0f / HWY_MAX(in.h, 1e-30f);
     const VF zero = hn::Zero(DF()), slow = constant(2.0f * in.gravity * in.h), inverse_h = constant(frequency);
     for (size_t at = 0; at < block.lanes; at += hn::Lanes(DF())) {
-        const auto pair = load1(block.ratio, at) > zero;
         const Size size_a = size_of(in.kinds[block.kind_a], g.a, at), size_b = size_of(in.kinds[block.kind_b], g.b, at);
         PairBlock::Friction& f = block.friction;
         const Matrix frame = frame_of(block, at);
@@ -475,8 +477,7 @@ void body_contact_velocity(const BodyContactInput& in, PairBlock& block) {
         set_frame(in, g, block, at, size_a, size_b, a, b);
         store1(block.dust, at, constant(1e-4f) * slow);
         const auto load = [&](const LaneRow* row, size_t field) LR_LAMBDA { return load1(row[field], at); };
-        const VF guess =
-            inverse_h * hn::IfThenElse(pair, hn::Min(load(g.a, at_guess), load(g.b, at_guess)), load(g.a, at_guess));
+        const VF guess = load1(block.start, at);
         const auto any = hn::Max(load(g.a, at_touches), load(g.b, at_touches)) > zero;
         const Vec3 drift = frame * load3(block.surface, at);
         store1(f.drift[0], at, drift.y);
