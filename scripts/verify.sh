@@ -13,7 +13,7 @@ source scripts/compiler_cache.sh
 library=build/release/src/liblangevin_rigid.so
 
 steps=( # name, minutes on two cores, title
-    "tidy          2 clang-tidy on the runtime"
+    "tidy          5 clang-tidy on the runtime"
     "abi           1 ABI of the library; refused targets"
     "security      1 Hardening, imports and system calls of the library"
     "site          1 Documentation site with the API reference, without warnings"
@@ -21,11 +21,11 @@ steps=( # name, minutes on two cores, title
     "long          5 Long tests, and load"
     "scorecard     5 Scorecard: every row"
     "valgrind      6 Valgrind over the API's tests"
-    "tsan         10 ThreadSanitizer"
+    "tsan         16 ThreadSanitizer"
     "asan         12 AddressSanitizer and UndefinedBehaviorSanitizer: long tests, and the baker"
     "corpus       45 Models that Debian packages: how many bake"
-    "fuzz          9 Fuzzers: assets 20 s, API, meshes and cards 60 s each"
-    "clang         6 Held hashes: clang"
+    "fuzz         12 Fuzzers: assets 20 s, API, meshes and cards 60 s each"
+    "clang         7 Held hashes: clang"
     "levels       15 Held hashes: GCC and clang at -O1, -O2 and -O3"
     "arm64         8 Held hashes: 64-bit ARM, emulated"
     "windows      10 Held hashes: 64-bit Windows, by Wine"
