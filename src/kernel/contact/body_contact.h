@@ -15,12 +15,12 @@ struct alignas(64) SolverBody {
     // Results of contact.
     float way[6]; // displacement, twist (v, d s w) times seconds; in the second projection: the velocity before it
     float correction[6]; // of the displacement
-    float shallow;       // m, the least gap with a collider at the beginning, at most 0
+    float shallow;       // m, the least gap at the beginning, with a body g h^2/2 more, at most 0
     float carried;       // m/s, of the fastest surface that it touches
     float touches;       // 1: touches something
     float rolled[3];     // angular impulse against rolling
     float dust;          // m or m/s: smaller changes do not count
-    float share;         // of the path's impulses that counts as motion
+    float share;         // of the path's impulses, for the next substep's start
 };
 // The part of a body that sweeps change.
 struct alignas(32) SolverTwist {
