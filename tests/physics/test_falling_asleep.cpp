@@ -224,9 +224,13 @@ TEST_CASE("a body that trembled long enough half-way through a snapshot comes to
 // Sweeps end before they converge, and leave high heaps a tremble that kept half of the plates awake for seconds.
 TEST_CASE("a high heap of plates comes to rest within four seconds, and they do not sleep in each other" *
           doctest::test_suite("long-exact")) {
-    constexpr uint32_t plates = 1000, across = 3, landing = 220;
-    // Denser heaps (1,100) can keep half of their plates awake: sweeps end before they converge.
-    for (const uint32_t seed : {2u, 3u}) {
+    constexpr uint32_t across = 3, landing = 220;
+    struct Heap {
+        uint32_t plates, seed, most_awake;
+    };
+    // In denser heaps sweeps end before they converge. Where velocities start unbalanced (contact.md, 13), 1,085 of these 1,200 are awake.
+    for (const auto [plates, seed, most_awake] : {Heap{1000, 2, 50}, Heap{1000, 3, 50}, Heap{1200, 3, 300}}) {
+        CAPTURE(plates);
         CAPTURE(seed);
         const World world = make(world_desc());
         const lr_batch batch = add_batch(world, plate(), plates);
@@ -251,9 +255,9 @@ TEST_CASE("a high heap of plates comes to rest within four seconds, and they do 
         const HeapState state = heap_state(world.get(), batch);
         const HeapQuality quality = heap_quality(plate_half, state.poses);
         MESSAGE(state.awake << " awake, " << quality.share_deep << " deep, mean height " << quality.height_mean);
-        CHECK(state.awake <= plates / 20);
+        CHECK(state.awake <= most_awake);
         CHECK(quality.share_deep < 0.06);
         CHECK(quality.height_mean > 0.018);
-        CHECK(quality.height_mean < 0.026);
+        CHECK(quality.height_mean < 0.026 * plates / 1000.0);
     }
 }
