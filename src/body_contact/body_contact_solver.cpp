@@ -1,5 +1,6 @@
 #include "body_contact/body_contact_solver.h"
 
+#include "base/disjoint_sets.h"
 #include "base/pose.h"
 
 #include <algorithm>
@@ -299,16 +300,10 @@ void BodyContactSolver::sweep(const BodyContactTarget& target, const BodyContact
 void BodyContactSolver::start_velocities(const BodyContactScene& scene, float h) {
     constexpr double most = 2.0; // that of bodies at rest: weight moves them by g h^2/2 and gives them g h
     for (uint32_t i = 0; i < body_count_; ++i) heaps_[i] = {i, 0.0, 0.0};
-    const auto first_of = [&](uint32_t body) {
-        while (heaps_[body].parent != body) body = heaps_[body].parent = heaps_[heaps_[body].parent].parent;
-        return body;
-    };
+    const auto parent = [&](uint32_t body) -> uint32_t& { return heaps_[body].parent; };
     const std::span<const BodyContactPair> units(scene.units, scene.unit_count);
-    for (const BodyContactPair& unit : units) {
-        if (unit.b == BodyContactPair::nobody) continue;
-        const uint32_t a = first_of(unit.a), b = first_of(unit.b);
-        heaps_[std::max(a, b)].parent = std::min(a, b);
-    }
+    for (const BodyContactPair& unit : units)
+        if (unit.b != BodyContactPair::nobody) join_sets(parent, unit.a, unit.b);
     for (uint32_t i = 0; i < body_count_; ++i)
         heaps_[i].parent = heaps_[heaps_[i].parent].parent; // now all are first ones
     const auto sums_of = [&](const BodyContactPair& unit) -> Heap& { return heaps_[heaps_[unit.a].parent]; };

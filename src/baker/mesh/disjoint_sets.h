@@ -1,9 +1,10 @@
-// Disjoint sets of elements (union-find).
+// Disjoint sets of elements (union-find), with memory of their own.
 #pragma once
+
+#include "base/disjoint_sets.h"
 
 #include <cstddef>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace lr::baker {
@@ -15,22 +16,18 @@ public:
     }
 
     // The lowest element of the set.
-    std::size_t find(std::size_t i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
+    std::size_t find(std::size_t i) { return first_of_set(parent_of(), i); }
 
     // False if they were already in one set.
-    bool join(std::size_t a, std::size_t b) {
-        a = find(a);
-        b = find(b);
-        if (a == b) return false;
-        if (b < a) std::swap(a, b);
-        parent_[b] = a;
-        return true;
-    }
+    bool join(std::size_t a, std::size_t b) { return join_sets(parent_of(), a, b); }
 
 private:
+    struct Parent {
+        std::vector<std::size_t>& of;
+        std::size_t& operator()(std::size_t i) const { return of[i]; }
+    };
+    Parent parent_of() { return {parent_}; }
+
     std::vector<std::size_t> parent_;
 };
 } // namespace lr::baker
