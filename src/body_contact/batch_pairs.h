@@ -1,4 +1,4 @@
-// Pairs of batches with body contact, by batch slots; a batch can be paired with itself. docs/maintainers/contact.md
+// Which pairs of batches have body contact, by batch slots. A batch can be paired with itself. docs/maintainers/contact.md
 #pragma once
 
 #include "base/allocator.h"
@@ -51,7 +51,7 @@ private:
     const uint32_t* end() const { return links_.data() + used_; }
     const uint32_t* first(uint32_t slot) const { return std::lower_bound(begin(), end(), slot << batch_bits); }
 
-    // Ascending: a slot in the upper bits, its partner below. A pair of two batches is stored both ways.
+    // Ascending: a slot in the upper bits, its partner in the lower ones. A pair of two batches is stored both ways.
     Buffer<uint32_t> links_;
     uint32_t used_ = 0;
 };

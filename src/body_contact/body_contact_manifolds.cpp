@@ -1,4 +1,4 @@
-// From manifolds to the contacts of a substep, and from its impulses to the pairs that are kept for the next.
+// Turns manifolds into the contacts of a substep, and stores the substep's impulses with the pairs for the next one.
 #include "body_contact/body_contact_step.h"
 #include "body_contact/kept_manifold.h"
 #include "world/world.h"
@@ -9,8 +9,8 @@
 namespace lr {
 namespace {
 
-// The part of friction that starts the next substep. Friction that only strains bodies against each other would never fade else: a stack
-// of five boxes then creeps.
+// The share of friction that warm-starts the next substep. With all of it, friction that only strains bodies against each other would
+// never fade, and a stack of five boxes creeps.
 constexpr float lasting_friction = 0.8f;
 } // namespace
 
@@ -46,7 +46,7 @@ void BodyContactStep::enter_contacts(uint32_t at, const WayContact* found) {
                          cached ? h * h * manifold.pressed[found[k].from] : 0.0f, found[k].from};
     }
     if (pair.count != 0) to.frame = {found[0].begin.normal, {}, {}, friction, restitution, false, friction_before(at)};
-    // Contacts that do not count in this substep have none for the next.
+    // Contacts that do not count in this substep leave no impulse for the next.
     std::fill_n(manifold.pressed, most_pair_contacts, 0.0f);
     if (pair.count == 0) manifold.drag = {}, manifold.spin = 0.0f;
 }

@@ -38,7 +38,8 @@ void BodyContactStep::set_box(const BodyContactBatch& member, uint32_t index) {
     buffers_->placed[body] = placed_box(moved, margin + kept_way(moved, moved));
 }
 
-// A pair that both find belongs to the first by batch and noise seed, or by place if noise seeds are equal.
+// Whether `one` has found a pair of its own. A pair that both find belongs to the first by batch and noise seed, or by position if noise
+// seeds are equal.
 bool BodyContactStep::finds(uint32_t one, uint32_t other, bool mutual) const {
     if (one == other) return false;
     const BodyContactBatch* const members = buffers_->members.data();
@@ -67,8 +68,8 @@ void BodyContactStep::keep_first(uint32_t* seen, uint32_t body) const {
     if (order(body) < order(*last)) *last = body;
 }
 
-// The contacts of the pairs that bodies [begin, end), in grid order, have found. Gaps are those at the beginning of the substep, so
-// that bodies that pass through each other are recognised by the side on which they began; pairs that stay open are dropped.
+// Finds the contacts of the pairs that bodies [begin, end), in grid order, have found. They are searched as the substep begins: bodies
+// that pass through each other are recognised by the side on which they began. Pairs that stay open are dropped.
 void BodyContactStep::meet(uint32_t begin, uint32_t end) {
     BodyContactBuffers& c = *buffers_;
     PairBatch batch(world_->target->search_pairs);
@@ -103,7 +104,7 @@ void BodyContactStep::meet(uint32_t begin, uint32_t end) {
         const uint32_t* const seen = c.seen.data() + size_t{BodyContactBuffers::most_seen} * body;
         for (uint32_t k = 0; k < count; ++k) function(first + k, seen[k]);
     };
-    // Neighbours in space and cached pairs are far apart in memory: both are fetched two bodies and one body ahead.
+    // Neighbours in space, and cached pairs, are far apart in memory: fetched two bodies and one body ahead.
     const auto fetch = [&](uint32_t body) {
         __builtin_prefetch(c.moved.data() + body);
         each_seen(body, [&](uint32_t, uint32_t other) {
@@ -185,7 +186,8 @@ bool BodyContactStep::find_pairs(uint32_t substep) {
     return true;
 }
 
-// Bodies that touch others get places: batch by batch, each starting at a whole group of lanes, in the order of tiles and noise seeds.
+// Bodies that touch others get places, which are indices in the solver's arrays: kind by kind, each starting at a whole group of lanes,
+// and within a kind in the order of tiles and noise seeds.
 bool BodyContactStep::number_touching() {
     constexpr auto lanes = static_cast<uint32_t>(contact_lanes);
     BodyContactBuffers& c = *buffers_;

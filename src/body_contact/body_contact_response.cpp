@@ -1,4 +1,4 @@
-// Solves contacts: bodies that touch no other awake body separately, the rest together.
+// Solves contacts: each body that touches no other awake one by itself, the rest together.
 #include "body_contact/body_contact_step.h"
 
 #include "kernel/divergence.h"
@@ -12,37 +12,38 @@ namespace {
 
 constexpr auto lanes = static_cast<uint32_t>(contact_lanes);
 
-// In heaps, sweeps leave more motion than a single still body has: the limit for sleep is higher by this factor.
+// In heaps the sweeps leave more motion than a single still body has: the speed limit for sleep is higher by this factor.
 constexpr float heap_still = 3.0f;
-// So is its place, a tenth of the reach within a second: sweeps that end early keep heaps of more than ten layers trembling by some millimetres.
+// The place in which a body must stay for a second is larger by this factor, a tenth of the reach: sweeps end early and keep heaps of more
+// than ten layers trembling by some millimetres.
 constexpr float heap_place = 5.0f;
-// But what is deeper in another than by half its thickness and a fall in a substep has to get out first.
+// A body that overlaps another by more than half its thickness and its fall in a substep must get out first: it has the usual place.
 float place_in_heap(const BodyAfter& body, float least_gap, const BodyShape& shape, float scale, float fall) {
     return least_gap > -(0.5f * shape.thickness * scale + fall) ? heap_place * body.place : body.place;
 }
 
-// A body in a heap falls through gaps that sweeps leave, is stopped in the next substep, and rocks back: motion that does not last
-// for two substeps and stays below the limit of restitution (2 g h) does not count.
+// A body in a heap falls through gaps that the sweeps leave, is stopped in the next substep, and rocks back. Such motion does not count
+// if it is below the limit of restitution (2 g h) and does not last for two substeps.
 float lasting_speed(const BodyAfter& body, Vector v0, Vector w0, Vector v, Vector w, float fall) {
     const float before = fastest(body.extent, v0, w0), now = fastest(body.extent, v, w);
     if (std::max(before, now) > 2.0f * fall) return std::max(before, now);
     return std::min({before, now, fastest(body.extent, 0.5f * (v0 + v), 0.5f * (w0 + w))});
 }
 
-// How a body moves away from sleeping ones that may lie on it; world frame.
+// How a body moves away from sleeping ones, which may lie on it; world frame.
 struct Leaving {
-    // m/s, of a body that falls as soon as it has woken, else 0: it has lost its support, and so has a body that it falls away from, which is out of
-    // reach a substep later.
+    // m/s, the velocity of a body that falls as soon as it has woken, else 0. It has lost its support. So has a sleeping one that it falls away
+    // from, and a substep later that is out of reach.
     Vector falls;
     float fast; // m/s, half of the fall in a substep
-    // m/s, at both ends of the substep: a body that sinks on a lift moves the same way at both, one that trembles in a heap does not.
+    // m/s, at both ends of the substep. A body that sinks on a lift moves the same way at both, one that trembles in a heap does not.
     Vector before, after;
     bool moves;  // it wakes what it touches
-    bool gone;   // out of the place where it has been
-    float clear; // m: half of the gap beyond which a contact is not found
+    bool gone;   // it has left the place where it stayed, or is carried
+    float clear; // m: half of the margin of contact
     Vector down; // of length 2
 
-    // Wakes a sleeping body, or has it tried if it can have lost what it lies on. normal: from that to the body.
+    // Wakes a sleeping body, or asks for a trial if it may have lost its support. normal: from the sleeping body to this one.
     void tell(const lr_world& world, const ContactGroup::Asleep& other, bool touched, Vector normal, float gap) const {
         Batch& batch = *world.batches[other.batch].batch;
         const bool leaves = gone || (gap > clear && dot(normal, before) > 0.0f && dot(normal, after) > 0.0f);
@@ -74,7 +75,7 @@ Pose began(const SolverBody& b) {
 Pose now(const SolverBody& b) {
     return {vector_of(b.x), {b.q[0], b.q[1], b.q[2], b.q[3]}};
 }
-// Whether two contacts with fixed things can be of one unit: to the bit, so that equal ones are found on every machine.
+// Whether two contacts with fixed things can be in one unit. Compared to the bit, so that every machine finds the same.
 bool one_frame(const BodyContactFrame& a, const BodyContactFrame& b) {
     const auto same = [](Vector u, Vector v) { return u.x == v.x && u.y == v.y && u.z == v.z; };
     return same(a.normal, b.normal) && same(a.surface, b.surface) && same(a.lag, b.lag) && a.friction == b.friction &&
@@ -99,7 +100,7 @@ void BodyContactStep::hold(uint32_t substep, Held which) {
 void BodyContactStep::hold_group(const BodyContactBatch& member, uint32_t first, uint32_t substep, Held which) {
     const BatchArrays& from = member.item.batch->arrays();
     const uint32_t count = std::min(lanes, member.count - first);
-    // Copies, because sleeping bodies or none follow the last.
+    // Copies: in the batch's arrays the last awake body can be followed by sleeping ones, or by none.
     BodyCopies<contact_lanes> copies;
     copies.take(from, count, [first](uint32_t i) { return first + i; });
     const BatchArrays arrays = copies.arrays();
@@ -186,7 +187,7 @@ void BodyContactStep::fill_body(uint32_t place) {
     to.scale = a.field[field_scale][index];
 }
 
-// In the order of places: each body's contacts with fixed things, then the pairs that it has found, in the order of the others' places.
+// For each place in order: the body's contacts with fixed things, then the pairs that it has found, by the other body's place.
 uint32_t BodyContactStep::list_units() {
     BodyContactBuffers& c = *buffers_;
     uint32_t used = 0;
@@ -250,7 +251,8 @@ bool BodyContactStep::solve() {
     return true;
 }
 
-// Asleep they would stay behind, however slowly it moves: each that falls asleep is a fixed thing to the others.
+// Marks bodies that a slow collider carries, if only through others. They must stay awake: one that falls asleep stays behind, however
+// slowly the collider moves, and is a fixed thing that holds the others back.
 void BodyContactStep::find_carried() {
     BodyContactBuffers& c = *buffers_;
     std::fill_n(c.tile.data(), place_count_, 0u);
@@ -309,7 +311,7 @@ void BodyContactStep::put_back(uint32_t place, uint32_t substep) {
     give(field_wx, from.w, 3);
     if (hold_if_insane(a, index, member.item.batch->step.faults, [&](size_t f) { return *before(index_in_step, f); }))
         return;
-    // Others press bodies into and through thin things. Beyond a surface a centre of mass would count as on the other side.
+    // Other bodies can press this one into or through thin things. Beyond a surface its centre of mass would count as on the other side.
     const Vector x = vector_of(from.x);
     const Vector back = way_back(member.run.step, from.scale, a.floor[index], nullptr, vector_of(from.x0), x,
                                  contact_substep(time_, substep, nullptr));

@@ -1,4 +1,4 @@
-// Shelter of awake bodies: those under others feel only a share of the wind.
+// Shelter of awake bodies: a body under others feels only a share of the wind.
 #include "body_contact/body_contact_step.h"
 
 #include "world/sleep/shelter.h"
@@ -10,7 +10,7 @@
 namespace lr {
 namespace {
 
-// A body's turn comes in one of so many substeps, by its noise seed; and in the first after it has woken.
+// A body's shelter is found in one of so many substeps, by its noise seed, and in the first after it has woken.
 constexpr uint32_t turns = 8;
 
 bool blows(const StepInput& in) {
@@ -33,7 +33,7 @@ bool BodyContactStep::in_question(const BodyContactBatch& member, uint32_t index
     return at % turns == 0 || member.run.book.lee[index] < 0.0f;
 }
 
-// Whether the body's shelter is to be found in this substep: then it is yet open.
+// If the body's shelter is to be found in this substep, and there is wind, it starts as wholly open; else it is not asked for.
 void BodyContactStep::ask_for_shelter(const BodyContactBatch& member, uint32_t index, uint32_t substep) {
     Hidden& hidden = buffers_->hidden[member.first + index];
     hidden = BodyContactBuffers::unasked;
@@ -44,7 +44,7 @@ void BodyContactStep::ask_for_shelter(const BodyContactBatch& member, uint32_t i
         member.run.book.lee[index] = 0.0f;
 }
 
-// Awake bodies cover each other where their boxes overlap, as both were when the substep began.
+// For awake bodies whose boxes overlap: which points of each the other covers, as both lay when the substep began.
 void BodyContactStep::hide_each_other(uint32_t one, uint32_t other) {
     BodyContactBuffers& c = *buffers_;
     const auto hide_by = [&](uint32_t body, uint32_t by) {
@@ -58,7 +58,7 @@ void BodyContactStep::hide_each_other(uint32_t one, uint32_t other) {
     hide_by(other, one);
 }
 
-// How far bodies are sheltered in the next substeps.
+// Sets the share of the wind that bodies lose until their next turn.
 void BodyContactStep::find_shelter() {
     BodyContactBuffers& c = *buffers_;
     workers_.run(body_count_, 128, [&](uint32_t begin, uint32_t end) {
@@ -88,7 +88,7 @@ void BodyContactStep::move_sheltered(const BodyContactBatch& member, uint32_t be
     copies.take_forces(in.external, at, false);
     move_cut(member, begin, end, substep);
     copies.lend_forces(in.external);
-    // In a uniform wind gravity is that of the fluid's frame, which is not theirs.
+    // In a uniform wind that changes, gravity is that of the fluid's frame. The copies are stepped in a field, in the world's frame.
     if (in.wind_changes) std::copy(world_->gravity, world_->gravity + 3, in.gravity);
     in.wind_changes = false;
     float felt[cut_bodies];

@@ -17,8 +17,8 @@ constexpr uint32_t bounce_rounds = 2, bounce_sweeps = 3;
 constexpr uint32_t held_sweeps = 4; // extra sweeps over fixed things: a heap must not press a body into a collider
 constexpr uint32_t lanes_grain = 4;
 
-// Groups of units: of each tile its pairs, then its fixed things, which must hold better than bodies do; then the pairs across cuts, level
-// after level. A task sweeps a tile, with both its groups, or those across one cut.
+// Groups of units. Each tile has two: its pairs, then its contacts with fixed things, which must hold better and so come last. The groups
+// of pairs across cuts follow, level after level. A task sweeps both groups of a tile, or the group across one cut.
 constexpr uint32_t first_task(uint32_t levels, uint32_t level) {
     return (2u << levels) - (2u << levels >> level);
 }
@@ -57,7 +57,7 @@ bool BodyContactSolver::sort_units(const BodyContactScene& scene) {
         kind_count = std::max(kind_count, range.kind + 1);
     for (uint32_t i = 0; i < unit_count; ++i) {
         BodyContactPair& unit = units[i];
-        // Impulses are in the lighter body's mass unit: with sizes that differ by a thousand, the heavier one's would overflow.
+        // Impulses are in the mass unit of a, the lighter body: in the heavier one's they would overflow if sizes differ by a thousand.
         unit.swapped = unit.b != BodyContactPair::nobody && mass(scene.kinds, unit.b) < mass(scene.kinds, unit.a);
         if (unit.swapped) std::swap(unit.a, unit.b);
         unit.group = group_of(scene, unit);
@@ -80,7 +80,8 @@ bool BodyContactSolver::sort_units(const BodyContactScene& scene) {
            sort_by(group_count_, [](const BodyContactPair& u) { return u.group; });
 }
 
-// Each unit goes into the first block of its group and kinds that holds neither of its bodies. After the last sort first_unit_ has the ends.
+// Each unit goes into the first block of its group and kinds that holds neither of its bodies. After the last sort first_unit_ holds the
+// end of each group.
 void BodyContactSolver::fill_blocks(const BodyContactScene& scene) {
     constexpr uint32_t window_blocks = 64;
     std::fill_n(holding_.data(), body_count_, Holding{});
@@ -235,8 +236,8 @@ template <class Function> void BodyContactSolver::each_lanes(const Workers& work
 }
 
 // Nonsmooth nonlinear conjugate gradients (Silcowitz-Hansen, Niebe and Erleben 2010): the changes of the impulses in a sweep serve
-// as the gradient; 16 sweeps then do as much as 60. Bodies follow the search direction before the next sweep, impulses in it. Sums
-// go over tasks in order: the same on every machine.
+// as the gradient; 16 sweeps then do as much as 60. Bodies take the step along the search direction before the next sweep, impulses
+// during it. Sums run over tasks in order, so they are the same on every machine.
 void BodyContactSolver::sweep(const BodyContactTarget& target, const BodyContactInput& in, const Workers& workers,
                               bool rolls, uint32_t most) {
     std::copy_n(twists_.data(), body_count_, twists_before_.data());
@@ -268,7 +269,7 @@ void BodyContactSolver::sweep(const BodyContactTarget& target, const BodyContact
             if (swept.changed) changed = true;
             squares += swept.squares;
         }
-        const bool last = n + 1 == most; // respects all bounds
+        const bool last = n + 1 == most; // no step follows it, so that all bounds hold
         follows = !last && changed;
         if (follows) {
             const bool onward = former > 0.0 && squares <= former; // else it restarts
@@ -295,8 +296,8 @@ void BodyContactSolver::sweep(const BodyContactTarget& target, const BodyContact
 }
 
 // The velocity projection starts from the path's impulses p times a factor f, the one that leaves the least energy: p . J (v + f M^-1 J^T p) = 0.
-// It is the same for all bodies that touch each other, if only through others. A heap is full of large impulses that hold each other; with
-// factors of its own for each pair they do not, and such a start had up to a hundred times the energy of the heap.
+// All bodies of a heap, which touch each other if only through others, share one factor. A heap is full of large impulses that hold each
+// other. With a factor for each pair they no longer do, and the start has up to a hundred times the energy of the heap.
 void BodyContactSolver::start_velocities(const BodyContactScene& scene, float h) {
     constexpr double most = 2.0; // that of bodies at rest: weight moves them by g h^2/2 and gives them g h
     for (uint32_t i = 0; i < body_count_; ++i) heaps_[i] = {i, 0.0, 0.0};
@@ -305,7 +306,7 @@ void BodyContactSolver::start_velocities(const BodyContactScene& scene, float h)
     for (const BodyContactPair& unit : units)
         if (unit.b != BodyContactPair::nobody) join_sets(parent, unit.a, unit.b);
     for (uint32_t i = 0; i < body_count_; ++i)
-        heaps_[i].parent = heaps_[heaps_[i].parent].parent; // now all are first ones
+        heaps_[i].parent = heaps_[heaps_[i].parent].parent; // now every parent is the first body of its heap
     const auto sums_of = [&](const BodyContactPair& unit) -> Heap& { return heaps_[heaps_[unit.a].parent]; };
     for (const BodyContactPair& unit : units) {
         const PairBlock& block = blocks_[unit.block];

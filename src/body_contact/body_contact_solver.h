@@ -1,4 +1,4 @@
-// Solves touching bodies together: Gauss-Seidel over the pairs of each tile, then over those between tiles. docs/maintainers/contact.md
+// Solves touching bodies together: Gauss-Seidel over the pairs within each tile, then over pairs between tiles. docs/maintainers/contact.md
 #pragma once
 
 #include "base/allocator.h"
@@ -13,12 +13,13 @@ namespace lr {
 
 struct BodyContactPoint {
     Vector arm_a, arm_b;  // m, body frames, from the centres of mass
-    float gap;            // m: of a pair at the beginning of the substep; of a fixed thing at its end
-    float pressed = 0.0f; // a guess of the path projection's impulse over the lighter body's mass unit, m
+    float gap;            // m: between bodies at the beginning of the substep; to a fixed thing at its end
+    float pressed = 0.0f; // warm start of the path projection: impulse over the lighter body's mass unit, m
     uint32_t from = 0;    // which contact of the pair's manifold, or WayContact::swept
 };
 
-// Impulses of the path projection's friction, over the lighter body's mass unit, m: on a, along the world's axes, and about the normal.
+// Friction impulses of the path projection over the lighter body's mass unit, m: the force on a in the world frame; the couple about the
+// normal.
 struct PathFriction {
     Vector drag{};
     float spin = 0.0f; // over a's d s
@@ -27,9 +28,9 @@ struct PathFriction {
 // The same for all contacts of a unit.
 struct BodyContactFrame {
     Vector normal;       // world, unit, from b to a
-    Vector surface, lag; // m/s, m: of a fixed thing, as in ContactSlots
+    Vector surface, lag; // m/s, m: motion of a fixed thing, as in ContactSlots
     float friction, restitution;
-    bool solid; // a collider's
+    bool solid; // the fixed thing is a collider
     PathFriction guess{};
 };
 
@@ -40,7 +41,7 @@ struct BodyContactPair {
     const BodyContactFrame* frame;
     const BodyContactPoint* contact;
     uint32_t count;
-    uint32_t source = 0; // the caller's number of the unit
+    uint32_t source = 0; // the caller's own number for the unit
     // Set by the solver.
     uint32_t group = 0, block = 0, lane = 0;
     bool swapped = false; // a and b are swapped relative to the contacts
@@ -55,7 +56,7 @@ struct BodyContactScene {
     const SolverBodyKind* kinds;
     const BodyContactRange* ranges;
     uint32_t range_count;
-    // In the same order on every machine; a body's units with fixed things are consecutive. The bodies of a unit can be swapped.
+    // In the same order on every machine. A body's units with fixed things are consecutive. solve() can swap the bodies of a unit.
     BodyContactPair* units;
     uint32_t unit_count;
     const uint32_t* tile = nullptr; // by body; null: all are in one
@@ -66,7 +67,7 @@ class BodyContactSolver {
 public:
     explicit BodyContactSolver(Allocator& allocator) : allocator_(&allocator) {}
 
-    // Room for so many bodies, padding of kinds included; contents are lost. False when out of memory.
+    // Room for so many bodies, with the padding of kinds; contents are lost. False when out of memory.
     bool reserve_bodies(uint32_t count);
     SolverBody* bodies() { return bodies_.data(); }
 
@@ -79,7 +80,8 @@ public:
         const PairBlock& block = blocks_[unit.block];
         return block.place[contact].touching[unit.lane] > 0.0f ? block.row[contact].pressed[unit.lane] : -1.0f;
     }
-    // The impulse of the path projection, as BodyContactPoint::pressed; 0 after a blow faster than `slow`, m/s, which will not come again.
+    // After solve(): the impulse of the path projection, as BodyContactPoint::pressed. 0 after a blow faster than `slow` (m/s): it does not
+    // come again.
     float path_pressed(const BodyContactPair& unit, uint32_t contact, float slow) const {
         const PairBlock::Place& place = blocks_[unit.block].place[contact];
         return place.came[unit.lane] < -slow ? 0.0f : place.start[unit.lane];
@@ -124,19 +126,19 @@ private:
     Buffer<const BodyContactPair*> order_, spare_;
     Buffer<const BodyContactPair*> unit_of_; // by block and lane; null: none
     Buffer<PairBlock> blocks_;
-    // A heap, by its first body: its bodies' parents towards that one, and sums over its units.
+    // Disjoint sets of bodies that touch. A heap's first body holds the sums over the heap's units.
     struct Heap {
         uint32_t parent;
         double stopping, moving;
     };
     Buffer<Heap> heaps_; // by body
-    // Of a task's last sweep: on lines of their own, as each is written by the core that sweeps it.
+    // Result of a task's last sweep. Each has its own cache line, as the core that sweeps the task writes it.
     struct alignas(64) Swept {
         double squares;
         bool changed;
     };
     Buffer<Swept> swept_;
-    // Blocks that hold a body already, as bits from the first block of a window of 64.
+    // The blocks that hold a body already: bits, from the first block of the current window of 64 blocks.
     struct Holding {
         uint32_t window;
         uint64_t blocks;

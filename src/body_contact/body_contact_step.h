@@ -1,4 +1,4 @@
-// A step of batches with body contact: all bodies take a substep, then touching ones are solved together, and so on (docs/maintainers/contact.md).
+// A step of batches with body contact. In each substep all bodies move, then touching ones are solved together (docs/maintainers/contact.md).
 #pragma once
 
 #include "base/float_mode.h"
@@ -22,7 +22,7 @@ namespace lr {
 struct Manifold;
 struct WayContact;
 
-// The sleeping bodies that a batch's bodies can touch: its partners' and perhaps its own.
+// The sleeping bodies that a batch's bodies can touch: of its partners, and its own if it is paired with itself.
 class SleepingNeighbours final : public SleepingContacts {
 public:
     SleepingNeighbours(const lr_world& world, uint32_t slot);
@@ -40,14 +40,14 @@ struct BodyContactBatch {
     StepItem item;
     uint32_t slot;
     uint32_t first, count;   // its bodies' indices in the step, consecutive from `first`
-    uint32_t first_place[2]; // of its bodies that touch others: in air, and those that carry water along
+    uint32_t first_place[2]; // by kind: the first place of its bodies that touch others in air, and in water
     bool own;                // its bodies can touch each other
     ContactRun run;
     SleepingNeighbours sleeping;
-    SolverBodyKind kind[2]; // likewise
+    SolverBodyKind kind[2]; // in air, in water
 };
 
-// Memory of such steps: it grows on demand and is kept.
+// Memory of such steps. It grows on demand and is kept.
 struct BodyContactBuffers {
     explicit BodyContactBuffers(Allocator& allocator) : solver(allocator) {}
 
@@ -70,31 +70,32 @@ struct BodyContactBuffers {
 
     Buffer<BodyContactBatch> members;
     Buffer<float> before;    // pose_fields rows of all bodies, as the substep began
-    Buffer<float> submerged; // by body: the part in water, if there is any
+    Buffer<float> submerged; // by body: the part of it in water; used only if there is any
     Buffer<Moved> moved;     // by body
     BodyBroadPhase grid;
-    Buffer<uint32_t> first_pair; // by body, plus the end: the first pair that it has found
+    Buffer<uint32_t> first_pair; // by body, and the end: the first of the pairs that it has found
     Buffer<PlacedBox> placed;    // by body
-    // By body: others whose upright boxes overlap its own; beyond this number, the first by batch and noise seed. Then those that can touch it.
+    // By body: at first others whose upright boxes overlap its own (of more than this number the first by batch and noise seed), then the ones
+    // among them that can touch it.
     static constexpr uint32_t most_seen = 48;
     Buffer<uint32_t> seen;
     Buffer<Pair> pairs;
-    CachedPair* found = nullptr;      // of each: the manifold for the next substep, in the cache; count 0: none
-    Buffer<const CachedPair*> cached; // of each: from the substep before, or null
+    CachedPair* found = nullptr;      // by pair: the manifold for the next substep, in the cache; count 0: none
+    Buffer<const CachedPair*> cached; // by pair: the manifold of the substep before, or null
     struct PairContacts {
         BodyContactFrame frame;
         BodyContactPoint contact[block_contacts];
     };
-    Buffer<PairContacts> pair_contacts;                      // of each
+    Buffer<PairContacts> pair_contacts;                      // by pair
     static constexpr Hidden unasked{UINT32_MAX, UINT32_MAX}; // no face has so many points
     Buffer<Hidden> hidden;  // by body; unasked: its shelter is not found in this substep
     Buffer<uint32_t> place; // by body: its number among those that touch others, or UINT32_MAX
     Buffer<TiledBody> tiled;
-    // By place; padding is UINT32_MAX. tile: after find_carried() whether a moving collider carries the body.
+    // By place; padding is UINT32_MAX. After find_carried() `tile` tells whether a slow collider carries the body.
     Buffer<uint32_t> body_at, tile, first_held, held_count, first_unit;
     Buffer<float> deepest; // m, by place: the least gap to another awake body that it touches, or no_contact
     Buffer<Held> held;
-    Buffer<BodyContactFrame> held_frames; // of each
+    Buffer<BodyContactFrame> held_frames; // as `held`
     Buffer<BodyContactPoint> held_contacts;
     Buffer<BodyContactPair> units;
     Buffer<SolverBodyKind> kinds;
@@ -149,7 +150,7 @@ private:
     bool begin_pairs(uint32_t most);
 
     // body_contact/body_contact_response.cpp
-    // apart: bodies that touch no other awake one. touching: the others, if there is no memory to solve them together.
+    // apart: bodies that touch no other awake one. touching: all others, one by one, if there is no memory to solve them together.
     enum class Held { apart, touching };
     void hold(uint32_t substep, Held which);
     void hold_group(const BodyContactBatch& member, uint32_t first, uint32_t substep, Held which);
@@ -157,10 +158,10 @@ private:
     bool solve();
     void fill_body(uint32_t place);
     uint32_t list_units();
-    void find_carried(); // bodies that touch a slow collider, if only through others
+    void find_carried(); // marks bodies that touch a slow collider, if only through others
     void put_back(uint32_t place, uint32_t substep);
     Touch touch_with(uint32_t place, uint32_t collider) const;
-    // Calls function(k, impulse) for each contact of a body with fixed things; impulse as of BodyContactSolver::pressed.
+    // Calls function(k, impulse) for each contact of a body with fixed things; impulse as in BodyContactSolver::pressed().
     template <class Function> void each_held(uint32_t place, const Function& function) const;
     bool last(uint32_t substep) const { return substep + 1 == time_.substeps; }
 

@@ -10,10 +10,10 @@
 namespace lr {
 namespace {
 
-// Fewer bodies would leave most pairs between tiles; more would leave the second core without work in small heaps.
+// Least bodies of a tile. With fewer most pairs would lie between tiles; with more the second core would have no work in small heaps.
 constexpr uint32_t least_bodies = 192, most_levels = 10;
 
-// In the order of the numbers, and a total order with NaN and both zeros too, which sorting needs.
+// Integers in the order of the numbers. Sorting needs a total order, also with NaN and both zeros.
 uint32_t ordered(float x) {
     const auto bits = bit_cast<uint32_t>(x);
     return bits >> 31 != 0 ? ~bits : bits | 1u << 31;

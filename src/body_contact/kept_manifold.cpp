@@ -10,12 +10,12 @@
 namespace lr {
 namespace {
 
-// Times the smaller reach: how far bodies may move along the normal and across it. With fewer than three contacts they can be at a corner or
-// an edge, which slides away sooner.
+// Shares of the smaller reach: how far bodies may move against each other along the normal, and in all. Fewer than three contacts can lie on
+// a corner or an edge, which slides away sooner.
 constexpr float most_along = 5e-3f, most_across = 2e-2f, most_across_edge = 2.5e-3f;
 constexpr uint32_t face_contacts = 3;
 
-// Times the reach: contacts of two manifolds nearer than this are the same.
+// Share of the smaller reach: contacts of two manifolds nearer than this are the same.
 constexpr float same_place = 0.1f;
 
 float smaller_reach(const PairBody& a, const PairBody& b) {
@@ -58,7 +58,7 @@ struct Arms {
     }
 };
 
-// How far points of b have at most moved against a since the manifold was found, m: along the normal, and in all.
+// Bounds of how far points of b have moved against a since the manifold was found, m: along the normal, and in all.
 struct Slid {
     float along, across;
     Slid(const CachedPair& pair, const Searched& then, const Placed& now, float reach_b) {
@@ -80,12 +80,12 @@ float fits_face(const PairHull& hull, Vector normal) {
     return greatest(best);
 }
 
-// From a forged snapshot, or of a former body with the same noise seed, contacts could be far off the bodies.
+// A forged snapshot, or a former body with the same noise seed, could give contacts far off the bodies.
 bool fits(Vector arm, const PairBody& body) {
     return dot(arm, arm) <= 2.0f * body.reach() * body.reach();
 }
 
-// Each contact takes the impulse of the nearest one of the manifold before; friction lasts with the first of them.
+// Each contact takes the impulse of the nearest contact of the former manifold. If any does, friction is taken over too.
 void take_impulses(const CachedPair& from, const PairBody& a, const PairBody& b, const Manifold& found,
                    CachedPair& to) {
     const Searched then(from);
@@ -110,7 +110,7 @@ void take_impulses(const CachedPair& from, const PairBody& a, const PairBody& b,
     }
 }
 
-// The contacts of a pair where its bodies are now. False if they are far off these.
+// The contacts of a pair where its bodies are now. False if they are far off the bodies.
 bool contacts_of(const CachedPair& pair, const Searched& then, const PairBody& a, const PairBody& b, Manifold& out) {
     const bool of_b = (pair.sides & CachedPair::face_of_b) != 0;
     const Vector normal =

@@ -53,7 +53,7 @@ bool PairCache::reserve(Allocator& allocator, uint32_t count) {
     if (count > most_pairs) return false;
     uint32_t cells = 16;
     while (cells < 2 * count) cells *= 2;
-    // The two lists change places: both get room, so that a later restore of as many allocates nothing.
+    // The two lists change roles: both get room, so that a later restore of as many pairs allocates nothing.
     if (!grow(allocator, next_, count) || !enlarge(allocator, pairs_, next_.size(), count_)) return false;
     if (table_.size() >= cells) return true;
     Buffer<uint32_t> table;
@@ -63,7 +63,7 @@ bool PairCache::reserve(Allocator& allocator, uint32_t count) {
     return true;
 }
 
-// Bodies can share a noise seed. Of pairs with equal keys none is found: which one was meant would depend on their order.
+// Bodies can share a noise seed. Pairs with equal keys are not found at all: which one is meant would depend on their order.
 void PairCache::index() {
     const auto cells = static_cast<uint32_t>(table_.size());
     mask_ = 0;

@@ -1,5 +1,5 @@
-// Pairs of touching bodies, kept from substep to substep: where they were searched, the contacts found, and the impulses that held
-// them. State: hash and snapshots contain it. docs/maintainers/contact.md
+// Pairs of touching bodies, kept from substep to substep: their poses when they were searched, the contacts found, and the impulses that
+// held them. It is state: hash and snapshots contain it. docs/maintainers/contact.md
 #pragma once
 
 #include "base/allocator.h"
@@ -47,13 +47,14 @@ struct PackedRotation {
 // Two touching bodies; a has the lower key. Frames: of the bodies themselves.
 struct CachedPair {
     uint64_t a, b;       // keys
-    PackedRotation turn; // of b, in a's frame, as they were searched
-    Vector offset;       // m, a's frame: from a to b
+    PackedRotation turn; // of b, in a's frame, when they were searched
+    Vector offset;       // m, a's frame: from a to b, likewise
     float within;        // m: all contacts with smaller gaps were found
     PackedVector normal; // unit, from b to a, in the frame of the body whose face it is
     uint8_t count;       // of contacts
-    uint8_t sides;       // bits: whose face and whose arms
-    // Impulses of the path projection, over h^2 and the lighter body's mass unit, m/s^2: friction on a, in its frame, and about the normal.
+    uint8_t sides;       // bits: whose frame `normal` is in, and whose points `arm` holds
+    // Impulses of the path projection over h^2 and the lighter body's mass unit, m/s^2: friction on a, in a's frame; friction about the
+    // normal; normal impulses.
     Vector drag;
     float spin; // over the lighter body's d s
     float pressed[most_pair_contacts];
@@ -73,8 +74,8 @@ public:
     // Room for so many pairs. False when out of memory. The pairs stay as they are.
     bool reserve(Allocator& allocator, uint32_t count);
 
-    // Replaces the pairs of batches for which replaces(slot): room for `most` new ones, which are then filled in, then commit(). Until then
-    // the former pairs can be read. False when out of memory: the pairs stay as they are.
+    // Replaces the pairs of batches for which replaces(slot): makes room for `most` new ones at next(). The caller fills them in and calls
+    // commit(). Until then the former pairs can be read. False when out of memory: the pairs stay as they are.
     template <class Replaces> bool begin(Allocator& allocator, uint32_t most, const Replaces& replaces) {
         const auto stays = [&](const CachedPair& pair) {
             return !replaces(slot_of_key(pair.a)) || !replaces(slot_of_key(pair.b));
@@ -87,9 +88,9 @@ public:
         return true;
     }
     CachedPair* next() { return next_.data() + next_count_; }
-    void commit(uint32_t most); // new ones without contacts are dropped
+    void commit(uint32_t most); // drops new ones without contacts
     void clear();
-    void forget(uint32_t slot); // of a batch that ends, or whose bodies have changed their shape
+    void forget(uint32_t slot); // pairs of a batch that ends, or whose bodies have changed their shape
 
     uint64_t hash() const; // of the pairs in any order; 0 without pairs
 
