@@ -1,4 +1,4 @@
-// Body contact in vectors: gathers bodies and pairs, and applies a contact's impulses to both bodies.
+// Body contact in vectors: gathers the bodies of units into lanes, and applies a unit's impulses to both bodies.
 #if defined(LR_KERNEL_CONTACT_BODY_CONTACT_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_CONTACT_BODY_CONTACT_LANES_INL_H_
 #undef LR_KERNEL_CONTACT_BODY_CONTACT_LANES_INL_H_
@@ -100,20 +100,20 @@ HWY_INLINE Vec3 transposed_times(const Matrix& m, Vec3 a) {
     return a.x * m.row[0] + a.y * m.row[1] + a.z * m.row[2];
 }
 
-// One body of a unit, for a vector of units.
+// One of the two bodies of a unit, for a vector of units.
 struct Side {
     const float* inverse_mass; // 6x6, kernel units
     Matrix axes;               // of the contact frame, in the body's
     Vec3 middle;               // of the contacts, from the centre of mass, along the contact frame, over d s
-    VF weight, length;         // its share of an impulse over a's mass unit; a's d s over its own
+    VF weight, length;         // a's mass unit over its own; a's d s over its own
 };
 
-// Velocity and spin, along the contact frame, of the side's point in the middle; spin times a's d s.
+// Velocity and spin, along the contact frame, of the body's point at the middle of the contacts; spin times a's d s.
 HWY_INLINE Twist motion_of(const Side& s, const Twist& t) {
     const Vec3 u = s.axes * t.u;
     return {s.axes * t.v + cross(u, s.middle), s.length * u};
 }
-// The body's answer to an impulse in the middle and a couple, along the contact frame.
+// The body's change of twist by an impulse at the middle and a couple, both along the contact frame.
 template <bool kFull> HWY_INLINE Twist answer(const Side& s, const Twist& impulse) {
     const Vec3 couple = s.length * impulse.u + cross(s.middle, impulse.v);
     const Twist on_body{transposed_times(s.axes, impulse.v), transposed_times(s.axes, couple)};
@@ -137,9 +137,10 @@ HWY_INLINE bool full_mass(const BodyContactInput& in, const PairBlock& block) {
     return !in.kinds[block.kind_a].body->diagonal || (between_bodies(block) && !in.kinds[block.kind_b].body->diagonal);
 }
 
-// What acts at, and what is seen from, the contacts of a unit: along the normal (a force and couples about the tangents), and across it.
+// Impulses on a unit, or its relative twist, in two parts. press: what contacts do along the normal (a force, couples about the tangents).
+// drag: friction (forces along the tangents, a couple about the normal).
 struct Reduced {
-    Vec3 press, drag; // (n, 1, 2) of a twist: (v_n, u_1, u_2), (v_1, v_2, u_n)
+    Vec3 press, drag; // of a twist, with the normal n and tangents 1 and 2: (v_n, u_1, u_2), (v_1, v_2, u_n)
 };
 HWY_INLINE Reduced reduced(const Twist& t) {
     return {{t.v.x, t.u.y, t.u.z}, {t.v.y, t.v.z, t.u.x}};
@@ -169,7 +170,7 @@ HWY_INLINE Vec3 symmetric(const LaneRow* m, size_t at, Vec3 a) {
             xz * a.x + (yz * a.y + load1(m[5], at) * a.z)};
 }
 
-// Gains of the relative twist by unit impulses.
+// Sets the gains of the relative twist by unit impulses, and their inverses for friction and for each contact.
 template <bool kFull> HWY_INLINE void set_gains(const Side& a, const Side& b, PairBlock& block, size_t at) {
     const VF zero = hn::Zero(DF()), one = constant(1.0f);
     const bool pair = between_bodies(block);

@@ -1,4 +1,5 @@
-// Body contact: Gauss-Seidel over pairs with mass and added mass of both; formulas as in collider_solver-inl.h (docs/maintainers/contact.md).
+// Body contact: Gauss-Seidel over units with mass and added mass of both bodies; formulas as in collider_solver-inl.h
+// (docs/maintainers/contact.md).
 #if defined(LR_KERNEL_CONTACT_BODY_CONTACT_SOLVER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_CONTACT_BODY_CONTACT_SOLVER_INL_H_
 #undef LR_KERNEL_CONTACT_BODY_CONTACT_SOLVER_INL_H_
@@ -30,7 +31,7 @@ void body_contact_begin(const BodyContactInput& in, uint32_t kind, uint32_t begi
     bodies.put_back(in, begin);
 }
 
-// The two bodies of a unit where the substep has taken them.
+// The two bodies of a unit after the substep's motion.
 struct PairState {
     Matrix turn_a, turn_b;
     Quaternion began_a, began_b;
@@ -60,11 +61,11 @@ HWY_INLINE PairState state_of(const BodyContactInput& in, const PairBlock& block
     return s;
 }
 
-// Contacts act in the middle between both surfaces' points: impulses at two points would turn the pair. At most so far from them: after
-// a large rotation they no longer say how the surfaces move.
+// Contacts act at the middle between the points on both surfaces: impulses at two points would turn the pair. Each point is
+// drawn there by at most this: after a large rotation the two no longer say how the surfaces move.
 constexpr float most_joined = 0.2f; // of the smaller reach
 
-// The contact frame, its places on both bodies, and all gains.
+// Sets the contact frame, its axes and middle on both bodies, and all gains.
 HWY_NOINLINE void set_frame(const BodyContactInput& in, const Gathered& g, PairBlock& block, size_t at,
                             const Size& size_a, const Size& size_b, Side& a, Side& b) {
     const VF zero = hn::Zero(DF()), one = constant(1.0f);
@@ -152,12 +153,13 @@ HWY_INLINE void set_gaps(const PairState& s, VF h, const PairBlock& block, PairB
     store1(c.bounce, at, part * (to - from) + from);
 }
 
-// A substep undoes at most this part of the reach of an overlap that it began with: bodies that lie in each other must not be thrown apart.
+// Of an overlap at its beginning a substep undoes at most this share of the reach: bodies that lie in each other must not be thrown apart.
 constexpr float pair_push = 0.02f, collider_push = 0.5f;
-// A substep undoes this part of an overlap between bodies beyond the slop: with more, pairs of a heap that contradict each other would oscillate.
+// Of an overlap between bodies, beyond the slop, a substep undoes this share. With more, pairs of a heap that contradict each other would
+// oscillate.
 constexpr float undone = 0.3f;
 
-// How far a contact's gap must open.
+// How far the path projection may let a contact's gap close, m; negative: how far it must open.
 HWY_INLINE VF push_out(const PairState& s, const PairBlock& block, const PairBlock::Place& c, size_t at) {
     const VF zero = hn::Zero(DF()), gap = load1(c.gap, at), before = load1(c.before, at);
     const auto solid = load1(block.solid, at) > zero;
@@ -169,7 +171,7 @@ HWY_INLINE VF push_out(const PairState& s, const PairBlock& block, const PairBlo
     return hn::IfThenElse(solid, out, gap - stays);
 }
 
-// Starts a unit from impulses along its normal, and its friction from `drag`, as far as they allow. Returns all of it.
+// Starts a unit from normal impulses and from friction `drag`, which it reduces to the friction limits. Returns the unit's impulses.
 HWY_INLINE Reduced started(PairBlock& block, size_t at, const VF* pressed, Vec3 drag) {
     const VF zero = hn::Zero(DF()), one = constant(1.0f);
     Vec3 press = zero3();
@@ -229,7 +231,8 @@ void body_contact_way(const BodyContactInput& in, PairBlock& block) {
     twists.put_back(in, block);
 }
 
-// Squares of impulses over a mass, m^2/s^2 and m^2. A unit with larger changes, or NaN, passes nothing on and is dropped for the substep.
+// Squares of impulses over a mass, m^2 or m^2/s^2. A unit with larger changes, or NaN, does not act on its bodies and is dropped for the
+// substep.
 constexpr float most_change = 1e30f;
 
 HWY_INLINE void let_go(PairBlock& block, size_t at, hn::Mask<DF> fine) {
@@ -242,14 +245,14 @@ HWY_INLINE void let_go(PairBlock& block, size_t at, hn::Mask<DF> fine) {
         for (int i = 0; i < 3; ++i) keep(three[i]);
 }
 
-// An impulse goes on along its search direction, which then takes the last change in.
+// Moves an impulse by `part` of its search direction. The next direction is that step plus the impulse's last change.
 HWY_INLINE VF followed(float* impulse, float* search, const float* change, size_t at, VF part) {
     const VF more = part * load1(search, at);
     store1(search, at, more + load1(change, at));
     return load1(impulse, at) + more;
 }
 
-// Friction of a unit against the slip, which the couple sees changed by the forces.
+// Friction of a unit against the slip. The forces come first; the couple then sees the spin that they leave.
 HWY_INLINE Vec3 drag_unit(PairBlock& block, size_t at, Vec3 slip, Vec3 dragged, VF load, VF dust) {
     PairBlock::Friction& f = block.friction;
     Row r;
@@ -335,7 +338,7 @@ bool body_contact_sweep(const BodyContactInput& in, PairBlock& block, float part
     return full ? sweep<true, false>(in, block, constant(part)) : sweep<false, false>(in, block, constant(part));
 }
 
-// Each body moves on along its search direction, which then takes the last sweep's change in.
+// Moves each body by `part` of its search direction. The next direction is that step plus the last sweep's change.
 void body_contact_follow(const BodyContactInput& in, const SolverSearch& search, uint32_t begin, uint32_t end,
                          float part) {
     // Not beyond a body: its neighbours can be another thread's.
@@ -393,13 +396,13 @@ void body_contact_move(const BodyContactInput& in, uint32_t kind, uint32_t begin
         Quaternion q = load4(row + at_q, at);
         store3(row + at_x, at, load3(row + at_x, at) + to_world(q, correction.v));
         const Twist met = twist_of(row, at_v, at, size.length);
-        // In substeps in which a body falls by less than the slop, most of the path's impulses undo older overlap. The next substep has none.
+        // If the body falls by less than the slop in a substep, most of the path's impulses undo older overlap, which does not come again.
         const VF share = hn::Min(constant(0.5f * in.gravity * (in.h * in.h)) / size.slop, constant(1.0f));
         store1(row[at_share], at, share);
         const Twist seen{to_world(q, met.v), to_world(q, met.u)};
         q = normalised(turn(q, q, half * size.inverse, correction.u));
         store4(row + at_q, at, q);
-        // The correction turns the body, not its velocity in the world: momentum is kept.
+        // The correction turns the body but not its velocity in the world, so that momentum is kept.
         const Twist goes{to_body(q, seen.v), to_body(q, seen.u)};
         store6(twist, at, goes);
         store6(row + at_way, at, goes);
@@ -413,7 +416,7 @@ void body_contact_move(const BodyContactInput& in, uint32_t kind, uint32_t begin
 void body_contact_touch(const BodyContactInput& in, PairBlock& block) {
     const Gathered g(in, block);
     const VF zero = hn::Zero(DF()), one = constant(1.0f), empty = constant(0.5f * no_contact);
-    const VF within = constant(0.5f * in.gravity * (in.h * in.h)); // weight presses bodies so deep into each other
+    const VF within = constant(0.5f * in.gravity * (in.h * in.h)); // weight presses bodies into each other by this much
     alignas(64) LaneRow carried, shallow, touching;
     for (size_t at = 0; at < block.lanes; at += hn::Lanes(DF())) {
         const Size size_a = size_of(in.kinds[block.kind_a], g.a, at), size_b = size_of(in.kinds[block.kind_b], g.b, at);
@@ -493,7 +496,7 @@ void body_contact_velocity(const BodyContactInput& in, PairBlock& block) {
             const VF bounce = load1(c.bounce, at);
             const VF back = -(load1(block.restitution, at) * bounce);
             const VF away = hn::IfThenElseZero(bounce < -slow, back);
-            // If a body touches somewhere, its open contacts can close within a substep, but not faster.
+            // If one of the bodies touches anything, open contacts can close within a substep, but not faster.
             const VF closing = -(hn::Max(load1(c.gap, at), zero) * inverse_h);
             store1(row.target, at, drift.x + hn::IfThenElse(touches, away, closing));
             const VF bounces = hn::IfThenElseZero(touches, away);
@@ -516,7 +519,8 @@ void body_contact_velocity(const BodyContactInput& in, PairBlock& block) {
     block.bounces = bouncing ? 1 : 0;
 }
 
-// The work of a unit's friction is half of its impulse times the sum of the velocities before and after.
+// Cuts the bounce of contacts whose impulses, with the unit's friction, would gain energy. The work of an impulse is half of it times the
+// sum of the velocities before and after.
 bool body_contact_restrain(const BodyContactInput& in, PairBlock& block) {
     if (block.bounces == 0) return false;
     GatheredTwists twists(in, block);
@@ -548,7 +552,7 @@ bool body_contact_restrain(const BodyContactInput& in, PairBlock& block) {
     return restrained;
 }
 
-// Velocities and the static lock, as in the solver of single bodies.
+// Stores velocities, after a static lock like that of single bodies.
 void body_contact_finish(const BodyContactInput& in, uint32_t kind, uint32_t begin) {
     GatheredBodies bodies(in, begin);
     auto& row = bodies.row;
@@ -563,7 +567,7 @@ void body_contact_finish(const BodyContactInput& in, uint32_t kind, uint32_t beg
             hn::And(speed_of(twist_of(row, at_v0, at, size.length), lever) < creep, speed_of(t, lever) < creep);
         stays = hn::And(hn::And(stays, load(at_touches) > zero),
                         hn::And(hn::Eq(load(at_carried), zero), load(at_shallow) > -(size.slop + size.slop)));
-        // Contacts have changed its velocity, or they do not hold it.
+        // Contacts hold the body only if they have changed its velocity.
         const Twist came = load6(row + at_way, at);
         stays = hn::And(stays, speed_of({t.v - came.v, t.u - came.u}, lever) > load(at_dust));
         t = select(stays, Twist{zero3(), zero3()}, t);
