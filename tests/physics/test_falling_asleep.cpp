@@ -226,12 +226,15 @@ TEST_CASE("a high heap of plates comes to rest within four seconds, and they do 
           doctest::test_suite("long-exact")) {
     constexpr uint32_t across = 3, landing = 220;
     struct Heap {
-        uint32_t plates, seed, most_awake;
+        uint32_t plates, seed, substeps, most_awake;
     };
-    // In denser heaps sweeps end before they converge. Where velocities start unbalanced (contact.md, 13), 1,085 of these 1,200 are awake.
-    for (const auto [plates, seed, most_awake] : {Heap{1000, 2, 50}, Heap{1000, 3, 50}, Heap{1200, 3, 300}}) {
+    // In denser heaps sweeps end before they converge. With a start of the velocities that does not balance 1,085 of the first 1,200 are awake, with
+    // a warm start of the path by all of its former impulses 558 of the last, which swing (contact.md, 13).
+    for (const auto [plates, seed, substeps, most_awake] :
+         {Heap{1000, 2, 2, 50}, Heap{1000, 3, 2, 50}, Heap{1200, 3, 2, 300}, Heap{1200, 1, 4, 200}}) {
         CAPTURE(plates);
         CAPTURE(seed);
+        CAPTURE(substeps);
         const World world = make(world_desc());
         const lr_batch batch = add_batch(world, plate(), plates);
         lr_batch_contact c = contact_desc(0.5f, 0.0f);
@@ -249,15 +252,16 @@ TEST_CASE("a high heap of plates comes to rest within four seconds, and they do 
                 d.linear_velocity[1] = -2.2f;
                 add_body(world, batch, d);
             }
-            steps(world, 1, 1.0f / 60.0f, 2);
+            steps(world, 1, 1.0f / 60.0f, substeps);
         }
-        steps(world, 240, 1.0f / 60.0f, 2);
+        steps(world, 240, 1.0f / 60.0f, substeps);
         const HeapState state = heap_state(world.get(), batch);
         const HeapQuality quality = heap_quality(plate_half, state.poses);
         MESSAGE(state.awake << " awake, " << quality.share_deep << " deep, mean height " << quality.height_mean);
         CHECK(state.awake <= most_awake);
         CHECK(quality.share_deep < 0.06);
         CHECK(quality.height_mean > 0.018);
-        CHECK(quality.height_mean < 0.026 * plates / 1000.0);
+        // Four substeps leave fewer overlaps, and more air.
+        CHECK(quality.height_mean < (substeps == 2 ? 0.026 : 0.028) * plates / 1000.0);
     }
 }

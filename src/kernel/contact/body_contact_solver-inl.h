@@ -396,8 +396,11 @@ void body_contact_move(const BodyContactInput& in, uint32_t kind, uint32_t begin
         Quaternion q = load4(row + at_q, at);
         store3(row + at_x, at, load3(row + at_x, at) + to_world(q, correction.v));
         const Twist met = twist_of(row, at_v, at, size.length);
-        // If the body falls by less than the slop in a substep, most of the path's impulses undo older overlap, which does not come again.
-        const VF share = hn::Min(constant(0.5f * in.gravity * (in.h * in.h)) / size.slop, constant(1.0f));
+        // A warm start that the sweeps correct only in part integrates the overlap: impulses overshoot, and a high heap swings. A share below 1 damps
+        // this; the rest, at most a slop of a body's fall, is found anew. In short substeps, in which a body falls by less than the slop, most of the
+        // path undoes older overlap, which does not come again: the share then leaves about the weight.
+        const VF falls = constant(in.gravity * (in.h * in.h)) / size.slop, grown = falls * falls + falls;
+        const VF share = grown / (grown + constant(2.0f));
         store1(row[at_share], at, share);
         const Twist seen{to_world(q, met.v), to_world(q, met.u)};
         q = normalised(turn(q, q, half * size.inverse, correction.u));
