@@ -238,8 +238,7 @@ TEST_CASE("readers: the joints of a skinned glTF mesh place it, not its node") {
          {std::pair<const void*, std::size_t>{numbers, sizeof numbers}, {indices, 12}, {joints, 12}})
         bytes.append(static_cast<const char*>(from), size);
     scratch.write("skin.bin", bytes);
-    const std::string path = scratch.write(
-        "skin.gltf",
+    const std::string scene =
         R"({"asset":{"version":"2.0"},"buffers":[{"uri":"skin.bin","byteLength":172}],"bufferViews":[)"
         R"({"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":64},{"buffer":0,"byteOffset":100,"byteLength":48},)"
         R"({"buffer":0,"byteOffset":148,"byteLength":12},{"buffer":0,"byteOffset":160,"byteLength":12}],"accessors":[)"
@@ -248,12 +247,16 @@ TEST_CASE("readers: the joints of a skinned glTF mesh place it, not its node") {
         R"({"bufferView":4,"componentType":5121,"count":3,"type":"VEC4"}],)"
         R"("meshes":[{"primitives":[{"attributes":{"POSITION":0,"WEIGHTS_0":2,"JOINTS_0":4},"indices":3}]}],)"
         R"("skins":[{"joints":[1],"inverseBindMatrices":1}],"nodes":[{"scale":[0.01,0.01,0.01],"children":[1,2]},)"
-        R"({"name":"bone","translation":[300,0,0]},{"mesh":0,"skin":0,"translation":[0,9,0]}],"scenes":[{"nodes":[0]}],"scene":0})");
-    Mesh mesh;
-    Faults faults;
-    REQUIRE(read_mesh(path, MeshReadOptions{}, mesh, faults));
-    REQUIRE(mesh.vertices.size() == 3);
-    CHECK(mesh.vertices[2].isApprox(Eigen::Vector3d(3, 2, 0), 1e-5));
+        R"({"name":"bone","translation":[300,0,0]},{"mesh":0,"skin":0,"translation":[0,9,0]}],"scenes":[{"nodes":[0]}],"scene":0})";
+    std::string unbound = scene; // the identity then
+    unbound.erase(unbound.find(R"(,"inverseBindMatrices":1)"), 24);
+    for (const auto& [text, tip] : {std::pair(scene, Eigen::Vector3d(3, 2, 0)), {unbound, {3, 0.02, 0}}}) {
+        Mesh mesh;
+        Faults faults;
+        REQUIRE(read_mesh(scratch.write("skin.gltf", text), MeshReadOptions{}, mesh, faults));
+        REQUIRE(mesh.vertices.size() == 3);
+        CHECK(mesh.vertices[2].isApprox(tip, 1e-5));
+    }
 }
 
 TEST_CASE("readers: coarser levels of detail and collision shapes are not baked with the object") {
@@ -342,6 +345,8 @@ TEST_CASE("readers: a scene opens no file outside its folder") {
     scratch.write("outside.bin", triangle_bytes());
     scratch.write("model/inside.bin", triangle_bytes());
     scratch.write("model/parts/below.bin", triangle_bytes());
+    scratch.write("model/oak leaf ä.bin", triangle_bytes());
+    scratch.write("model/5%20.bin", triangle_bytes());
     fs::create_symlink(scratch.path("outside.bin"), scratch.path("model/link.bin"));
     fs::create_symlink(scratch.path("model/inside.bin"), scratch.path("model/inner.bin"));
     const auto read_scene = [&](const std::string& uri, Faults& faults) {
@@ -349,21 +354,22 @@ TEST_CASE("readers: a scene opens no file outside its folder") {
         return read_mesh(scratch.write("model/scene.gltf", gltf_of(uri)), MeshReadOptions{}, mesh, faults) &&
                mesh.faces.size() == 1;
     };
-    for (const char* uri : {"inside.bin", "parts/below.bin", "./parts/../inside.bin", "inner.bin"}) {
+    for (const char* uri : {"inside.bin", "parts/below.bin", "./parts/../inside.bin", "inner.bin",
+                            "oak%20leaf%20%C3%a4.bin", "5%20.bin"}) {
         CAPTURE(uri);
         Faults faults;
         CHECK(read_scene(uri, faults));
         CHECK(faults.empty());
     }
-    for (const char* uri : {"../outside.bin", "parts/../../outside.bin", "link.bin"}) {
+    for (const char* uri : {"../outside.bin", "parts/../../outside.bin", "link.bin", "%2e%2e/outside.bin"}) {
         CAPTURE(uri);
         Faults faults;
         CHECK_FALSE(read_scene(uri, faults));
         REQUIRE(faults.size() == 1);
         CHECK(faults[0].id == FaultId::file_outside);
     }
-    // Escapes and absolute paths name files in the folder, which are missing.
-    for (const std::string& uri : {std::string("%2e%2e/outside.bin"), scratch.path("outside.bin")}) {
+    // Absolute paths name files in the folder, which are missing.
+    for (const std::string& uri : {scratch.path("outside.bin"), std::string("inside.bin%00"), std::string("gone%2")}) {
         CAPTURE(uri);
         Faults faults;
         CHECK_FALSE(read_scene(uri, faults));
@@ -396,6 +402,8 @@ TEST_CASE("readers: what a file is, and the way out, in a modeller's words") {
     CHECK(contains(only_fault(R"({"asset":{"version":"3.0"}})", "gltf"), "This is glTF 3.0"));
     CHECK(contains(only_fault(R"({"asset":{"version":"2.0"},"meshes":[)", "gltf"), "cut off or damaged"));
     CHECK(contains(only_fault("PK anything", "3mf"), "no 3MF archive"));
+    for (const char* extension : {"obj", "ply", "glb", "fbx"})
+        CHECK(contains(only_fault("version https://git-lfs.github.com/spec/v1\noid sha256:0\n", extension), "Git LFS"));
     CHECK(contains(only_fault("v 0 0 0\nv 1 0 0\nl 1 2\n", "obj"), "2 points, lines or curves"));
 }
 

@@ -14,6 +14,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <exception>
@@ -221,12 +222,34 @@ public:
 
     std::shared_ptr<const InputFiles::Bytes> read(const char* path) const {
         if (!files_ || !path) return nullptr;
+        auto bytes = open(path);
+        const std::string plain = bytes ? path : without_escapes(path);
+        return plain == path ? bytes : open(plain);
+    }
+
+private:
+    std::shared_ptr<const InputFiles::Bytes> open(const std::string& path) const {
         if (path == own_ || may_open(path)) return files_->read(path);
         if (refused_.empty()) refused_ = path;
         return nullptr;
     }
 
-private:
+    // Exporters write the spaces of names as %20. The scene's own folder is no URI.
+    std::string without_escapes(const std::string& path) const {
+        const std::size_t folder = own_.find_last_of("/\\") + 1;
+        std::size_t at = path.compare(0, folder, own_, 0, folder) == 0 ? folder : 0;
+        std::string plain = path.substr(0, at);
+        for (; at < path.size(); ++at) {
+            unsigned char byte = 0;
+            const char* const digits = path.data() + at + 1;
+            const bool escaped = path[at] == '%' && at + 2 < path.size() &&
+                                 std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2 && byte != 0;
+            plain += escaped ? static_cast<char>(byte) : path[at];
+            if (escaped) at += 2;
+        }
+        return plain;
+    }
+
     bool may_open(const std::string& path) const {
         std::error_code error;
         // A relative path to nothing would stay relative, and seem to lie outside.
@@ -242,20 +265,23 @@ private:
     std::string& refused_; // the first path
 };
 
-bool is_quantized(const SceneFile& file) {
-    return (file.extension == "gltf" || file.extension == "glb") &&
-           has_quantized_positions({static_cast<const char*>(file.bytes), file.size});
-}
-
-// The file with positions that assimp can read; if that is empty, `why` says why.
-std::string float_positions(const SceneFile& file, const FileAccess& files, std::string& why) {
-    why = "positions in KHR_mesh_quantization";
-    return with_float_positions({static_cast<const char*>(file.bytes), file.size}, [&](const std::string& uri) {
+// Whether assimp reads it only as a plain GLB; then `glb` is that, and if it is empty, `why` says why.
+bool needs_plain_glb(const SceneFile& file, const FileAccess& files, std::string& glb, std::string& why) {
+    const std::string_view bytes_of_file(static_cast<const char*>(file.bytes), file.size);
+    if (file.extension != "gltf" && file.extension != "glb") return false;
+    if (has_quantized_positions(bytes_of_file))
+        why = "positions in KHR_mesh_quantization";
+    else if (has_unbound_skins(bytes_of_file))
+        why = "a skin without inverseBindMatrices";
+    else
+        return false;
+    glb = plain_glb(bytes_of_file, [&](const std::string& uri) {
         const std::string path = file.path ? file.path->substr(0, file.path->find_last_of("/\\") + 1) + uri : "";
         const auto bytes = files.read(path.c_str());
         if (!bytes) why = "could not open referenced file \"" + uri + "\"";
         return bytes ? std::string(bytes->begin(), bytes->end()) : std::string();
     });
+    return true;
 }
 } // namespace
 
@@ -284,9 +310,9 @@ bool read_with_assimp(const SceneFile& file, PolygonSoup& soup, Faults& faults) 
         importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, !file.collada_ids);
         auto* files = new FileAccess(file, refused);
         importer.SetIOHandler(files); // the importer owns it
-        std::string floats, why;
-        if (is_quantized(file) && (floats = float_positions(file, *files, why)).empty()) return fail(why.c_str());
-        const aiScene* scene = !floats.empty() ? importer.ReadFileFromMemory(floats.data(), floats.size(), 0, "glb")
+        std::string glb, why;
+        if (needs_plain_glb(file, *files, glb, why) && glb.empty()) return fail(why.c_str());
+        const aiScene* scene = !glb.empty() ? importer.ReadFileFromMemory(glb.data(), glb.size(), 0, "glb")
                                : file.path
                                    ? importer.ReadFile(*file.path, 0)
                                    : importer.ReadFileFromMemory(file.bytes, file.size, 0, file.extension.c_str());

@@ -109,6 +109,16 @@ template <class Number> float as_float(const char* from, bool normalized) {
     return std::max(static_cast<float>(value) / static_cast<float>(std::numeric_limits<Number>::max()), -1.0F);
 }
 
+// Returns the accessor.
+Json append_floats(Gltf& gltf, const std::string& floats, std::size_t count, const char* type) {
+    const std::size_t view = gltf.json["bufferViews"].size();
+    gltf.json["bufferViews"].push_back(
+        {{"buffer", 0}, {"byteOffset", gltf.bytes.size()}, {"byteLength", floats.size()}});
+    gltf.bytes += floats;
+    demand(gltf.bytes.size() < most_bytes);
+    return {{"bufferView", view}, {"componentType", 5126}, {"count", count}, {"type", type}};
+}
+
 void unpack(Gltf& gltf, Json& accessor) {
     const std::size_t type = number(accessor, "componentType");
     if (type < 5120 || type > 5123 || !accessor.contains("bufferView")) return;
@@ -129,12 +139,20 @@ void unpack(Gltf& gltf, Json& accessor) {
                                            : as_float<uint16_t>(from, normalized);
         std::memcpy(floats.data() + 4 * i, &value, 4);
     }
-    accessor = {
-        {"bufferView", gltf.json["bufferViews"].size()}, {"componentType", 5126}, {"count", count}, {"type", "VEC3"}};
-    gltf.json["bufferViews"].push_back(
-        {{"buffer", 0}, {"byteOffset", gltf.bytes.size()}, {"byteLength", floats.size()}});
-    gltf.bytes += floats;
-    demand(gltf.bytes.size() < most_bytes);
+    accessor = append_floats(gltf, floats, count, "VEC3");
+}
+
+bool is_unbound(const Json& skin) {
+    return !skin.contains("inverseBindMatrices");
+}
+
+void bind(Gltf& gltf, Json& skin) {
+    const std::size_t joints = std::max<std::size_t>(1, skin.value("joints", Json::array()).size());
+    std::string identities;
+    for (std::size_t i = 0; i < 16 * joints; ++i)
+        identities += i % 16 % 5 == 0 ? std::string("\0\0\x80\x3f", 4) : std::string(4, '\0');
+    skin["inverseBindMatrices"] = gltf.json.at("accessors").size();
+    gltf.json["accessors"].push_back(append_floats(gltf, identities, joints, "MAT4"));
 }
 } // namespace
 
@@ -169,7 +187,21 @@ bool has_quantized_positions(std::string_view file) {
     return file.find("\"KHR_mesh_quantization\"") != std::string_view::npos;
 }
 
-std::string with_float_positions(std::string_view file, const ReadGltfBuffer& read_buffer) {
+bool has_unbound_skins(std::string_view file) {
+    if (file.find("\"skins\"") == std::string_view::npos) return false;
+    try {
+        std::string_view body;
+        const Json json = Json::parse(json_and_body(file, body));
+        const Json& skins = json.at("skins");
+        return std::any_of(skins.begin(), skins.end(), is_unbound);
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception&) {
+        return false;
+    }
+}
+
+std::string plain_glb(std::string_view file, const ReadGltfBuffer& read_buffer) {
     try {
         Gltf gltf = read_all(file, read_buffer);
         std::set<std::size_t> positions;
@@ -178,6 +210,9 @@ std::string with_float_positions(std::string_view file, const ReadGltfBuffer& re
                 if (primitive.at("attributes").contains("POSITION"))
                     positions.insert(number(primitive["attributes"], "POSITION"));
         for (const std::size_t accessor : positions) unpack(gltf, gltf.json.at("accessors").at(accessor));
+        if (gltf.json.contains("skins"))
+            for (Json& skin : gltf.json["skins"])
+                if (is_unbound(skin)) bind(gltf, skin);
         gltf.json["buffers"] = {{{"byteLength", gltf.bytes.size()}}};
         std::string text = gltf.json.dump();
         text.resize((text.size() + 3) / 4 * 4, ' ');

@@ -244,7 +244,8 @@ void drop_not_finite(PolygonSoup& soup, const std::string& where, Faults& faults
 // Importers deliver these formats corner by corner, and programs duplicate vertices for each normal and texture coordinate:
 // joining them is part of reading and needs no warning.
 bool repeats_corners(const std::string& extension) {
-    return extension.empty() || extension == "stl" || extension == "dae" || extension == "fbx" || extension == "3mf";
+    const std::string_view by_corner[] = {"", "stl", "dae", "fbx", "3mf", "gltf", "glb"};
+    return std::find(std::begin(by_corner), std::end(by_corner), extension) != std::end(by_corner);
 }
 
 bool finish(PolygonSoup& soup, const std::string& extension, const MeshReadOptions& options, const std::string& where,
@@ -336,7 +337,10 @@ bool read_any(SceneFile file, const MeshReadOptions& options, Mesh& out, Faults&
         const std::string_view text(static_cast<const char*>(file.bytes), file.size);
         std::string storage;
         bool read = false;
-        if (file.extension == "obj") {
+        if (text.substr(0, 23) == "version https://git-lfs") {
+            report(faults, FaultId::mesh_unreadable, Severity::error, file.where,
+                   "This is a placeholder of Git LFS, not the model itself.", "Fetch the model: git lfs pull.");
+        } else if (file.extension == "obj") {
             read = parse_obj(as_utf8(text, storage), soup, faults);
         } else if (file.extension == "ply") {
             read = parse_ply(as_utf8(text, storage), soup, faults);
