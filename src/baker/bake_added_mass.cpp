@@ -35,8 +35,9 @@ Fault roughness(double share) {
     return {FaultId::mesh_ill_conditioned, Severity::warning, "mesh",
             (share < 1.0 ? "The added mass is uncertain by " + shortest(std::ceil(100.0 * share)) + " %"
                          : std::string("The added mass is a rough guess")) +
-                ": the body is very thin, or its faces are long and narrow.",
-            "None needed: the report has the error. Divide long faces across to make it smaller."};
+                ": the body is very thin, its faces are long and narrow, or its parts are close to each other.",
+            "None needed: the report has the error. To make it smaller, divide long faces across, or model many thin "
+            "parts side by side as one sheet."};
 }
 
 bool are_mostly_needles(const Mesh& mesh) {
@@ -90,11 +91,15 @@ bool solve(BodyMesh& body, const AddedMassOptions& how, AddedMass& out, Faults& 
         return body.is_sheet ? compute_sheet_added_mass(body.mesh, origin, Refinement{}, out, found, report, how)
                              : compute_added_mass(body.mesh, origin, out, found, report, how);
     };
-    if (body.is_mixed) return compute_mixed_added_mass(body.parts, origin, out, faults, report, how);
-    if (how.patient) return as_modelled(faults);
-    Faults found;
     bool good = false;
     const auto is_rough = [&] { return good && out.largest_share() > rough_share; };
+    if (body.is_mixed) {
+        good = compute_mixed_added_mass(body.parts, origin, out, faults, report, how);
+        if (is_rough()) faults.push_back(roughness(out.largest_share()));
+        return good;
+    }
+    if (how.patient) return as_modelled(faults);
+    Faults found;
     const auto try_plainer = [&] {
         AddedMass plain;
         Faults found_then;
@@ -122,7 +127,7 @@ bool solve(BodyMesh& body, const AddedMassOptions& how, AddedMass& out, Faults& 
         if (rough) out = direct, found.clear(), good = true;
     }
     if (rough) bound_by_hull(body.mesh, body.is_sheet, out, how);
-    if (rough) found.push_back(roughness(out.largest_share()));
+    if (rough || is_rough()) found.push_back(roughness(out.largest_share()));
     faults.insert(faults.end(), found.begin(), found.end());
     return good;
 }

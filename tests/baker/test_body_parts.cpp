@@ -1,6 +1,7 @@
 // Meshes as artists make them: parts told apart and repaired, and bodies of solids and sheets against closed forms.
 #include "bake_mesh.h"
 #include "baker/added_mass/mixed_added_mass.h"
+#include "baker/bake_added_mass.h"
 #include "baker/mesh/body_parts.h"
 #include "baker/mesh/solid_region.h"
 
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 using namespace lr;
 using namespace lr::baker;
@@ -266,6 +268,13 @@ TEST_CASE("mixed added mass: where no surface can be solved the convex hull is, 
         CHECK(m.value(k, k) == doctest::Approx(hull.value(k, k)).epsilon(1e-3));
         CHECK(m.error(k, k) > 0.5 * m.value(k, k));
     }
+    // An error as large is told, not only stored.
+    AddedMassOptions hasty;
+    hasty.patient = false;
+    faults.clear();
+    REQUIRE(solve_added_mass({parts.mesh, parts, false, true}, hasty, m, faults, {}));
+    const std::string share = std::to_string(static_cast<int>(std::ceil(100.0 * m.largest_share())));
+    CHECK(faults.back().what.find(m.largest_share() < 1.0 ? "by " + share + " %" : "rough guess") != std::string::npos);
 }
 
 TEST_CASE("bake: a box with an open fin has the mass and inertia of both, and added mass near that of a solid fin") {
