@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <random>
 
 using namespace lr;
@@ -312,6 +313,23 @@ TEST_CASE("card: pinholes are closed and reported") {
     const Card card = read(mask, 500);
     CHECK(check_sound(card) == 1);
     CHECK(count(card.faults, FaultId::image_specks, Severity::warning) == 1);
+    // Each hole of a sieve is a pinhole, and all are a quarter of its area.
+    const Opacity sieve = test::draw(192, 192, [](double x, double y) {
+        return std::hypot(x - 96, y - 96) < 90 && (std::fmod(x, 8.0) > 4.0 || std::fmod(y, 8.0) > 4.0);
+    });
+    const double whole = std::accumulate(sieve.value.begin(), sieve.value.end(), 0.0);
+    CHECK(read(sieve, 2000).report.area == doctest::Approx(whole).epsilon(0.03));
+    CardOptions closing = in_pixels(sieve, 2000);
+    closing.speck = 0.002;
+    CHECK(read(test::png_file(sieve), closing).report.area > 1.25 * whole);
+    // A net too fine for the triangles would be smoothed away: its meshes are closed.
+    const Opacity net = test::draw(1000, 1000, [](double x, double y) {
+        return std::hypot(x - 500, y - 500) < 480 && (std::fmod(x, 17.0) < 4.0 || std::fmod(y, 17.0) < 4.0);
+    });
+    const Card closed = read(net, 500);
+    CHECK(check_sound(closed) == 1);
+    CHECK(closed.report.area == doctest::Approx(pi * 480 * 480).epsilon(0.1));
+    CHECK(count(closed.faults, FaultId::image_specks, Severity::warning) == 1);
 }
 
 TEST_CASE("card: every kind of PNG gives the same mesh") {
@@ -577,6 +595,24 @@ TEST_CASE("card: an outline that the triangles cannot follow is smoothed, at its
     double area = 0.0;
     for (const double v : comb.value) area += v;
     CHECK(card.report.area == doctest::Approx(area).epsilon(0.3));
+    // What it does to the centre is told: half of a square is full, the other has stripes that are smoothed away.
+    const Opacity half = test::draw(400, 400, [](double x, double y) {
+        return x > 100 && x < 300 && y > 100 && y < 300 && (x < 200 || x > 298 || std::fmod(y, 4.0) < 1.0);
+    });
+    const Card uneven = read(half, 60);
+    double mass = 0.0, moment = 0.0;
+    for (std::size_t i = 0; i < half.value.size(); ++i) {
+        mass += half.value[i];
+        moment += half.value[i] * (static_cast<double>(i % 400) + 0.5 - 200.0);
+    }
+    const double moved = std::abs(centroid(uneven.mesh).x() - moment / mass) / 200.0;
+    const std::string before = "its centre moved by ";
+    std::string text;
+    for (const Fault& f : uneven.faults)
+        if (f.what.find(before) != std::string::npos) text = f.what;
+    REQUIRE(!text.empty());
+    CHECK(100.0 * moved == doctest::Approx(std::stod(text.substr(text.find(before) + before.size()))).epsilon(0.1));
+    CHECK(moved > 0.02);
 }
 
 TEST_CASE("card: regions of an atlas are counted as --piece numbers them") {

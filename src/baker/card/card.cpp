@@ -7,6 +7,8 @@
 #include "baker/file_io.h"
 #include "baker/printable_text.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -27,6 +29,7 @@ constexpr double edge_tolerance = 0.02;
 // Of a frayed outline: its length over triangles times edge length, and its corners over triangles.
 constexpr double most_outline = 1.0, most_corners = 0.5, spare_corners = 150.0;
 constexpr double same_area = 0.05;  // change of the area by smoothing that stops the search for a better one
+constexpr double most_change = 0.1; // above it pinholes are better closed
 constexpr double short_edge = 0.25; // in edge lengths: see simplify_outlines
 
 std::string rounded(double value, double unit = 0.1) {
@@ -74,8 +77,10 @@ private:
     double pixel() const { return options_.width / static_cast<double>(report_.image_width); }
 
     void report_specks(const Outlines& outlines) {
-        const auto sentence = [](std::size_t count, double area, const char* what, const char* change) {
-            return std::to_string(count) + what + " (" + rounded(area) + " pixels in all) " + change + ".";
+        const double largest = outlines.pieces.empty() ? 1.0 : outlines.pieces[0].area;
+        const auto sentence = [largest](std::size_t count, double area, const char* what, const char* change) {
+            return std::to_string(count) + what + " (" + rounded(area) + " pixels in all, " +
+                   rounded(100.0 * area / largest) + " % of the largest region) " + change + ".";
         };
         const char* const remedy = "Clean the alpha channel, or give a lower --speck to keep them.";
         if (outlines.specks > 0)
@@ -167,7 +172,7 @@ private:
             report_.holes = holes;
         }
         if (!frayed) return true;
-        if (smoothed_ == 0)
+        if (smoothed_ == 0 || (options_.speck <= usual_speck && best > most_change))
             return fail(faults_, FaultId::image_too_ragged, where_,
                         "The outline is too frayed for " + std::to_string(options_.triangles) + " triangles.",
                         "Smooth the mask, reduce the image, or give more --triangles.");
@@ -179,9 +184,27 @@ private:
                            "The outline is too frayed for " + std::to_string(options_.triangles) +
                                " triangles: details below about " + std::to_string(2 * smoothed_ + 1) +
                                " pixels were smoothed; the area changed by " + rounded(100.0 * (area_ / traced - 1.0)) +
-                               " %.",
+                               " %, and its centre moved by " + rounded(100.0 * moved_by()) + " % of the length.",
                            "None needed for a body seen from afar; give more --triangles to keep finer details."});
         return true;
+    }
+
+    // By smoothing, over the longer side: what is dense fills, what is sparse goes.
+    double moved_by() const {
+        const auto centre = [](const std::vector<Loop>& loops) {
+            Eigen::Vector3d sum = Eigen::Vector3d::Zero(); // moments, area
+            for (const Loop& loop : loops)
+                for (std::size_t i = 0; i < loop.size(); ++i) {
+                    const Eigen::Vector2d &a = loop[i], &b = loop[(i + 1) % loop.size()];
+                    const double twice = a.x() * b.y() - a.y() * b.x();
+                    sum += twice * Eigen::Vector3d((a.x() + b.x()) / 3.0, (a.y() + b.y()) / 3.0, 1.0);
+                }
+            return Eigen::Vector2d(sum.head<2>() / sum.z());
+        };
+        Eigen::AlignedBox2d box;
+        for (const Loop& loop : region_)
+            for (const Eigen::Vector2d& p : loop) box.extend(p);
+        return (centre(loops_) - centre(region_)).norm() / box.sizes().maxCoeff();
     }
 
     // Whether the outline is longer than about the sides of the wanted triangles or, simplified as for the mesh, has more corners
@@ -357,8 +380,17 @@ bool read_card_memory(const void* bytes, std::size_t size, const CardOptions& op
     out = Mesh{};
     report = CardReport{};
     if (!check_options(options, faults)) return false;
+    CardOptions how = options;
     try {
-        return CardMesher(options, where, out, report, faults).run(bytes, size);
+        for (;;) {
+            Faults found;
+            const bool good = CardMesher(how, where, out, report, found).run(bytes, size);
+            const bool frays = !good && how.speck <= usual_speck && found.back().id == FaultId::image_too_ragged;
+            if (!frays) faults.insert(faults.end(), found.begin(), found.end());
+            if (!frays) return good;
+            how.speck = std::nextafter(usual_speck, 1.0); // closes all pinholes
+            report = CardReport{};
+        }
     } catch (const std::bad_alloc&) {
         return fail(faults, FaultId::image_unreadable, where, "The image does not fit into memory.",
                     "Reduce its resolution.");

@@ -7,8 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <new>
 #include <numeric>
+#include <optional>
+#include <span>
 
 namespace lr::baker {
 namespace {
@@ -22,8 +25,10 @@ constexpr std::size_t max_points = 1 << 24;
 // corner k to k + 1.
 class Tracer {
 public:
-    Tracer(const AlphaMask& mask, double level, double speck)
-        : mask_(mask), level_(level), speck_(speck), visited_((mask.width + 1) * (mask.height + 1), false) {}
+    // least_hole: pixels^2; holes as large are kept, also if they are specks.
+    Tracer(const AlphaMask& mask, double level, double speck, double least_hole = HUGE_VAL)
+        : mask_(mask), level_(level), speck_(speck), least_hole_(least_hole),
+          visited_((mask.width + 1) * (mask.height + 1), false) {}
 
     bool run() {
         for (std::size_t y = 1; y <= mask_.height; ++y)
@@ -37,7 +42,7 @@ public:
     }
 
     std::vector<Loop> outer, holes;
-    std::vector<double> outer_area, hole_area;
+    std::vector<double> outer_area, hole_area, pinhole_area;
     std::size_t dropped_outer = 0, dropped_holes = 0;
     double dropped_outer_area = 0.0, dropped_hole_area = 0.0, largest = 0.0;
 
@@ -92,7 +97,7 @@ private:
         const double area = signed_area(loop_);
         const bool hole = area < 0.0;
         if (!hole) largest = std::max(largest, area);
-        if (std::abs(area) < speck_ * largest) {
+        if (std::abs(area) < least(hole)) {
             drop(hole, std::abs(area));
             return true;
         }
@@ -105,58 +110,94 @@ private:
 
 public:
     bool stairs() const { return 2 * abrupt_ > crossings_; }
+    double least(bool hole) const { return hole ? std::min(speck_ * largest, least_hole_) : speck_ * largest; }
     void drop(bool hole, double area) {
         (hole ? dropped_holes : dropped_outer) += 1;
         (hole ? dropped_hole_area : dropped_outer_area) += area;
+        if (hole) pinhole_area.push_back(area);
     }
 
 private:
     const AlphaMask& mask_;
-    const double level_, speck_;
+    const double level_, speck_, least_hole_;
     std::vector<bool> visited_; // edges between horizontal neighbours, crossed upwards
     Loop loop_;
     std::size_t points_ = 0, crossings_ = 0, abrupt_ = 0;
 };
 
-// Even-odd rule; points of different loops never coincide.
-bool encloses(const Loop& loop, const Eigen::Vector2d& p) {
-    bool inside = false;
-    for (std::size_t i = 0, j = loop.size() - 1; i < loop.size(); j = i++) {
-        const Eigen::Vector2d &a = loop[j], &b = loop[i];
-        if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (b.x() - a.x()) * ((p.y() - a.y()) / (b.y() - a.y())))
-            inside = !inside;
-    }
-    return inside;
+// A fern has holes by the thousand, each a pinhole and all a fifth of its area: the largest are kept, until the others hardly count.
+double least_hole_that_counts(const Tracer& traced) {
+    constexpr double uncounted = 0.01; // of the largest region
+    constexpr std::size_t most = 5000; // noise has more
+    std::vector<double> areas = traced.pinhole_area;
+    for (const double area : traced.hole_area)
+        if (area < traced.least(true)) areas.push_back(area);
+    std::sort(areas.begin(), areas.end(), std::greater<>());
+    double left = std::accumulate(areas.begin(), areas.end(), 0.0), least = HUGE_VAL;
+    for (std::size_t i = 0; i < std::min(most, areas.size()) && left > uncounted * traced.largest; ++i)
+        left -= least = areas[i];
+    return least;
 }
 
+// What is inside an outline, by the even-odd rule; points of different loops never coincide. By rows: a hole meets few of the edges.
+class Inside {
+public:
+    explicit Inside(std::span<const Eigen::Vector2d> loop) : loop_(loop) {
+        for (const Eigen::Vector2d& p : loop) box_.extend(p);
+        edges_.resize(row(box_.max().y()) + 1);
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const double from = start(i).y(), to = loop[i].y();
+            for (std::size_t k = row(std::min(from, to)); k <= row(std::max(from, to)); ++k) edges_[k].push_back(i);
+        }
+    }
+
+    bool contains(const Eigen::Vector2d& p) const {
+        bool inside = false;
+        if (!box_.contains(p)) return inside;
+        for (const std::size_t i : edges_[row(p.y())]) {
+            const Eigen::Vector2d &a = start(i), &b = loop_[i];
+            if ((a.y() > p.y()) != (b.y() > p.y()) &&
+                p.x() < a.x() + (b.x() - a.x()) * ((p.y() - a.y()) / (b.y() - a.y())))
+                inside = !inside;
+        }
+        return inside;
+    }
+
+private:
+    std::size_t row(double y) const { return static_cast<std::size_t>(y - box_.min().y()); }
+    const Eigen::Vector2d& start(std::size_t i) const { return loop_[i > 0 ? i - 1 : loop_.size() - 1]; }
+
+    std::span<const Eigen::Vector2d> loop_;
+    Eigen::AlignedBox2d box_;
+    std::vector<std::vector<std::size_t>> edges_;
+};
+
 // Assigns each hole to the smallest region around it.
-void nest(Tracer& traced, double speck, Outlines& out) {
+void nest(Tracer& traced, Outlines& out) {
     std::vector<std::size_t> order(traced.outer.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return traced.outer_area[a] > traced.outer_area[b]; });
-    std::vector<Eigen::AlignedBox2d> boxes;
     for (const std::size_t i : order) {
-        if (traced.outer_area[i] < speck * traced.largest) { // the largest was not known during tracing
+        if (traced.outer_area[i] < traced.least(false)) { // the largest was not known during tracing
             traced.drop(false, traced.outer_area[i]);
             continue;
         }
-        Eigen::AlignedBox2d box;
-        for (const Eigen::Vector2d& p : traced.outer[i]) box.extend(p);
-        boxes.push_back(box);
         out.pieces.emplace_back();
         out.pieces.back().loops.push_back(std::move(traced.outer[i]));
         out.pieces.back().area = traced.outer_area[i];
     }
-    const std::size_t count = out.pieces.size();
+    std::vector<Inside> insides;
+    for (const Piece& piece : out.pieces)
+        if (!traced.holes.empty()) insides.emplace_back(piece.loops.front());
     for (std::size_t i = 0; i < traced.holes.size(); ++i) {
-        if (traced.hole_area[i] < speck * traced.largest) {
+        if (traced.hole_area[i] < traced.least(true)) {
             traced.drop(true, traced.hole_area[i]);
             continue;
         }
         const Eigen::Vector2d p = traced.holes[i].front();
-        for (std::size_t k = count; k-- > 0;)
-            if (boxes[k].contains(p) && encloses(out.pieces[k].loops.front(), p)) {
+        for (std::size_t k = insides.size(); k-- > 0;)
+            if (insides[k].contains(p)) {
                 out.pieces[k].loops.push_back(std::move(traced.holes[i]));
                 break;
             }
@@ -198,12 +239,16 @@ bool trace_outlines(const AlphaMask& mask, double threshold, double speck, const
                     "Give the colour around the leaf, as --key white, a mask image, as --mask mask.png, or a higher "
                     "threshold with "
                     "--alpha; or cut the leaf out in an image editor.");
-    Tracer traced(mask, level, speck);
-    if (!traced.run())
+    std::optional<Tracer> tracer(std::in_place, mask, level, speck);
+    bool good = tracer->run();
+    const double least = good && speck <= usual_speck ? least_hole_that_counts(*tracer) : HUGE_VAL;
+    if (least < HUGE_VAL) good = tracer.emplace(mask, level, speck, least).run();
+    if (!good)
         return fail(faults, FaultId::image_too_ragged, where,
                     "The outline of the mask has more than 16 million points.",
                     "It looks like noise: blur the mask or reduce the image.");
-    nest(traced, speck, out);
+    Tracer& traced = *tracer;
+    nest(traced, out);
     CornerRestorer corners(mask, level);
     for (Piece& piece : out.pieces) {
         piece.area = 0.0;
