@@ -595,7 +595,7 @@ TEST_CASE("card: an outline that the triangles cannot follow is smoothed, at its
     double area = 0.0;
     for (const double v : comb.value) area += v;
     CHECK(card.report.area == doctest::Approx(area).epsilon(0.3));
-    // What it does to the centre is told: half of a square is full, the other has stripes that are smoothed away.
+    // The warning tells how far the centre moves: half of a square is full, the other has stripes that are smoothed away.
     const Opacity half = test::draw(400, 400, [](double x, double y) {
         return x > 100 && x < 300 && y > 100 && y < 300 && (x < 200 || x > 298 || std::fmod(y, 4.0) < 1.0);
     });

@@ -122,7 +122,7 @@ std::vector<Currents> surface_currents(const SurfaceBasis& basis, const std::vec
 // (Zienkiewicz and Zhu 1987), each panel with its own inductance. The factor allows for the interaction of panels: on cubes of
 // 192 to 4800 triangles the error is 1.4 to 1.7 times the sum, on thin plates 0.3 times.
 // Elements too coarse for a flow have hardly any current, and so hardly any difference: where facets of a few panels press the fluid to and fro as
-// the body spins, the error is up to 200 times that sum. What drives the flow shows it. The normal velocity jumps at creases, and its difference from
+// the body spins, the error is up to 200 times that sum. The drive of the flow shows it: the normal velocity jumps at creases, and its difference from
 // its average at the vertices has the energy of a panel's own sources, times a factor measured on 148 solids (tests/baker/test_error_estimates.cpp).
 Matrix6 discretisation_error(const Mesh& mesh, const SurfaceBasis& basis, const BoundaryOperators& op,
                              const std::vector<Currents>& currents) {

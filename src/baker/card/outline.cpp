@@ -139,7 +139,8 @@ double least_hole_that_counts(const Tracer& traced) {
     return least;
 }
 
-// What is inside an outline, by the even-odd rule; points of different loops never coincide. By rows: a hole meets few of the edges.
+// Tells whether a point lies inside an outline, by the even-odd rule; points of different loops never coincide. Edges are listed by row, since a hole
+// meets few of them.
 class Inside {
 public:
     explicit Inside(std::span<const Eigen::Vector2d> loop) : loop_(loop) {

@@ -76,7 +76,7 @@ inline constexpr double paper_density = 0.07, paper_thickness = 1e-4; // kg/m^2,
 // 3.4 degrees of edge-on; to any side.
 std::vector<Start> releases(Release release, uint32_t count, uint64_t seed);
 
-// Falls of one disc in a world of its own. Those that cannot be measured are left out.
+// Falls of one disc in a world of its own. Falls that cannot be measured are left out.
 std::vector<Fall> drop_disc(const Asset& disc, Release release, const DiscFallOptions& options);
 
 // The discs of a cell differ in size: a third of its falls for each third of the measured radii.

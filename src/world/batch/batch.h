@@ -38,7 +38,7 @@ struct BodyState {
     uint64_t user;
 };
 
-// What goes with k-epsilon samples in the units of the bake. Snapshots contain it; count 0 there: the asset's table.
+// The data that k-epsilon samples need, in the units of the bake. Snapshots contain it; count 0 there: the asset's table.
 struct TableHead {
     uint32_t count = 0, stationary = 0;
     double dt = 0.0, u0 = 0.0, l = 0.0, c0 = 0.0;

@@ -46,7 +46,8 @@ public:
     // Takes contacts from the batch's arrays, without events.
     void resume(const Batch& batch, const Colliders& colliders);
 
-    // For snapshots between steps. What the next step tells and the batch's arrays do not have: 0, or bits that resume() takes with both arrays.
+    // For snapshots between steps. The part of the next step's events that the batch's arrays do not have: 0, or bits that resume() takes with both
+    // arrays.
     uint32_t pending(const Batch& batch, const Colliders& colliders) const;
     static bool consistent(uint32_t pending) { return pending <= (pending_any | pending_all | pending_looks); }
     static constexpr uint32_t held_bytes = sizeof(lr_collider) * most_touches;
