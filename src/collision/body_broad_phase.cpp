@@ -40,7 +40,7 @@ void BodyBroadPhase::build(uint32_t count) {
         box.cell = hash(level, cell_of(box.box, level));
         populated_ |= 1u << level;
     }
-    // Boxes outside the grid go into an extra bucket, the last.
+    // Boxes outside the grid go into an extra bucket, the last one.
     const auto bucket_of = [&](uint32_t i) { return boxes_[i].cell == nowhere ? mask_ + 1 : boxes_[i].cell & mask_; };
     sort_into_buckets(count, mask_ + 2, bucket_of, first_.data(), index_.data());
     placed_ = first_[mask_ + 1];

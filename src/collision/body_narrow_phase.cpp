@@ -13,12 +13,12 @@
 namespace lr {
 namespace {
 
-// Tolerance of the distance between cores: share of the sum of margin and roundings, and of the smaller core.
+// Tolerance of the distance between cores, as shares of margin plus roundings and of the smaller core.
 constexpr float part_of_gap = 0.01f, part_of_size = 1e-3f;
-// Overlapping cores are drawn apart by this share of the smaller core to find the points with which they touch.
+// Overlapping cores are drawn apart by this share of the smaller core, so that GJK finds nearest points.
 constexpr float drawn_apart = 0.02f;
 constexpr uint32_t most_refinements = 3;
-// Share of the smaller core: contacts closer than this are duplicates.
+// Contacts closer than this share of the smaller core are duplicates.
 constexpr float same = plate_same_place;
 
 Float4 rows_of(Vector v, float behind) {
@@ -28,13 +28,13 @@ Float4 size_of(Float4 a) {
     return greater(a, -a);
 }
 
-// Whether the boxes about the cores are farther apart than `enough` along an axis of either; the search for the nearest points finds what only an
-// edge keeps apart. True for NaN. direction: from b to a, along the box axis of the largest separation or least overlap.
+// Whether the cores' boxes are farther apart than `enough` along a face normal of either; edge against edge is left to GJK. True for NaN. direction:
+// from b to a, along the box axis of largest separation or least overlap.
 bool boxes_apart(const RelativePair& pair, float enough, Vector& direction) {
     const Vector half_a = pair.a->core_half, half_b = pair.ratio * pair.b->core_half, t = pair.offset;
     constexpr float never = 1e30f; // the last lane is not an axis
     const Float4 a = rows_of(half_a, never), b = rows_of(half_b, never);
-    // b's axes, and their components along each of a's.
+    // b's axes, as components along each of a's.
     const Float4 u = rows_of(pair.axes[0], 0.0f), v = rows_of(pair.axes[1], 0.0f), w = rows_of(pair.axes[2], 0.0f);
     const Float4 x{u[0], v[0], w[0], 0.0f}, y{u[1], v[1], w[1], 0.0f}, z{u[2], v[2], w[2], 0.0f};
     const Float4 along_a = rows_of(t, 0.0f), along_b = x * t.x + y * t.y + z * t.z;
@@ -77,7 +77,7 @@ Vector farthest_of_b(const PlacedPair& pair, Vector d) {
     return pair.point_b(farthest(pair.x, pair.y, pair.z, pair.b->padded, d));
 }
 
-// For a moved by `shift`. tolerance: of the distance. start: a guess of the normal.
+// Nearest points with a moved by `shift`. tolerance: of the distance. start: first guess of the normal.
 HWY_ATTR Closest closest_points(const PlacedPair& pair, Vector shift, float tolerance, Vector start) {
     using Lane = HWY_NAMESPACE::OnePair<float, Vector, false, 24>;
     const auto support = [&](Vector d) {
@@ -90,13 +90,13 @@ HWY_ATTR Closest closest_points(const PlacedPair& pair, Vector shift, float tole
             found.distance, found.on_a, found.on_a - found.v};
 }
 
-// Draws a out of b along n, for which the cores' separation is known, and improves the direction with the nearest points.
+// Draws a out of b along n, where the cores' separation is known. The nearest points then give a better direction.
 void draw_out(const PlacedPair& pair, Vector n, float separation, float apart, Drawn& best) {
     for (uint32_t round = 0; round < most_refinements; ++round) {
         const Vector shift = (apart - separation) * n;
         Closest closest = closest_points(pair, shift, 1e-3f * apart, n);
         if (closest.state == Closest::State::overlap) {
-            // They are still apart along n. The farthest point of the larger core can be far from the other core.
+            // By rounding: the cores are apart along n. The smaller core's point is used, since the larger one's can be far from the other core.
             const bool by_a = pair.a->core_reach < pair.ratio * pair.b->core_reach;
             closest.state = Closest::State::apart;
             closest.normal = n;
@@ -106,14 +106,14 @@ void draw_out(const PlacedPair& pair, Vector n, float separation, float apart, D
         }
         const float here = closest.distance - dot(shift, closest.normal);
         if (here > best.separation) best = {closest, shift, here};
-        // The rest is rounding.
+        // Further gain would be rounding.
         if (!(here > separation + 0.01f * apart)) return;
         n = closest.normal;
         separation = here;
     }
 }
 
-// The face of a core with the largest distance or least depth of points in the core's own frame.
+// The face of a core with the largest distance or least depth of points, in the core's own frame.
 struct BestFace {
     Vector outward;
     float separation;
@@ -131,7 +131,7 @@ BestFace best_face(const PairHull& core, const float* x, const float* y, const f
     return {core.face_normal(at), separation};
 }
 
-// Overlapping cores: starts from the best face of each, and along the line of the centres.
+// For overlapping cores the search starts from the best face of each and from the line of the centres.
 Drawn resolve_overlap(const PlacedPair& pair) {
     const PairHull &a = *pair.a, &b = *pair.b;
     const float apart = drawn_apart * std::min(a.core_reach, pair.ratio * b.core_reach);
@@ -157,7 +157,7 @@ Drawn resolve_overlap(const PlacedPair& pair) {
     return best;
 }
 
-// Adapts a pair's cores to set_body_side().
+// Adapts a core of the pair to set_body_side().
 struct CoreA {
     const PlacedPair& pair;
     Vector shift;
@@ -180,12 +180,12 @@ struct CoreB {
     Vector point(uint32_t i) const { return pair.point_b(i); }
 };
 
-// Picks places of a patch with gaps below `limit`: among those about as deep as the deepest the one farthest out, the one farthest from
-// it, and the farthest on both sides of the line between. Places closer than `apart` are duplicates. Among equals the first counts: if
-// rounding changed places or their order, stacks would creep.
+// Of the places with gaps below `limit`, picks the outermost of the deepest, the one farthest from it, and the farthest on both sides of the line
+// between. Places closer than `apart` are duplicates. The first of nearly equal places counts: if rounding changed places or their order, stacks
+// would creep.
 uint32_t spread(const Patch& patch, float limit, float slack, float apart, uint32_t (&out)[most_pair_contacts]) {
     constexpr uint32_t none = UINT32_MAX;
-    // The place with the greatest measure above `least`; measures within a hundredth are equal.
+    // The place with the greatest measure above `least`; measures within a hundredth count as equal.
     const auto best = [&](float least, float within, const auto& measure) {
         uint32_t at = none;
         for (uint32_t i = 0; i < patch.count; ++i) {
@@ -216,7 +216,7 @@ uint32_t spread(const Patch& patch, float limit, float slack, float apart, uint3
     return count;
 }
 
-// Whether a comes before b, so that a pair is computed in the same order however it is given.
+// Puts a pair in one order, so that it gives the same bits either way round.
 bool comes_before(const PairBody& a, const PairBody& b) {
     const auto numbers = [](const PairBody& body) {
         const Vector p = body.from.position;
@@ -230,7 +230,7 @@ bool comes_before(const PairBody& a, const PairBody& b) {
     return true;
 }
 
-// Requires the bodies in that order.
+// The bodies must be in the order of comes_before().
 bool relate_ordered(const PairBody& one, const PairBody& other, float margin, NearPair& near) {
     const PairHull &a = *one.shape, &b = *other.shape;
     const Pose &at_a = one.from, &at_b = other.from;
@@ -288,7 +288,7 @@ uint32_t contacts_of(const NearPair& near, Closest closest, PairContact (&out)[m
     set_body_side(CoreB{pair}, across, n, left, on_b);
     Patch patch;
     lay_over(on_a, on_b, 1e-5f * smaller, patch);
-    // Adds the nearest points, unless a place is as deep.
+    // Adds the nearest points, unless some place is about as deep.
     const float slack = std::max(std::min(0.02f * left, 2e-3f * smaller), 0.0f);
     const uint32_t of_sides = patch.count;
     const float* const deepest = std::min_element(patch.gap, patch.gap + of_sides);

@@ -14,14 +14,14 @@ namespace {
 
 using Points = std::vector<shape::HullPoint>;
 
-// How far a dropped vertex can lie outside the reduced hull: share of the largest extent, and of the width of long bodies, which would lean.
+// Tolerance of the reduced hull: dropped vertices outside it, as shares of the largest extent and of the width (else long bodies would lean).
 constexpr double fine = 0.01, fine_width = 0.05;
-// Share of the largest extent: thinner bodies lose one of their two sides if they fill this share of the plate around them, or are very thin.
+// A body becomes a plate if it is thinner than `thin` of its largest extent and fills `plate` of the plate around it, or is thinner than `very_thin`.
 constexpr double thin = 0.05, very_thin = 0.01, plate = 0.75;
-constexpr double wide = 4.0;          // times as wide as thick: for narrower bodies the rounding would be too large
+constexpr double wide = 4.0;          // times as wide as thick: else the rounding is too large
 constexpr uint32_t most_outline = 24; // points of a plate: each costs time in each contact
-constexpr double full_box = 0.9;      // share of the extents' box: a body with at least this volume is a box
-// A body is round if it has more corners than are kept, all this near an ellipsoid's surface, fills that ellipsoid, and is not flat.
+constexpr double full_box = 0.9;      // a body that fills this share of its extents' box is a box
+// A body becomes an ellipsoid if it has more corners than a hull keeps, all near the ellipsoid's surface, fills it, and is not flat.
 constexpr double round_surface = 0.03, round_volume = 0.8, round_width = 0.35;
 
 Points corners_of(const Points& all, const shape::ConvexHull& hull) {
@@ -39,7 +39,7 @@ void set_bounds(BodyShape& shape) {
         extent = high_of(extent, high_of(p, -p));
     }
     extent = extent + Vector{shape.radius, shape.radius, shape.radius};
-    shape.reach = (most + shape.radius) * (1.0f + 1e-6f); // for the rounding of rotated points
+    shape.reach = (most + shape.radius) * (1.0f + 1e-6f); // margin for the rounding of rotated points
 }
 
 void set_points(BodyShape& shape, const Points& points) {
@@ -75,7 +75,7 @@ void drop_corners(const Points& points, std::vector<uint32_t>& corners, double e
         dropped = false;
         std::vector<uint32_t> left;
         const size_t count = corners.size();
-        bool last_stays = true; // of two neighbours only one may be dropped in a pass
+        bool last_stays = true; // dropping two neighbours in one pass could exceed the tolerance
         for (size_t i = 0; i < count; ++i) {
             const Double3 before = of(points[corners[(i + count - 1) % count]]);
             const Double3 side = of(points[corners[(i + 1) % count]]) - before;
@@ -117,7 +117,7 @@ void set_outline(BodyShape& shape, const Points& corners, Double3 normal, double
 
 namespace {
 
-// Selects at most `most` points, repeatedly the one farthest outside, until no other is farther outside than allowed. width: the least width.
+// Picks at most `most` points, repeatedly the one farthest outside the hull so far, until the rest lie within the tolerance. width: the least width.
 Points reduced(const Points& from, double extent, double width, uint32_t most) {
     const double enough = std::min(fine * extent, fine_width * width);
     Points kept;
@@ -172,7 +172,7 @@ double hull_volume(const Points& points, const shape::ConvexHull& hull) {
     return sum;
 }
 
-// A plate: its outline in the middle plane, drawn in by half its thickness and rounded by as much.
+// The outline in the middle plane, drawn in by half the thickness and rounded by as much.
 bool set_plate(BodyShape& shape, const Points& points, double extent, Double3 normal, double middle, double thickness,
                double volume) {
     Points projected;
@@ -180,7 +180,7 @@ bool set_plate(BodyShape& shape, const Points& points, double extent, Double3 no
         const Double3 q = of(p) - (dot(normal, of(p)) - middle) * normal;
         projected.push_back({q.x, q.y, q.z});
     }
-    // Points projected onto a plane are off it by rounding, which the hull's grid ignores.
+    // Rounding leaves projected points slightly off their plane; the hull's grid ignores that.
     shape::ConvexHull hull;
     if (shape::convex_hull(projected, hull) != shape::HullOutcome::done || !hull.flat) return false;
     double area = 0.0;
@@ -220,7 +220,7 @@ void set_ellipsoid(BodyShape& shape, const std::array<double, 3>& center, const 
     shape.thickness = static_cast<float>(2.0 * std::min({semi[0], semi[1], semi[2]}));
 }
 
-// Semi-axes of the uniform ellipsoid with this inertia, if it exists.
+// Semi-axes of the uniform ellipsoid with the asset's inertia, if there is one.
 std::array<double, 3> inertia_axes(const AssetData& asset) {
     std::array<double, 3> semi{};
     const double sum = asset.inertia[0] + asset.inertia[4] + asset.inertia[8];
@@ -231,7 +231,7 @@ std::array<double, 3> inertia_axes(const AssetData& asset) {
     return semi;
 }
 
-// Whether the asset has the numbers, and the hull of 42 points, of a closed-form solid ellipsoid.
+// Whether the asset is a closed-form solid ellipsoid, by its numbers and its hull of 42 points.
 bool is_ellipsoid(const AssetData& asset, const std::array<double, 3>& semi) {
     if (asset.provenance.source != "ellipsoid" || asset.hull.vertices.size() != size_t{3} * 42) return false;
     const double volume = 4.0 / 3.0 * std::numbers::pi * semi[0] * semi[1] * semi[2];
@@ -247,7 +247,7 @@ bool is_ellipsoid(const AssetData& asset, const std::array<double, 3>& semi) {
     return true;
 }
 
-// With the most corners that are kept a ball would sink in by an eighth of its radius: round bodies become ellipsoids.
+// Round bodies become ellipsoids: with the corners that a hull keeps, a ball would sink in by an eighth of its radius.
 bool set_round(BodyShape& shape, const Points& points, const std::array<double, 3>& middle, double volume) {
     if (points.size() <= most_shape_points) return false;
     std::array<double, 3> semi{};
@@ -309,7 +309,7 @@ void add_samples(BodyShape& s) {
         s.x[s.sample_count] = p.x, s.y[s.sample_count] = p.y, s.z[s.sample_count] = p.z;
         ++s.sample_count;
     };
-    // Faces by size; a flat body's two faces are equal.
+    // Faces by size; those of a flat body are equal.
     uint32_t order[most_shape_faces];
     float area[most_shape_faces];
     Vector middle[most_shape_faces];

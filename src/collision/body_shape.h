@@ -1,4 +1,4 @@
-// The contact shape of a batch's bodies: a rounded convex hull of a few points, or an ellipsoid; at scale 1, body frame, from the centre of mass.
+// The contact shape of a batch's bodies: a rounded convex hull or an ellipsoid. At scale 1, body frame, from the centre of mass.
 #pragma once
 
 #include "asset/asset_data.h"
@@ -23,22 +23,22 @@ struct ShapeFace {
 
 struct BodyShape {
     uint32_t count; // of points; 0: an ellipsoid
-    // Points tested against a heightfield: its own, followed by some on its faces, which a ridge between two slopes would otherwise pass through.
+    // Points tested against a heightfield: the hull's, then some on its faces, since a ridge between two slopes would pass between the corners.
     uint32_t sample_count;
     float x[most_shape_samples], y[most_shape_samples], z[most_shape_samples]; // m
     float radius;                                                              // m, around the hull of the points
-    uint32_t face_count; // of the hull of the points; a flat one has two
+    uint32_t face_count; // of the hull of the points; a flat hull has two
     ShapeFace faces[most_shape_faces];
     uint8_t corners[most_shape_corners]; // of the faces, counter-clockwise seen from outside: indices of points
     Vector center;                       // m, of the ellipsoid; else the middle of the points
     Vector semi_axes;                    // m, of the ellipsoid, along the body axes
-    float reach;                         // m: no part of it is farther from the centre of mass
-    Vector extent;                       // m: likewise along the body's axes
-    float thickness;                     // m: its smallest width, rounding included
+    float reach;                         // m: greatest distance of the surface from the centre of mass
+    Vector extent;                       // m: the same along each body axis
+    float thickness;                     // m: smallest width, rounding included
 
     Vector point(uint32_t i) const { return {x[i], y[i], z[i]}; }
     Vector corner(const ShapeFace& face, uint32_t k) const { return point(corners[face.first + k]); }
-    // Twice its area, along its normal.
+    // Twice the face's area, along its normal.
     Vector doubled_area(const ShapeFace& face) const {
         const Vector first = corner(face, 0);
         Vector sum{0.0f, 0.0f, 0.0f};
@@ -48,7 +48,7 @@ struct BodyShape {
     }
 };
 
-// The point farthest along a direction, the first of equal ones. x, y, z: `count` > 0 points, kStride apart.
+// The point farthest along a direction, the first among equals. x, y, z: `count` > 0 points, kStride apart.
 template <size_t kStride = 1>
 uint32_t farthest_point(const float* x, const float* y, const float* z, uint32_t count, Vector d) {
     uint32_t best = 0;
@@ -61,15 +61,15 @@ uint32_t farthest_point(const float* x, const float* y, const float* z, uint32_t
     return best;
 }
 
-// A solid hull of at most most_shape_points points. False if they have none.
+// Makes a solid hull of at most most_shape_points points. False if the points are flat.
 bool set_hull(BodyShape& shape, const std::vector<shape::HullPoint>& points);
 // Drops corners that stand out by at most `enough` (m), or by more while more than `most` are left.
 void drop_corners(const std::vector<shape::HullPoint>& points, std::vector<uint32_t>& corners, double enough,
                   size_t most);
-// A plate with these corners in turn in its middle plane, counter-clockwise about the normal, and this rounding.
+// Makes a plate: corners in its middle plane, counter-clockwise about the normal, and a rounding.
 void set_outline(BodyShape& shape, const std::vector<shape::HullPoint>& corners, Double3 normal, double radius);
 
-// For an asset: its hull, reduced to few points; without one an ellipsoid, or a box if the volume fills it. extents: m, of a body without a hull,
-// along its axes about its centre of buoyancy; zero if unknown: then those of the ellipsoid with its inertia. May throw std::bad_alloc.
+// Reduces the asset's hull to few points. Without a hull the shape is an ellipsoid, or a box if the volume nearly fills it. extents: m, of such a
+// body, along its axes about its centre of buoyancy; zero: unknown, those of the ellipsoid with its inertia. May throw std::bad_alloc.
 BodyShape make_body_shape(const AssetData& asset, const std::array<double, 3>& extents = {});
 } // namespace lr

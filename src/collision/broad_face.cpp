@@ -17,14 +17,14 @@ Pose own_frame(const PairHull& hull, float scale, const Pose& at) {
     return {at.position + scale * rotate(at.rotation, hull.origin), at.rotation * hull.frame};
 }
 
-// The parts of the lines of a body's face, four at a time, that lie in a convex set. All have one direction.
+// The parts of a body's face lines within a convex set, four lines at a time. All lines have one direction.
 class LineParts {
 public:
     LineParts(const BroadFace& face, float half) : face_(&face) {
         std::fill_n(first_, vectors, all(-half));
         std::fill_n(last_, vectors, all(half));
     }
-    // Keeps the parts at which height + u rise_u + v rise_v + t rise <= 0. False if nothing is left of any.
+    // Keeps the parts where height + u rise_u + v rise_v + t rise <= 0. False if nothing is left of any line.
     bool clip(float height, float rise_u, float rise_v, float rise) {
         constexpr float far = std::numeric_limits<float>::max();
         Int4 some{};
@@ -40,7 +40,7 @@ public:
         }
         return any(some);
     }
-    // A body that reaches through the middle plane hides the side on which most of it lies.
+    // A body that crosses the middle plane covers the side on which most of it lies.
     void hide(Hidden& hidden) const {
         for (uint32_t k = 0; k < face_points; ++k) {
             const float first = first_[k / 4][k % 4], last = last_[k / 4][k % 4];
@@ -55,8 +55,8 @@ private:
 };
 } // namespace
 
-// Four lines across the silhouette, four points on each. An edge of the silhouette joins two of the hull's points, and no segment
-// between two of them leaves it.
+// Four rows across the silhouette, four points on each. A row's ends lie on edges of the silhouette; each joins two of the hull's points, and no
+// segment between two points reaches farther, so all pairs are tried.
 BroadFace make_broad_face(const PairHull& hull) {
     const Vector half = hull.core_half;
     const float radius = hull.shape.radius;
@@ -103,7 +103,7 @@ void hide(const PairHull& hull, float scale, const Pose& at, const PairHull& by,
     const float half = scale * hull.face.half + covering_gap * std::min(reach, by_reach);
     const FaceLines lines(hull, scale, relative(own_frame(by, by_scale, by_at), at));
     const Vector m = lines.middle, d = lines.direction;
-    // Boxes of heaps overlap where bodies are far apart across the face.
+    // Cheap test first: in heaps most pairs with overlapping boxes are far apart across the face.
     const float radius = by_scale * by.shape.radius;
     const Vector box = by_scale * by.core_half;
     if (std::abs(dot(m, d)) > half + radius + (std::abs(d.x) * box.x + std::abs(d.y) * box.y + std::abs(d.z) * box.z))

@@ -10,16 +10,16 @@ namespace {
 
 using shape::HullPoint;
 
-// Share of a hull's largest extent: thinner hulls are flat.
+// Hulls thinner than this share of their largest extent are flat.
 constexpr double flat = 1e-4;
-// Sine of the angle by which a surface can bend at an edge and still be flat.
+// Sine of the angle between neighbours up to which an edge counts as flat.
 constexpr double bend = 1e-3;
 
 Double3 over(Double3 a, double b) {
     return {a.x / b, a.y / b, a.z / b};
 }
 
-// For each vertex the first one at its position, so that triangles without shared vertices still have neighbours.
+// Maps each vertex to the first one at its position, so that triangles without shared vertices still have neighbours.
 std::vector<uint32_t> welded(const float* vertices, uint32_t count) {
     std::vector<uint32_t> order(count), first(count);
     std::iota(order.begin(), order.end(), 0u);
@@ -43,7 +43,7 @@ struct Edge {
     bool downwards; // from high to low
 };
 
-// Triangles joined by edges, with the winding of each against the first of its surface.
+// Union-find of triangles joined by edges; each knows whether it is wound against the first of its surface.
 class Surfaces {
 public:
     explicit Surfaces(uint32_t triangles) : above_(triangles), turned_(triangles, 0) {
@@ -54,7 +54,7 @@ public:
         first(t, way);
         return way != 0;
     }
-    // Surfaces that meet where they are wound against each other already, as Moebius strips, stay so.
+    // Closing a surface that is wound against itself, such as a Moebius strip, leaves the windings as they are.
     void join(uint32_t a, uint32_t b, bool alike) {
         char of_a = 0, of_b = 0;
         const uint32_t to = first(a, of_a), from = first(b, of_b);
@@ -66,7 +66,7 @@ public:
 private:
     uint32_t first(uint32_t t, char& way) {
         for (; above_[t] != t; t = above_[t]) {
-            const uint32_t up = above_[t]; // halves the path
+            const uint32_t up = above_[t]; // path halving
             turned_[t] = static_cast<char>(turned_[t] ^ turned_[up]);
             above_[t] = above_[up];
             way = static_cast<char>(way ^ turned_[t]);
@@ -92,7 +92,7 @@ void put_in_turn(const std::vector<HullPoint>& points, Double3 normal, std::vect
     Double3 middle{0.0, 0.0, 0.0};
     for (const uint32_t i : corners) middle = middle + 1.0 / static_cast<double>(corners.size()) * of(points[i]);
     const Double3 start = of(points[corners[0]]) - middle;
-    // Sorts by half turns from the first, then by the sense of rotation.
+    // Sorts into half turns from the first, then by the sense of rotation.
     const auto half = [&](Double3 a) {
         const double across = dot(normal, cross(start, a));
         return across > 0.0 || (across == 0.0 && dot(start, a) > 0.0) ? 0 : 1;
@@ -183,7 +183,7 @@ bool build_mesh(const float* vertices, uint32_t vertex_count, const uint32_t* in
         const Double3 a = at(t, 1) - at(t, 0), b = at(t, 2) - at(t, 0), n = cross(a, b);
         const double area = length(n), c = length(b - a);
         const double longest = std::max({length(a), length(b), c});
-        if (!(area > 1e-7 * longest * longest)) continue; // a line: its normal would be rounding
+        if (!(area > 1e-7 * longest * longest)) continue; // nearly a line: the normal would be rounding
         any = true;
         exact[t] = over(n, area);
         put(to_float(exact[t]), normals.data() + size_t{3} * t);
@@ -226,7 +226,7 @@ bool build_mesh(const float* vertices, uint32_t vertex_count, const uint32_t* in
 }
 
 float steepest_secant(const uint32_t (&counts)[2], const float (&spacing)[2], const float* heights) {
-    double most = 0.0; // square of the slope
+    double most = 0.0; // squared slope
     const auto slope = [&](size_t from, size_t to, uint32_t axis) {
         const double rise = static_cast<double>(heights[to]) - static_cast<double>(heights[from]);
         return rise * rise / (static_cast<double>(spacing[axis]) * static_cast<double>(spacing[axis]));
@@ -248,7 +248,7 @@ void build_coarse(const uint32_t (&counts)[2], const float* heights, std::vector
     highest = *high;
     for (uint32_t a = 0; a < 2; ++a) coarse_counts[a] = (counts[a] - 2) / cells + 1;
     coarse.assign(size_t{coarse_counts[0]} * coarse_counts[1], -std::numeric_limits<float>::infinity());
-    // The surrounding squares reach `cells` farther on each side.
+    // Together with the surrounding squares: `cells` farther on each side.
     const auto from = [](uint32_t square) { return square > 0 ? (square - 1) * cells : 0; };
     const auto to = [&](uint32_t square, uint32_t a) {
         return static_cast<uint32_t>(std::min<uint64_t>((uint64_t{square} + 2) * cells, counts[a] - 1));
@@ -281,7 +281,8 @@ Box around(const Triangle* from, const Triangle* to) {
     return box;
 }
 
-// Halves by the middles along the longest side until few are left. The order does not depend on how the library selects: only its sets are used.
+// Halves the triangles at the median along the longest axis until few are left. Libraries select in different orders; only the two sets are used, so
+// the result is the same.
 void split(Triangle* from, Triangle* to, uint32_t first, std::vector<MeshPart>& parts) {
     const auto count = static_cast<uint32_t>(to - from);
     if (count <= most_part_triangles) {

@@ -11,7 +11,7 @@ constexpr uint64_t spare_words = uint64_t{8} * most_occupancy_levels;
 constexpr uint64_t few = 1u << 12; // proxies
 } // namespace
 
-// Words of bits for `count` proxies, monotonic in count: a few per cent of the bits are set, or 5 to 10 % if the bits would not fit into a cache.
+// Words of bits for `count` proxies; monotonic in count. A few per cent of the bits are set, 5 to 10 % if more bits would not fit into a cache.
 uint64_t ColliderBroadPhase::words_for(uint64_t count) const {
     const uint64_t each = fine_ ? 512 : 128, most_each = 16;
     return spare_words + std::max(each * std::min(count, 128 * few / each), most_each * count);
@@ -41,8 +41,8 @@ void ColliderBroadPhase::clear() {
     level_count_ = 0;
 }
 
-// Assigns each proxy the finest cells of which, with `dilation`, it covers at most three along each axis, or five. If these have more
-// sizes than levels, the sizes for which coarser cells add the least volume are merged.
+// Gives each proxy the finest cells of which its box, enlarged by `dilation`, covers at most three along each axis (five if finer). If there are more
+// sizes than levels, those that add the least volume are merged into the next coarser one.
 void ColliderBroadPhase::choose_levels(float dilation, uint32_t levels) {
     const int finer = fine_ && count_ <= few ? 1 : 0;
     uint32_t in_rung[rungs] = {};
@@ -53,14 +53,14 @@ void ColliderBroadPhase::choose_levels(float dilation, uint32_t levels) {
         ++in_rung[level_of_[i]];
     }
     int used[rungs];
-    double sum[rungs]; // of proxies
+    double sum[rungs]; // number of proxies
     int count = 0;
     for (int r = 0; r < rungs; ++r)
         if (in_rung[r] != 0) {
             used[count] = r;
             sum[count++] = in_rung[r];
         }
-    int to[rungs]; // rung to rung
+    int to[rungs]; // from a rung to the one it is merged into
     for (int r = 0; r < rungs; ++r) to[r] = r;
     while (count > static_cast<int>(levels)) {
         int least = 0;
@@ -98,13 +98,13 @@ void ColliderBroadPhase::choose_levels(float dilation, uint32_t levels) {
         const Vector middle = middle_of(box), low = middle - box.low, high = box.high - middle;
         level.spread = high_of(level.spread, high_of(low, high));
     }
-    // For differences that were rounded down.
+    // The differences may have been rounded down.
     for (uint32_t l = 0; l < level_count_; ++l) levels_[l].spread = levels_[l].spread + 0x1p-22f * levels_[l].spread;
 }
 
 void ColliderBroadPhase::enter(uint32_t level, const Box& box) {
     const OccupancyLevel& near = levels_[level].near;
-    // Sums are rounded to nearest, which keeps their order with any position in single precision.
+    // Rounding to nearest keeps the order of sums, so no cell that a position in float can fall into is missed.
     uint32_t* const bits = words_.data() + (near.bits - words_.data());
     CellRange(grown(box, near.dilation), near.inverse_cell).visit([&](CellAt at) {
         const Bit bit = bit_of(near, at);
@@ -122,11 +122,11 @@ void ColliderBroadPhase::build(float dilation, uint32_t levels) {
         return bucket(cell_at(middle_of(proxies_[i].box), levels_[level].inverse_bucket), level);
     };
     for (uint32_t i = 0; i < count_; ++i) enter(level_of_[i], proxies_[i].box);
-    // An extra, empty bucket marks the end of the last.
+    // One more, empty bucket marks the end of the last.
     sort_into_buckets(count_, bucket_count_ + 1, bucket_of, buckets_.data(), entries_.data());
 }
 
-// A box that overlaps this one has its middle within `dilation`: levels with a clear bit there have none.
+// A level can have a box here only if the bit of the middle's cell is set: bits reach as far as `dilation`.
 uint32_t ColliderBroadPhase::levels_about(const Box& box) const {
     const Vector middle = middle_of(box), below = middle - box.low, above = box.high - middle;
     const float half =

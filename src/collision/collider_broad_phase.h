@@ -1,4 +1,4 @@
-// Broad phase: boxes in hashed grids of several cell sizes, and bits that tell the kernel which cells they cover.
+// Broad phase for colliders: boxes in hashed grids of several cell sizes, and bits of occupied cells for the kernel.
 #pragma once
 
 #include "collision/geometry_store.h"
@@ -18,15 +18,15 @@ struct Proxy {
 
 class ColliderBroadPhase {
 public:
-    // fine: with few proxies the bits use cells half as large, which takes longer to build and rules out more bodies.
+    // fine: with few proxies cells are half as large. The grid takes longer to build and rules out more bodies.
     explicit ColliderBroadPhase(bool fine = false) : fine_(fine) {}
 
-    // Room for so many proxies; growing discards the built grid. False when out of memory; nothing has then changed.
+    // Makes room for `proxies`; growing discards the built grid. Returns false and changes nothing when out of memory.
     bool reserve(Allocator& allocator, uint64_t proxies);
     size_t capacity() const { return proxies_.size(); }
     uint32_t size() const { return count_; }
 
-    // To build: clear, add up to capacity(), build. levels: cell sizes, up to most_occupancy_levels. dilation: m, the largest reach that bits find.
+    // Call clear(), add() up to capacity() times, build(). levels: number of cell sizes. dilation: m, the largest reach that the bits cover.
     void clear();
     void add(const Proxy& proxy) { proxies_[count_++] = proxy; }
     void build(float dilation, uint32_t levels);
@@ -38,16 +38,15 @@ public:
     template <class Found> void query(const Box& box, Found&& found) const;
 
 private:
-    // Cells of 2^rung m, beyond the reach of the longest step at the highest speed: a box covers few of its own cells.
+    // Cells of 2^rung m. The coarsest exceed the longest step at the highest speed, so that any box covers few cells.
     static constexpr int least_rung = -24, rungs = 96;
     struct Level {
         OccupancyLevel near;
-        float inverse_bucket; // 1/m, of the cells of buckets: coarser, so that a query visits few
-        Vector spread;        // m: the largest half extents of its boxes
+        float inverse_bucket; // 1/m, of bucket cells: coarser, so that a query visits few
+        Vector spread;        // m: largest half extents of the level's boxes
     };
 
-    uint32_t levels_about(const Box& box) const; // a bit for each level that can have a box there
-    // The place of a cell's bit within a level.
+    uint32_t levels_about(const Box& box) const; // bits of the levels that may have a box there
     struct Bit {
         uint32_t word, mask;
     };
@@ -62,8 +61,8 @@ private:
 
     bool fine_;
     Buffer<Proxy> proxies_;
-    Buffer<uint8_t> level_of_; // of each proxy
-    Buffer<uint32_t> buckets_; // start of each in entries_, plus the end
+    Buffer<uint8_t> level_of_; // by proxy
+    Buffer<uint32_t> buckets_; // first entry of each bucket, then the end
     Buffer<uint32_t> entries_; // proxies, by the bucket of their middle
     Buffer<uint32_t> words_;   // bits of all levels
     uint32_t count_ = 0, bucket_count_ = 1, level_count_ = 0;
@@ -80,7 +79,7 @@ template <class Found> void ColliderBroadPhase::query(const Box& box, Found&& fo
         cells[l] = CellRange(grown(box, levels_[l].spread), levels_[l].inverse_bucket);
         visits += cells[l].count();
     }
-    // Visiting a cell costs as much as testing a few boxes.
+    // Visiting a cell costs as much as testing a few boxes, so few proxies are tested one by one.
     if (4.0 * visits > count_) {
         for (uint32_t i = 0; i < count_; ++i)
             if (overlap(proxies_[i].box, box)) found(proxies_[i]);
@@ -93,7 +92,7 @@ template <class Found> void ColliderBroadPhase::query(const Box& box, Found&& fo
             for (uint32_t e = buckets_[b]; e < buckets_[b + 1]; ++e) {
                 const Proxy& proxy = proxies_[entries_[e]];
                 if (!overlap(proxy.box, box) || level_of_[entries_[e]] != l) continue;
-                // Only one of the cells that share a bucket holds the box's middle.
+                // Several cells share a bucket; a box counts only in the cell of its middle, so it is found once.
                 if (cell_at(middle_of(proxy.box), levels_[l].inverse_bucket) == at) found(proxy);
             }
         });

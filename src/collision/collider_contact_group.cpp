@@ -8,7 +8,7 @@
 namespace lr {
 namespace {
 
-// The box that a body can reach within dt; as in the kernel.
+// The box within which a body can touch something in dt (contact.md, section 2); as in the kernel.
 Box vicinity(const ContactStep& step, const BatchArrays& arrays, uint32_t i, float dt) {
     const float size = 1.5f * step.shape->reach * arrays.field[field_scale][i];
     const float speed =
@@ -17,7 +17,7 @@ Box vicinity(const ContactStep& step, const BatchArrays& arrays, uint32_t i, flo
     return grown({x, x}, size + dt * (1.5f * speed + step.gain));
 }
 
-// A flat shape's normal in the body frame and its area at scale 1; 0 for bodies that are not sheets.
+// Area of a sheet at scale 1 and its normal in the body frame; 0 for other shapes.
 float sheet(const BodyShape& s, Vector& normal) {
     if (s.count == 0 || s.face_count != 2) return 0.0f;
     const ShapeFace& f = s.faces[0];
@@ -25,7 +25,7 @@ float sheet(const BodyShape& s, Vector& normal) {
     return 0.5f * length(s.doubled_area(f));
 }
 
-// Mass of body and fluid along the normal, kg at scale 1.
+// Mass of body and added mass along the normal, kg at scale 1.
 float inertia_along(const BodyConstants& c, Vector n) {
     const float* const m = c.full_mass;
     const float in_units = c.diagonal ? c.mass[0] * n.x * n.x + c.mass[1] * n.y * n.y + c.mass[2] * n.z * n.z
@@ -34,7 +34,7 @@ float inertia_along(const BodyConstants& c, Vector n) {
     return c.unit_mass * in_units;
 }
 
-// Height over a plane or heightfield in its own frame; negative without ground below.
+// Height above a plane or heightfield in its own frame; negative where there is no ground.
 float height_over(const Geometry& g, Vector at) {
     const HeightfieldGeometry* const f = g.heightfield;
     if (!f) return at.y;
@@ -97,7 +97,7 @@ ContactGroup::ContactGroup(const ContactStep& step, const StepInput& in, const B
     }
 }
 
-// The slot for another contact of a body: a free one, or that of its shallowest contact if this one is deeper; else none.
+// A slot for another contact: a free one, or that of the shallowest contact if this one is deeper; else none.
 uint32_t ContactGroup::place(uint32_t i, float gap) {
     if (filled_[i] < contact_slots) {
         const uint32_t at = filled_[i]++;
@@ -122,7 +122,7 @@ void ContactGroup::add(uint32_t i, uint32_t collider, const Contact& contact, co
             contact.gap, pair_friction(*step_->settings, c), pair_restitution(*step_->settings, c), collider});
 }
 
-// Returns its slot, or contact_slots.
+// Returns the slot, or contact_slots.
 uint32_t ContactGroup::put(uint32_t i, const SlotContact& c) {
     const uint32_t at = place(i, c.gap);
     if (at == contact_slots) return at;
@@ -163,7 +163,7 @@ void ContactGroup::touch_grounds(const ContactSubstep& substep) {
         std::fill_n(rough, contact_lanes, 0u);
         if (!step_->target->ground(all, s, found, rough)) continue;
         for (uint32_t i = 0; i < count_; ++i) {
-            // Its own lists: other bodies' grounds must not affect it.
+            // A body's own list decides: other bodies' grounds must not affect its bits.
             const Candidate* const own = near_[i].candidate;
             const bool listed = std::any_of(own, own + near_[i].count,
                                             [&](const Candidate& candidate) { return candidate.slot == grounds_[g]; });
@@ -184,7 +184,7 @@ void ContactGroup::touch_grounds(const ContactSubstep& substep) {
 
 namespace {
 
-// A unit vector in twelve bits, to 7 degrees, and the mesh that it belongs to in twenty; 0: none. Of two meshes a body can be on opposite sides.
+// A direction in twelve bits, to 7 degrees, and a tag of the mesh in twenty; 0: none. A body can be on opposite sides of two meshes.
 constexpr uint32_t most_tags = (1u << 20) - 1;
 uint32_t tag_of(uint32_t slot) {
     return slot % most_tags + 1u;
@@ -212,9 +212,9 @@ void ContactGroup::find_floors(const ContactSubstep& substep) {
             if (near_count < most_candidates) near[near_count] = candidate;
             ++near_count;
         };
-        // A longer way ends on no floor; on a very long one a search in order would be slow.
+        // Longer paths end on no floor, and on very long ones a search in order would be slow.
         if (length(b - a) < longest_floor * reach) each_candidate(i, grown({low_of(a, b), high_of(a, b)}, reach), take);
-        const bool all = near_count <= most_candidates; // a part tells the side
+        const bool all = near_count <= most_candidates; // if not, some parts still tell the side
         near_count = std::min(near_count, most_candidates);
         const uint32_t known = arrays_.floor ? arrays_.floor[i] : 0;
         uint32_t kept = 0;
@@ -246,7 +246,7 @@ void ContactGroup::touch_others(uint32_t i, const ContactSubstep& substep) {
         const SurfaceMotion motion = motion_of(step_->colliders->at(slot), substep);
         for (uint32_t n = 0; n < count; ++n) add(i, slot, contacts[n], pose, motion);
     };
-    // Contacts of all parts of a mesh together, reduced to the best: hundreds of parts can be under a body.
+    // All parts of a mesh give one manifold: hundreds of parts can be under a body.
     std::optional<ContactPoints> mesh;
     uint32_t mesh_slot = 0;
     Pose mesh_pose{}, began{};
@@ -316,8 +316,8 @@ void ContactGroup::take_out(uint32_t i) {
     filled_[i] = 0;
 }
 
-// With the added mass of the fluid that a body is in: with another one impulses would add energy. And with its fall there: the static lock would hold a
-// thin leaf, which falls with some thousandths of gravity, at whatever it falls away from.
+// Contacts use the added mass of the fluid around the body, since with any other they would add energy. They use its fall there too: a thin leaf
+// falls with some thousandths of gravity, and the static lock would hold it by mistake.
 void ContactGroup::resolve(const ContactSubstep& substep) {
     ContactBodies bodies = this->bodies(substep);
     if (std::find(wet_, wet_ + count_, true) == wet_ + count_) return step_->target->resolve(bodies, slots_);
@@ -343,7 +343,7 @@ void ContactGroup::solve(const ContactSubstep& substep, const float* submerged) 
     stay_in_front(substep);
 }
 
-// Thin bodies do not roll: with the reach as the lever the couple would hold them leaning on an edge.
+// The lever shrinks with the thickness: with the reach, the couple would hold thin bodies leaning on an edge.
 float rolling_of(const lr_batch_contact& settings, const BodyShape& shape) {
     return settings.rolling_resistance * std::sqrt(std::min(0.5f * shape.thickness / shape.reach, 1.0f));
 }
@@ -358,7 +358,7 @@ ContactBodies ContactGroup::bodies(const ContactSubstep& substep) const {
 }
 
 void TouchList::take(uint32_t one, float impulse) {
-    // Its own place, or that of the weakest touch if that is weaker.
+    // A slot with the same id, a free one, or that of the weakest touch if this one is stronger.
     size_t at = 0;
     while (at < 4 && id[at] != one && id[at] != 0) ++at;
     if (at == 4) at = static_cast<size_t>(std::min_element(strength, strength + 4) - strength);
@@ -418,13 +418,13 @@ NearContacts::NearContacts(const ContactStep& step, const BatchArrays& arrays, u
         const uint32_t from = end_, to = std::min(from + at_a_time, last);
         step.target->near(step.colliders->near(), step.shape->reach, dt, step.gain, arrays, from, to,
                           near_ + (from - begin));
-        // Results must not depend on when the grids were built: a body that nothing reaches takes the same path as far ones, to the bit.
+        // The grids' bits depend on when they were built. Results must not, so boxes decide, which depend on colliders alone.
         for (uint32_t i = from; i < std::min(to, live); ++i) {
             if (is_held(arrays.field[field_age_remainder][i])) {
-                near_[i - begin] = 0; // it touches nothing
+                near_[i - begin] = 0; // a held body touches nothing
                 continue;
             }
-            if (step.sleeping) near_[i - begin] = 1; // their support is not searched twice
+            if (step.sleeping) near_[i - begin] = 1; // sleeping bodies are found later
             const uint32_t mark = near_[i - begin];
             if (mark == 0) continue;
             const auto reached = [&] {
@@ -444,9 +444,9 @@ NearContacts::NearContacts(const ContactStep& step, const BatchArrays& arrays, u
     }
 }
 
-// Ground effect: a disc of radius a that comes down flat on a wall at the height z sets the air under it in motion, with the
-// kinetic energy 1/2 K/z v^2, K = pi rho a^4/8. The sheet shares its energy along the normal with this air: with l = K/m,
-// (1 + l/z) v^2 stays. Air that leaves at the edge does not come back, so that a sheet that rises is not pulled.
+// Ground effect: a disc of radius a that comes down flat at the height z sets the air under it in motion, with the energy 1/2 (K/z) v^2,
+// K = pi rho a^4/8. The sheet shares its energy with that air: with l = K/m, (1 + l/z) v^2 is constant along the normal. Air that leaves at the edge
+// does not come back, so a rising sheet is not pulled.
 void ContactGroup::ground_effect(const ContactSubstep& substep) {
     const LaneRow* const before = substep.before;
     Vector face;
@@ -479,10 +479,10 @@ void ContactGroup::ground_effect(const ContactSubstep& substep) {
             const Vector v0 = rotate(was.rotation, vector_in(before, field_vx, i));
             const float began = dot(up, v0);
             if (!(speed < 0.0f && began <= 0.0f)) continue;
-            // Velocity gained from the substep's forces moves the air as well.
+            // The velocity gained from forces in this substep moves the air too.
             const float slow = kept * (began + (speed - began) / (1.0f + 2.0f * l / (first + last)));
             put_in(arrays_.field, field_vx, i, v - (speed - slow) * n);
-            // The way follows the mean of both ends.
+            // The displacement follows the mean of both end velocities.
             pose.position = pose.position + ((first - last) * (speed - slow) / (began + speed)) * up;
             put_in(arrays_.field, field_x, i, pose.position);
         }

@@ -1,4 +1,4 @@
-// Bodies near colliders: finds them and their contacts after a substep, and resolves these.
+// Bodies near colliders, in groups of lanes: finds their contacts after a substep and solves them.
 #pragma once
 
 #include "base/pose.h"
@@ -21,32 +21,32 @@ inline constexpr lr_batch_contact initial_contact = LR_BATCH_CONTACT_INIT;
 inline bool may_sleep(const lr_batch_contact& settings) {
     return (settings.flags & LR_CONTACT_NEVER_SLEEP) == 0;
 }
-// Geometric mean of frictions, larger of restitutions, between a batch and a collider or two batches: a pair bounces as its springier material.
+// Friction is the geometric mean of both materials, restitution the larger: the springier material decides a bounce.
 template <class Other> float pair_friction(const lr_batch_contact& a, const Other& b) {
     return std::sqrt(a.friction * b.friction);
 }
 template <class Other> float pair_restitution(const lr_batch_contact& a, const Other& b) {
     return std::max(a.restitution, b.restitution);
 }
-// Null if valid, else the reason; NaN is invalid.
+// Null if the settings are valid, else the reason; NaN is invalid.
 const char* wrong_in(const lr_batch_contact& settings);
 
-// The settings' rolling resistance as a part of the reach: ContactBodies::rolling.
+// Rolling resistance times its lever, as a share of the reach: ContactBodies::rolling.
 float rolling_of(const lr_batch_contact& settings, const BodyShape& shape);
 
-// Sleeping bodies as awake ones see them: still and immovable.
+// Awake bodies meet sleeping ones as fixed things.
 inline constexpr uint32_t most_sleeping = 32; // near one body, by batch and noise seed
 
 struct SleepingTouch {
     uint32_t batch, index; // of the sleeping body: batch slot and dense index
     float friction, restitution;
     uint32_t count;
-    PairContact contact[most_pair_contacts]; // a: the awake body; gaps at the end of its way
+    PairContact contact[most_pair_contacts]; // a: the awake body; gaps at the end of the substep
 };
 
 class SleepingContacts {
 public:
-    // Sleeping bodies that the body with this noise seed touches at `to`, or is nearer to than `margin` (m). Returns how many. Any thread.
+    // Finds sleeping bodies that touch the body with this noise seed at `to`, or are within `margin` (m). Returns their number. Any thread.
     virtual uint32_t touched_by(uint32_t noise_seed, float scale, const Pose& from, const Pose& to, float margin,
                                 SleepingTouch (&out)[most_sleeping]) const = 0;
 
@@ -64,34 +64,34 @@ struct ContactStep {
     const lr_batch_contact* settings;
     float gravity;                              // m/s^2, magnitude
     float fluid_density;                        // kg/m^3
-    float dt;                                   // s, of the step
-    float gain;                                 // m/s that bodies can gain in it
-    const SleepingContacts* sleeping = nullptr; // sleeping ones that they can touch; null: none
+    float dt;                                   // s, length of the step
+    float gain;                                 // m/s: allowance for speed gained in it
+    const SleepingContacts* sleeping = nullptr; // sleeping bodies in reach; null: none
 };
 
 static_assert(most_shape_samples == most_ground_points);
 
-// The pose of a collider at a part of the step, 0 to 1.
+// The pose of a collider at a fraction of the step, 0 to 1.
 Pose pose_at(const Collider& collider, float part);
 
 struct ContactSubstep {
-    const LaneRow* before; // fields of the bodies from field_x on, before the substep
-    float begin, end;      // parts of the step, 0 to 1
+    const LaneRow* before; // field_x and following, before the substep
+    float begin, end;      // fractions of the step, 0 to 1
     float h;               // s, its length
 };
 
 // The motion of a collider over a substep of h.
 struct SurfaceMotion {
-    Vector middle;         // m, its frame's origin, at the end
+    Vector middle;         // m: origin of its frame at the end
     Vector velocity, spin; // m/s, mean of the origin; 2 sin(angle/2)/h about the axis
     float h;
-    Vector velocity_at(Vector point) const; // of the material point there at the end
-    // Its way less h times that velocity: it moves along the chord, not the final tangent, which would carry bodies inwards.
+    Vector velocity_at(Vector point) const; // of the material point at this place at the end
+    // Displacement less h times the end velocity: a point moves along the chord, and the tangent at the end would carry bodies inwards.
     Vector lag_at(Vector point) const;
 };
 SurfaceMotion motion_of(const Collider& collider, const ContactSubstep& substep);
 
-// m, for a body at x: half a per cent of its reach, its fall in a substep, and the rounding of its position. As in the kernel.
+// m, for a body at x: 0.005 of its reach, its fall in a substep, and the rounding of its position. As in the kernel.
 inline float contact_margin(float reach, Vector x, float gravity, float h) {
     const float far = std::max(std::abs(x.x), std::max(std::abs(x.y), std::abs(x.z)));
     return 0.005f * reach + 1e-6f * far + gravity * h * h;
@@ -110,23 +110,23 @@ inline SlotContact contact_in(const ContactSlots::Slot& s, uint32_t lane) {
     return c;
 }
 
-// Too slow a motion to keep a body awake by its speed.
+// Whether a support moves, but so slowly that its speed alone would not keep a body awake.
 inline bool is_slow(Vector surface, float fast) {
     const float square = dot(surface, surface);
     return square > 0.0f && square <= fast * fast;
 }
 
-// How a body touched a collider.
+// The touch of a body and a collider, for events.
 struct Touch {
     uint32_t collider; // slot + 1; 0: none
     float position[3], normal[3];
     float speed, impulse; // m/s, N s
 };
 
-// Combines a body's contacts with a collider: the place of the strongest, and the sum of impulses.
+// Sums a body's contacts with one collider: the place of the strongest, the impulse of all.
 class TouchSum {
 public:
-    // The body at the end of a substep; then, v, w: its rotation and velocities at its beginning.
+    // now: pose at the end of the substep; then, v, w: rotation and velocities at its beginning.
     TouchSum(uint32_t collider, const Pose& now, Rotation then, Vector v, Vector w)
         : now_(now), then_(then), v_(v), w_(w), touch_{collider + 1, {}, {}, 0.0f, 0.0f} {}
     void take(float impulse, Vector arm, Vector normal, Vector surface);
@@ -140,31 +140,31 @@ private:
     Touch touch_;
 };
 
-// The things that a body touches, strongest first, as many as fit: colliders by slot + 1, sleeping bodies by a_body + 1.
+// Things that a body touches, strongest first: colliders by slot + 1, sleeping bodies by a_body + 1. The weakest are dropped.
 struct TouchList {
     uint32_t id[4] = {};
     float strength[4] = {-1.0f, -1.0f, -1.0f, -1.0f};
     void take(uint32_t one, float impulse);
 };
 
-// The side of a mesh on which a body is, world frame; zero: unknown. packed: of column_floor.
+// The side of a mesh that the body is on, world frame; zero: unknown. packed: of column_floor.
 Vector floor_side(uint32_t packed, uint32_t slot);
 
-// For a centre of mass that went this way in a substep (m, world): the way by which it is in front of what it went into or through, zero if there is
-// nothing. Planes and heightfields are solid below and do not count. floor: of column_floor. alone: the floor of a body that no other presses; moving things,
-// which push it, and this floor then do not count. Null in heaps.
+// The displacement that puts a centre of mass back in front of what it entered or crossed between `from` and `to` (m, world); zero if nothing. Planes
+// and heightfields are solid below and do not count. floor: of column_floor. alone: the floor of a body solved alone; this floor and moving
+// colliders, both of which push the body, then do not count. Null in heaps.
 Vector way_back(const ContactStep& step, float scale, uint32_t floor, const MeshFloor* alone, Vector from, Vector to,
                 const ContactSubstep& substep);
 
-// Takes up to contact_lanes bodies that can touch something through a step.
+// Takes up to contact_lanes bodies near colliders through a step.
 class ContactGroup {
 public:
-    // bodies: in arrays of contact_lanes; the first `count` are bodies, the rest copies of the last.
+    // The arrays have contact_lanes bodies: the first `count` are real, the rest copies of the last.
     ContactGroup(const ContactStep& step, const StepInput& in, const BatchArrays& arrays, uint32_t count);
 
-    // After a substep, in two parts. Between them contacts of single bodies can be extracted, to be solved with others'.
+    // After a substep, in two parts. In between a body's contacts can be taken out, to be solved together with other bodies'.
     void collect(const ContactSubstep& substep);
-    // submerged: the bodies' parts in water; null: they are dry.
+    // submerged: share of each body in water; null: all are dry.
     void solve(const ContactSubstep& substep, const float* submerged);
     uint32_t contacts(uint32_t lane) const { return filled_[lane]; }
     SlotContact contact(uint32_t lane, uint32_t k) const { return contact_in(slots_.slot[k], lane); }
@@ -176,24 +176,24 @@ public:
     };
     static constexpr uint32_t a_body = UINT32_MAX - 1;
     Asleep at_rest(uint32_t lane, uint32_t k) const { return at_rest_[k][lane]; }
-    // Calls function(sleeping body, contact, whether they touched) for those that it touched or nearly touched in the last substep.
+    // Calls function(sleeping body, contact, whether they touched) for contacts with sleeping bodies in the last substep.
     template <class Function> void visit_asleep(uint32_t lane, Function&& function) const {
         for (uint32_t k = 0; k < filled_[lane]; ++k)
             if (slots_.slot[k].collider[lane] == a_body)
                 function(at_rest_[k][lane], contact(lane, k), slots_.slot[k].impulse[lane] >= 0.0f);
     }
 
-    // The colliders of a body's strongest contacts in the last substep: slot + 1 each, strongest first, 0 after the last.
+    // Colliders of a body's strongest contacts in the last substep: slot + 1 each, strongest first, 0 after the last.
     void touched(uint32_t lane, uint32_t (&out)[4]) const;
-    // Whether a collider that it touched takes it along, slower than at `fast` (m/s).
+    // Whether a touching collider carries the body along slower than `fast` (m/s).
     bool carried(uint32_t lane, float fast) const;
-    // The touch with one of them in that substep: its strongest contact, and the impulse of all.
+    // The touch with such a collider in that substep: the place of the strongest contact, the impulse of all.
     Touch touch_with(uint32_t lane, uint32_t collider, const ContactSubstep& substep) const;
-    // m/s^2, of its fall from rest in the fluid that it is in.
+    // m/s^2: acceleration of its fall from rest in the fluid around it.
     float fall(uint32_t lane) const { return step_->gravity * (wet_[lane] ? water_->fall : 1.0f); }
 
 private:
-    // If there are too many candidates, only grounds are stored: the others are searched again in each substep, a list at a time.
+    // Candidate list. When it overflows it keeps only planes and heightfields; the others are searched again in each substep, a list at a time.
     struct Near {
         uint32_t count;
         bool overflowed;
@@ -223,7 +223,7 @@ private:
     BatchArrays arrays_;
     uint32_t count_;
     uint32_t ground_count_ = 0;
-    uint32_t grounds_[contact_lanes * most_candidates]; // room for all: other bodies must not displace any
+    uint32_t grounds_[contact_lanes * most_candidates]; // room for all: one body's must not displace another's
     uint8_t filled_[contact_lanes];
     bool wet_[contact_lanes] = {}; // carries the water's added mass
     Near near_[contact_lanes];
@@ -232,7 +232,7 @@ private:
     ContactSlots slots_;
 };
 
-// Candidates whose boxes, over the whole step, overlap the box, in order of slots and parts; for a body with a complete list all of that list.
+// Calls found for candidates whose box, over the whole step, overlaps `around`, in order of slots and parts; with a complete list, for all of it.
 template <class Found> void ContactGroup::each_candidate(uint32_t i, const Box& around, Found&& found) const {
     const Near& near = near_[i];
     if (!near.overflowed) {
@@ -248,7 +248,7 @@ template <class Found> void ContactGroup::each_candidate(uint32_t i, const Box& 
     }
 }
 
-// The same in any order: on a long way among very many, sorting would be slow.
+// The same in any order: sorting would be slow on a long path among very many.
 template <class Found> void ContactGroup::any_order(uint32_t i, const Box& around, Found&& found) const {
     if (near_[i].overflowed)
         step_->colliders->visit(around, step_->settings->layers, found);
@@ -256,7 +256,7 @@ template <class Found> void ContactGroup::any_order(uint32_t i, const Box& aroun
         each_candidate(i, around, found);
 }
 
-// Bodies of [begin, end) that can touch something within `dt`: examines at most near_range, which fills a group's lanes, until field_block are found.
+// Bodies of [begin, end) that can touch something within `dt`. Stops after near_range bodies, or once field_block are found.
 class NearContacts {
 public:
     static constexpr uint32_t near_range = 16 * field_block;
@@ -266,7 +266,7 @@ public:
     uint32_t count() const { return count_; }
     uint32_t index(uint32_t i) const { return index_[i]; }
     bool holds(uint32_t body) const { return near_[body - begin_] != 0; }
-    // Sorts by class, less than `classes`, then by index: similar bodies share vectors, which run until their last lane is done.
+    // Sorts by class (below `classes`), then by index: a vector runs until its last lane is done, so similar bodies should share it.
     template <class Class> void arrange(uint32_t classes, Class&& class_of) {
         uint32_t sorted[field_block], of[field_block], at = 0;
         for (uint32_t i = 0; i < count_; ++i) of[i] = class_of(index_[i]);
@@ -275,7 +275,7 @@ public:
                 if (of[i] == c) sorted[at++] = index_[i];
         std::copy_n(sorted, count_, index_);
     }
-    const uint32_t* marks() const { return near_; } // of each body from `begin` on: 0 if it is not among them
+    const uint32_t* marks() const { return near_; } // for each body from `begin` on: 0 if it is far
 
 private:
     uint32_t begin_, end_, count_ = 0;

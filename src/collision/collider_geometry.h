@@ -16,7 +16,7 @@ constexpr bool has_data(ColliderKind kind) {
 constexpr bool has_flat_sides(ColliderKind kind) {
     return kind == ColliderKind::box || kind == ColliderKind::hull;
 }
-// Whether it is solid below: a plane, or a heightfield within its outline.
+// A ground is solid below: a plane, or a heightfield within its outline.
 constexpr bool is_ground(ColliderKind kind) {
     return kind == ColliderKind::plane || kind == ColliderKind::heightfield;
 }
@@ -35,15 +35,15 @@ struct HullGeometry {
     Vector corner(uint32_t face, uint32_t i) const { return corner(corners[corners[face] + i]); }
 };
 
-// Solid below its surface, along -y. Sample (i, k) is at (i spacing[0], height, k spacing[1]); each cell is two triangles,
-// that with the corners (i, k) (i, k + 1) (i + 1, k + 1) and that with (i, k) (i + 1, k + 1) (i + 1, k).
+// Solid below its surface, along -y. Sample (i, k) is at (i spacing[0], height, k spacing[1]). The two triangles of a cell are
+// (i, k) (i, k + 1) (i + 1, k + 1) and (i, k) (i + 1, k + 1) (i + 1, k).
 struct HeightfieldGeometry {
     uint32_t counts[2];   // samples along x and z, each >= 2
     float spacing[2];     // m
     const float* heights; // m, x varies fastest
     float lowest, highest;
-    float secant; // of the angle of its steepest triangle, or slightly more
-    // The greatest height within each square of coarse_cells x coarse_cells cells and in the squares around it.
+    float secant; // of the steepest triangle's angle, rounded up
+    // Greatest height within each square of coarse_cells x coarse_cells cells and the squares around it.
     static constexpr uint32_t coarse_cells = 4;
     uint32_t coarse_counts[2];
     const float* coarse;
@@ -61,11 +61,11 @@ struct MeshGeometry {
     const float* vertices;   // m
     const uint32_t* indices; // 3 a triangle
     const float* normals;    // unit, 3 a triangle, counter-clockwise front
-    // A bit for each edge (vertex k to k + 1) that is not a ridge seen from the front (bits 0 to 2) or from the back
-    // (3 to 5): flat or hollow there, so that nothing can touch the edge alone. Also turned_triangle.
+    // Bits 0 to 2: edges (vertex k to k + 1) that are flat or hollow seen from the front, bits 3 to 5: from the back. Nothing can touch such an edge
+    // alone, so it makes no contacts of its own. Also turned_triangle.
     const uint8_t* hidden_edges;
 };
-// The triangle is wound against the first of its connected surface.
+// The triangle is wound against the first one of its connected surface.
 inline constexpr uint8_t turned_triangle = 64;
 
 // Part of a mesh: triangles [first, first + count). Other kinds have none.
@@ -73,7 +73,6 @@ struct ColliderPart {
     uint32_t first, count;
 };
 
-// Triangles that are close together.
 struct MeshPart {
     Box box;
     ColliderPart part;

@@ -37,7 +37,7 @@ WideBox box_at(const LocalBounds& local, const Pose& pose) {
     const Double3 m = 0.5 * (low + high), h = 0.5 * (high - low);
     const Double3 middle = to_double(pose.position) + Double3{dot(rows[0], m), dot(rows[1], m), dot(rows[2], m)};
     Double3 half{dot(sizes_of(rows[0]), h), dot(sizes_of(rows[1]), h), dot(sizes_of(rows[2]), h)};
-    // The quaternion has unit length up to rounding, and results inherit that rounding.
+    // The quaternion has unit length only up to rounding, and the results carry that error.
     const double round = wide(local.round), size = round + dot(sizes_of(m) + h, one);
     half = half + all(round + 1e-6 * size);
     return {middle - half, middle + half};
@@ -50,7 +50,7 @@ float rounded_up(double x) {
     return static_cast<float>(x + std::abs(x) * 0x1.1p-23);
 }
 
-// Sine and cosine: series at an eighth of the angle, then the angle is doubled three times.
+// Sine and cosine by series at an eighth of the angle, doubled three times: the same bits everywhere.
 void sine_cosine(double angle, double& sine, double& cosine) {
     constexpr double turn = 6.283185307179586476925;
     const double x = 0.125 * (angle - turn * std::floor(angle / turn));
@@ -85,9 +85,9 @@ LocalBounds bounds_of(const Geometry& geometry, const SharedGeometry* shared) {
     }
 }
 
-// With the quaternion interpolated linearly, at u in [-1, 1] and k = tan of a quarter of the angle between the ends, a point at distance r from the
-// axis is off the chord's own linear way by 2 r k^2 (1 - u^2) sqrt(1 + u^2 k^2) / ((1 + u^2 k^2)(1 + k^2)): never more than its greatest height above
-// the chord, r (1 - cos(angle / 2)), which is r (1 - q_begin . q_end). The chord's ends are in the boxes at both ends.
+// With the quaternion interpolated linearly, u in [-1, 1] and k the tangent of a quarter of the angle between the ends, a point at distance r from
+// the axis deviates from its chord by 2 r k^2 (1 - u^2) sqrt(1 + u^2 k^2)/((1 + u^2 k^2)(1 + k^2)). This never exceeds the height of the arc,
+// r (1 - cos(angle/2)) = r (1 - q_begin . q_end). The ends of the chord are in the boxes at both ends.
 Box swept_box(const LocalBounds& local, const Pose& begin, const Pose& end, bool moves) {
     WideBox box = box_at(local, begin);
     if (moves) {
@@ -100,7 +100,7 @@ Box swept_box(const LocalBounds& local, const Pose& begin, const Pose& end, bool
 }
 
 float most_travel(const Box& local, const Pose& begin, const Pose& end) {
-    // The chord of an angle, 2 sin(angle / 2), is at most twice the difference of the quaternions, 2 sin(angle / 4).
+    // The chord of the angle is 2 sin(angle/2), at most twice the difference of the quaternions, 2 sin(angle/4).
     const double turned = 2.0 * std::sqrt(squared_difference(begin.rotation, end.rotation));
     return rounded_up((length(to_double(end.position) - to_double(begin.position)) + turned * radius(local)) *
                       (1.0 + 1e-6));
@@ -112,7 +112,7 @@ Rotation nearer_to(const Rotation& to, const Rotation& q) {
 
 Pose advanced(const Pose& from, Vector linear, Vector angular, double dt, Vector& remainder) {
     Pose to = from;
-    constexpr auto most = static_cast<double>(farthest_place); // bodies never get there
+    constexpr auto most = static_cast<double>(farthest_place); // bodies never get so far
     const Double3 w = to_double(angular);
     const Double3 next = high_of(
         low_of(to_double(from.position) + to_double(remainder) + dt * to_double(linear), all(most)), all(-most));

@@ -40,7 +40,7 @@ bool add_flat_side(ContactPoints& set, const Geometry& solid) {
     return true;
 }
 
-// For spheres larger than the body: adds its corners, on which it can rest.
+// On spheres larger than the body, the body can rest on its corners.
 void add_sphere_points(ContactPoints& set, float radius) {
     for (uint32_t i = 0; i < set.body.count; ++i) {
         const Vector p = set.body.point(i), from = set.body.at.position + p;
@@ -137,23 +137,23 @@ uint32_t find_contacts(const BodyShape& shape, float scale, const Pose& at, cons
 
 namespace {
 
-// Conservative advancement (Mirtich 1996): how far can the body go along the normal of largest separation?
+// Swept test: conservative advancement (Mirtich 1996) along the normal of largest separation.
 
 constexpr uint32_t most_rounds = 24, most_tries = 4;
-// Distance that counts as touching: share of the body's thickness, or of its reach if that is less.
+// Distance that counts as touching, as shares of the body's thickness and its reach; the lesser counts.
 constexpr float touching = 0.1f, touching_reach = 0.01f;
-// Share of the body's thickness: a shorter way passes through nothing.
+// Paths shorter than this share of the body's thickness jump over nothing.
 constexpr float short_way = 0.25f;
 
 struct Way {
     const BodyShape& shape;
     float scale;
-    Pose from, to; // rotations on the same side
+    Pose from, to; // quaternions with the same sign
     Vector move;
     Vector axis;    // of the rotation, unit
     float turn;     // rad, an upper bound
     float reach;    // m, of the body about its centre of mass, rounding included
-    float farthest; // m, no point moves more
+    float farthest; // m: bound of any point's displacement
     float tolerance;
 
     Way(const BodyShape& body, float body_scale, const Pose& a, const Pose& b)
@@ -167,20 +167,20 @@ struct Way {
         const Vector sine{by.x, by.y, by.z};
         const float size = length(sine);
         if (size > 0.0f) axis = 1.0f / size * sine;
-        // 4 tan(turn/4) is at least the turn, and equals its highest rate times the time.
+        // 4 tan(turn/4) is an upper bound of the turn: the greatest spin of the normalised linear quaternion times the time.
         turn = 4.0f * std::sqrt(dot(q - r, q - r) / dot(q + r, q + r));
         farthest = length(move) + turn * reach;
     }
 
-    // Box around the whole way.
+    // Box around the whole path.
     Box box() const { return grown({low_of(from.position, to.position), high_of(from.position, to.position)}, reach); }
     Pose at(float t) const {
         return {from.position + t * move, normalised((1.0f - t) * from.rotation + t * to.rotation)};
     }
 };
 
-// The fraction of the way until the cores, the body's scaled by `size`, are `target` apart; 1 if they approach by at most `slack`.
-// collider(position) places the collider.
+// Fraction of the path at which the cores, the body's scaled by `size`, are `target` apart; 1 if they approach by at most `slack`. collider(position)
+// places the collider.
 template <typename Place>
 float advance(const Way& way, float size, double first, double target, double slack, Double3 normal,
               const Place& collider) {
@@ -196,8 +196,8 @@ float advance(const Way& way, float size, double first, double target, double sl
             const Pose pose = way.at(t + step);
             const double then =
                 separation_along(PlacedBody(way.shape, way.scale, pose, size), collider(pose.position), normal);
-            // Between the two a point is nearer than the straight line by at most an eighth of its acceleration: that of the
-            // arc, and because the normalised linear quaternion does not rotate at a steady rate.
+            // Between two poses the gap may be less than the linear interpolation by an eighth of the acceleration: that of the arc, and that of the
+            // normalised linear quaternion, which does not rotate at a steady rate.
             const auto turn = static_cast<double>(way.turn), part = static_cast<double>(step);
             const double bulge = 0.125 * lever * turn * turn * (1.0 + 0.25 * turn) * part * part;
             if (std::min(distance, then) - bulge >= target - (i == 0 ? slack : 0.0)) {
@@ -209,7 +209,7 @@ float advance(const Way& way, float size, double first, double target, double sl
             const double fall = distance - then + bulge;
             step *= static_cast<float>(std::min(0.99 * room / fall, 0.9));
         }
-        if (!moved) { // by the highest approach rate of the nearest point
+        if (!moved) { // advances by the greatest approach rate of any point instead
             const double rate =
                 std::max(-dot(normal, to_double(way.move)), 0.0) + static_cast<double>(way.turn) * lever;
             step = std::min(step, static_cast<float>(0.99 * room / rate));
@@ -219,7 +219,7 @@ float advance(const Way& way, float size, double first, double target, double sl
         const Pose pose = way.at(t);
         const PlacedBody body(way.shape, way.scale, pose, size);
         const Nearest nearest = nearest_points(body, collider(pose.position), std::numeric_limits<double>::infinity());
-        if (nearest.overlap) return t - step; // caused by rounding
+        if (nearest.overlap) return t - step; // by rounding
         distance = nearest.lower;
         normal = nearest.normal;
         if (distance - target <= 0.0) return t;
@@ -227,8 +227,8 @@ float advance(const Way& way, float size, double first, double target, double sl
     return t;
 }
 
-// A body that already touches must still not pass through: its core keeps half of the rounding or most of the remaining distance;
-// if the core overlaps too, the core scaled to a half does, or its centre.
+// A body that already touches must not pass through either. Its core keeps half of the rounding, or three quarters of the remaining distance. If the
+// core overlaps too, the core shrunk to a half does, or its centre.
 template <typename Place> float sweep(const Way& way, const Place& collider) {
     for (const float size : {1.0f, 0.5f, 0.0f}) {
         const PlacedBody body(way.shape, way.scale, way.from, size);
@@ -255,7 +255,7 @@ bool near_box(const Way& way, const float* half) {
     return true;
 }
 
-// Whether the centre's way can come near a line along y (a point if its half length is 0).
+// Whether the centre's path comes near a segment along y (a point if half_length is 0).
 bool near_axis(const Way& way, float radius, float half_length) {
     const float far = radius + way.reach, half[3] = {radius, half_length + radius, radius};
     if (!near_box(way, half)) return false;
@@ -285,20 +285,20 @@ float sweep_triangle(const Way& way, const Triangle& t) {
     return sweep(way, [&](Vector position) { return PlacedCollider(t.corners, position); });
 }
 
-// Reduces a row's columns [first, last), if there are very many, to those near the way: a long way crosses few cells.
+// A long path crosses few cells of a row: limits columns [first, last) to those near it, if there are many.
 void columns_under(const Way& way, const HeightfieldGeometry& field, uint32_t row, uint32_t& first, uint32_t& last) {
     constexpr uint32_t many = 64;
     if (last - first <= many) return;
     const Vector a = way.from.position, d = way.move;
     const float reach = way.reach + field.spacing[1], z = static_cast<float>(row) * field.spacing[1];
-    float begin = 0.0f, end = 1.0f; // fractions of the way
+    float begin = 0.0f, end = 1.0f; // fractions of the path
     if (d.z != 0.0f) {
         const float t = (z - reach - a.z) / d.z, u = (z + field.spacing[1] + reach - a.z) / d.z;
         begin = std::clamp(std::min(t, u), 0.0f, 1.0f);
         end = std::clamp(std::max(t, u), 0.0f, 1.0f);
     }
     const float low = a.x + (d.x < 0.0f ? end : begin) * d.x, high = a.x + (d.x < 0.0f ? begin : end) * d.x;
-    // Extended at both ends, for rounding.
+    // The margin covers rounding.
     const float more = way.reach + field.spacing[0] + 1e-5f * (std::abs(a.x) + std::abs(d.x));
     const Cells cells = cells_between(field, {{low - more, 0.0f, z}, {high + more, 0.0f, z}});
     first = std::max(first, cells.first[0]);
@@ -311,7 +311,7 @@ float sweep_heightfield(const Way& way, const HeightfieldGeometry& field) {
     if (lowest > field.highest) return 1.0f;
     const Cells cells = cells_between(field, way.box());
     if (cells.first[0] == cells.last[0] || cells.first[1] == cells.last[1]) return 1.0f;
-    // From below the surface any way is free: contacts push the body up.
+    // A body below the surface is not swept: contacts push it up.
     if (field.covers(a.x, a.z) && a.y < height_at(field, a.x, a.z).height) return 1.0f;
     float least = 1.0f;
     for (uint32_t k = cells.first[1]; k < cells.last[1]; ++k) {
@@ -328,7 +328,7 @@ float sweep_heightfield(const Way& way, const HeightfieldGeometry& field) {
     return least;
 }
 
-// Shorter ways pass through nothing.
+// Shorter paths jump over nothing.
 bool sweeps(const Way& way) {
     return way.farthest > short_way * way.scale * way.shape.thickness;
 }
@@ -354,7 +354,7 @@ MetTriangle first_triangle(const BodyShape& shape, float scale, const Pose& from
 
 float free_fraction(const BodyShape& shape, float scale, const Pose& from, const Pose& to, const Geometry& collider,
                     ColliderPart part) {
-    if (collider.kind == ColliderKind::plane) return 1.0f; // solid below: contacts work from any depth
+    if (collider.kind == ColliderKind::plane) return 1.0f; // solid below: contacts push out from any depth
     const Way way(shape, scale, from, to);
     if (!sweeps(way)) return 1.0f;
     if (collider.kind == ColliderKind::heightfield) return sweep_heightfield(way, *collider.heightfield);

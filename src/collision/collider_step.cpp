@@ -6,10 +6,10 @@
 namespace lr {
 namespace {
 
-// Levels of the grid rebuilt in each step; the static grid has the remainder.
+// Levels of the grid that is rebuilt in each step; the static grid has the others.
 constexpr uint32_t active_levels = 3, still_levels = most_occupancy_levels - active_levels;
 
-// Rounds up to four steps per octave: the static grid is not rebuilt for every change of the reach, and does not depend on earlier reaches.
+// Rounds up to one of four steps per octave, so that small changes of the reach rebuild no static grid, and earlier reaches do not matter.
 float coarsened(float reach) {
     int power = 0;
     const float m = std::frexp(reach, &power); // 0.5 to 1
@@ -23,12 +23,12 @@ bool turns(const Collider& c) {
 double along(Vector axis, Vector a, Vector b) { // axis . (a - b)
     return dot(to_double(axis), to_double(a) - to_double(b));
 }
-// How far a plane rises along its normal in the step.
+// How far a plane rises along its normal in this step.
 double rise_of(const Collider& c, Vector up) {
     return c.moves ? along(up, c.end.position, c.begin.position) : 0.0;
 }
 
-// The middle of `box` from `origin` along `axis`, half its width along `axis`, and the rounding of both.
+// Along `axis`: the middle of `box` from `origin`, half the width, and the rounding of both.
 struct Span {
     double middle, half, slack;
 };
@@ -49,7 +49,7 @@ Box Colliders::box_of(uint32_t slot) const {
     const SharedGeometry* const shared = slots_[slot].shared;
     if (c.geometry.kind != ColliderKind::heightfield)
         return swept_box(bounds_of(c.geometry, shared), c.begin, c.end, c.moves);
-    // Includes the solid below its surface.
+    // With the solid below its surface.
     Box box = shared->box;
     box.low.y = -most;
     return swept_box({box, 0.0f}, c.begin, c.end, c.moves);
@@ -93,7 +93,7 @@ void Colliders::begin_step(double dt, float reach) {
         if (c.moves && !m.pending) c.end = advanced(c.begin, m.linear, m.angular, dt, m.remainder);
     });
     const float dilation = coarsened(reach);
-    // Rebuild once the entries that a newer grid would have saved add up to its cost.
+    // Rebuilds once the entries that a new grid would have saved add up to its cost.
     const uint64_t active = proxies_ - still_proxies_;
     const uint64_t spoiled = active - mover_proxies_ + still_grid_.size() - still_proxies_;
     debt_ += spoiled;
@@ -165,7 +165,7 @@ void Colliders::fill_near() {
     for (const uint32_t slot : unbounded_) add_near(slot);
 }
 
-// A plane or heightfield.
+// For a plane or a heightfield.
 bool Colliders::in_reach(const Collider& c, const Box& box) const {
     const Axes axes = axes_of(c.begin.rotation);
     const Span up = span(box, axes.y, c.begin.position);
@@ -204,7 +204,7 @@ bool Colliders::any_finite(const Box& box, uint32_t layers) const {
 
 namespace {
 
-// Inserts into a sorted list; a full list drops its last.
+// Inserts into a sorted list; a full one drops its last.
 struct CandidateList {
     Candidate (&at)[most_candidates];
     uint32_t count = 0;

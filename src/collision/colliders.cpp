@@ -11,7 +11,7 @@
 namespace lr {
 namespace {
 
-constexpr uint64_t least_active = 1024; // room in the grid that is rebuilt in each step
+constexpr uint64_t least_active = 1024; // least room in the grid that is rebuilt in each step
 
 uint64_t grown(uint64_t from, uint64_t to) {
     return to <= from ? from : std::max(to, from + from / 2);
@@ -69,7 +69,7 @@ lr_status Colliders::begin_create(uint32_t count) {
     staged_ = 0;
     last_shared_ = nullptr;
     if (count > LR_MAX_COLLIDERS - count_) return LR_ERROR_CAPACITY;
-    // Free slots, in the queue, are within the used part.
+    // Free slots are reused first, so no more than used_ or the count are needed.
     return reserve_slots(std::max(used_, count_ + count)) ? LR_OK : LR_ERROR_OUT_OF_MEMORY;
 }
 
@@ -178,7 +178,7 @@ bool Colliders::find(lr_collider collider, uint32_t& slot) const {
 }
 
 bool Colliders::can_destroy(const lr_collider* ids, uint32_t count) {
-    // Marks every one first; a stale or already marked one aborts.
+    // Marks each id; a stale or marked one is an error.
     uint32_t slot = 0, marked = 0;
     for (; marked < count; ++marked) {
         if (!find(ids[marked], slot) || slots_[slot].marked) break;
@@ -199,7 +199,7 @@ void Colliders::release(uint32_t slot) {
     proxies_ -= proxies;
     delist(slot);
     geometries_.release(s.shared);
-    // The slot unused for longest is reused first.
+    // Appends the slot to the queue, so that the one unused for longest is reused first.
     s = {nullptr, s.generation == UINT32_MAX ? 1 : s.generation + 1, none, Where::free, false, false};
     if (free_first_ == none)
         free_first_ = slot;

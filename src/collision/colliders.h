@@ -1,4 +1,4 @@
-// The colliders of a world: their data, their motion in a step, and searches for those near a body.
+// The colliders of a world: their data, their motion in a step, and the broad phase that finds them.
 #pragma once
 
 #include "base/allocator.h"
@@ -13,7 +13,7 @@
 
 namespace lr {
 
-// For setters and snapshots: null if valid, else the reason.
+// Null if valid, else the reason. For setters and snapshots.
 inline const char* wrong_velocity(const float (&linear)[3], const float (&angular)[3]) {
     if (!within(linear, most_speed)) return "linear_velocity is over 1e6 m/s";
     return within(angular, most_speed) ? nullptr : "angular_velocity is over 1e6 rad/s";
@@ -22,7 +22,7 @@ inline const char* wrong_material(float friction, float restitution) {
     if (!in_range(friction, 0.0, 10.0)) return "friction is not 0 to 10";
     return in_range(restitution, 0.0, 1.0) ? nullptr : "restitution is not 0 to 1";
 }
-// The number of sizes of a kind; the others are 0.
+// Number of sizes that a kind uses; the others are 0.
 constexpr int sizes_of(int32_t kind) {
     return kind == LR_COLLIDER_SPHERE ? 1 : kind == LR_COLLIDER_CAPSULE ? 2 : kind == LR_COLLIDER_BOX ? 3 : 0;
 }
@@ -34,13 +34,13 @@ inline const char* wrong_sizes(int32_t kind, const float (&size)[3]) {
 
 struct Collider {
     Geometry geometry;
-    Pose begin, end; // of the present step; between steps `begin` is its pose
+    Pose begin, end; // of this step; between steps `begin` is the pose
     float friction, restitution;
     uint32_t layers;
     bool moves; // in this step
 };
 
-// A collider, or a part of a mesh, whose box overlaps a body's.
+// A collider, or a mesh part, whose box overlaps a body's.
 struct Candidate {
     uint32_t slot;
     ColliderPart part;
@@ -52,8 +52,8 @@ inline bool comes_before(const Candidate& a, const Candidate& b) {
 
 struct ColliderMotion {
     Vector linear, angular; // m/s, rad/s
-    Vector remainder;       // m, rounding carried with the position
-    bool pending;           // the next step moves to Collider::end and stops there
+    Vector remainder;       // m, rounding error of the position, carried over
+    bool pending;           // the next step moves it to Collider::end, and it stops there
 
     bool moves() const { // in the next step
         const auto is_zero = [](Vector v) { return v.x == 0.0f && v.y == 0.0f && v.z == 0.0f; };
@@ -81,16 +81,16 @@ struct LocalBounds {
 
 LocalBounds bounds_of(const Geometry& geometry, const SharedGeometry* shared);
 
-// A box around all poses between two, as Colliders interpolates them.
+// A box around all poses from begin to end, as Colliders interpolates them.
 Box swept_box(const LocalBounds& local, const Pose& begin, const Pose& end, bool moves);
 
-// m: bound of the distance of any point within `local` from its place at the beginning.
+// m: upper bound of the displacement of any point within `local`.
 float most_travel(const Box& local, const Pose& begin, const Pose& end);
 
-// The pose after dt at these velocities. remainder: rounding carried with the position, updated here.
+// The pose after dt at these velocities. remainder: rounding error of the position, carried over and updated.
 Pose advanced(const Pose& from, Vector linear, Vector angular, double dt, Vector& remainder);
 
-// The same orientation, with the sign of the quaternion nearer to `to`.
+// The same orientation, with the quaternion's sign on the side of `to`.
 Rotation nearer_to(const Rotation& to, const Rotation& q);
 
 class Colliders {
@@ -100,27 +100,27 @@ public:
     Colliders(const Colliders&) = delete;
     Colliders& operator=(const Colliders&) = delete;
 
-    // To create all or none: begin_create, then create for each, then finish_create; cancel_create after any failure. Descs have been checked.
+    // Creates all or none: begin_create, create for each, finish_create; after any failure cancel_create. Descs have been checked.
     lr_status begin_create(uint32_t count);
     lr_status create(const lr_collider_desc& desc);
     lr_status finish_create(lr_collider* ids); // ids: can be null
     void cancel_create();
 
     bool find(lr_collider collider, uint32_t& slot) const;
-    // False if one is stale or repeated.
+    // False if an id is stale or repeated.
     bool can_destroy(const lr_collider* ids, uint32_t count);
     void destroy(const lr_collider* ids, uint32_t count);
 
-    // To move several: reserve_move for each, finish_reserve, then move for each, which cannot fail.
+    // To move several: reserve_move for each, finish_reserve, then move for each. Only finish_reserve can fail.
     void begin_reserve() { reserved_ = mover_proxies_; }
     void reserve_move(uint32_t slot, const lr_collider_motion& motion);
     bool finish_reserve();
     void move(uint32_t slot, const lr_collider_motion& motion);
     void set_surface(uint32_t slot, float friction, float restitution, uint32_t layers);
 
-    // Begins a step: computes poses at its ends and the broad phase. Allocates nothing. reach: m, of ordinary bodies and their way in the step.
+    // Begins a step: poses at its ends and the broad phase. Allocates nothing. reach: m, of ordinary bodies with their path in the step.
     void begin_step(double dt, float reach);
-    // Moves colliders to the ends of their ways.
+    // Moves colliders to their poses at the end of the step.
     void end_step();
 
     bool any() const { return count_ != 0; }
@@ -135,13 +135,13 @@ public:
     void rename_shared(uint32_t slot, uint64_t hash) {
         if (slots_[slot].shared) geometries_.rename(slots_[slot].shared, hash);
     }
-    // Calls visit(hash, desc) for each collider with shared geometry; the desc recreates it.
+    // Calls visit(hash, desc) for each collider with shared geometry; the desc recreates the geometry.
     template <class Visit> void visit_shared(Visit&& visit) const {
         for (uint32_t i = 0; i < used_; ++i)
             if (in_use(i) && slots_[i].shared) visit(slots_[i].shared->hash, desc_of(*slots_[i].shared));
     }
 
-    // Calls found(candidate) once for each in one of `layers` whose box, over the whole step, overlaps `box` (m, world), in no order. Any thread.
+    // Calls found(candidate) once for each box, over the whole step, that overlaps `box` (m, world), if in `layers`. In no order. Any thread.
     template <class Found> void visit(const Box& box, uint32_t layers, Found&& found) const {
         const auto take = [&](uint32_t slot, ColliderPart part) {
             if ((colliders_[slot].layers & layers) != 0) found(Candidate{slot, part});
@@ -150,18 +150,18 @@ public:
         for (const uint32_t slot : unbounded_)
             if (in_reach(colliders_[slot], box)) take(slot, {0, 0});
     }
-    // The same in order of slots and parts: at most most_candidates, the first ones after `after`, which can be null. more: others follow.
+    // The same in order of slots and parts: the first most_candidates after `after` (null: from the beginning). more: others follow.
     uint32_t candidates(const Box& box, uint32_t layers, const Candidate* after, Candidate (&out)[most_candidates],
                         bool& more) const;
-    // The same for planes and heightfields alone; if there are too many, the first ones.
+    // Planes and heightfields alone, in the same order; if there are too many, the first ones.
     uint32_t grounds(const Box& box, uint32_t layers, Candidate (&out)[most_candidates]) const;
 
-    // Whether there are any: planes and heightfields, or others.
+    // Whether any plane or heightfield, or any other collider, overlaps the box.
     bool any_ground(const Box& box, uint32_t layers) const;
     bool any_finite(const Box& box, uint32_t layers) const;
     // Whether each plane and heightfield is in one of `layers`.
     bool all_grounds(uint32_t layers) const;
-    // Before a step: calls f for each collider created or placed since the last.
+    // Calls f for each collider created or placed since the last step.
     template <class F> void for_fresh(F&& f) {
         if (!any_fresh_) return;
         any_fresh_ = false;
@@ -178,10 +178,10 @@ public:
             if (colliders_[slot].moves) f(slot);
         });
     }
-    // A box around a collider and its way in the step; everything for a plane.
+    // A box around a collider and its path in the step; everything for a plane.
     Box box_of(uint32_t slot) const;
 
-    // Hash of everything that affects motion; 0 without colliders. Depends on slots only through their ids.
+    // Hash of everything that affects motion; 0 without colliders. Slots count only through their ids.
     uint64_t hash() const;
 
 private:
@@ -191,7 +191,7 @@ private:
     struct Slot {
         SharedGeometry* shared;
         uint32_t generation; // of the collider in it, or of the next
-        uint32_t link;       // free: the next free slot; active, unbounded: its index in that list
+        uint32_t link;       // free: next free slot; active, unbounded: index in that list
         Where where;
         bool marked; // to be destroyed
         bool fresh;  // created or placed since the last step
@@ -201,7 +201,7 @@ private:
         uint32_t free, used;
     };
 
-    // Slots of colliders; each knows its index through Slot::link.
+    // A list of slots. Slot::link has the index of each in it, so removal takes constant time.
     struct List {
         Buffer<uint32_t> slots;
         uint32_t count = 0;
@@ -224,7 +224,7 @@ private:
     void set_shared(uint32_t slot, SharedGeometry* shared);
     void enlist(uint32_t slot);
     void delist(uint32_t slot);
-    void sort_lists(); // by slot: their order depends on when colliders began to move, which no snapshot has
+    void sort_lists(); // by slot: the order in which colliders began to move is in no snapshot
     void release(uint32_t slot);
     void add_proxies(uint32_t slot, ColliderBroadPhase& to) const;
     void rebuild_still();
@@ -247,7 +247,7 @@ private:
     Buffer<Collider> colliders_;
     Buffer<ColliderMotion> motions_;
     Buffer<Slot> slots_;
-    // Finite colliders are in the static grid, rebuilt now and then, or in `active_`, rebuilt in each step: moving ones, and still ones added since.
+    // The static grid is rebuilt now and then. `active_` has the moving colliders, and still ones added since; its grid is rebuilt in each step.
     List active_, unbounded_;
     ColliderBroadPhase still_grid_{true}, active_grid_{false};
     NearColliders near_{};
@@ -256,7 +256,7 @@ private:
     uint32_t free_first_ = none, free_last_ = none;
     uint64_t proxies_ = 0, mover_proxies_ = 0; // of all finite colliders; of those moving in the next step
     uint64_t still_proxies_ = 0;               // in the static grid
-    uint64_t debt_ = 0;                        // entries that a newer static grid would have saved
+    uint64_t debt_ = 0;                        // entries that a rebuilt static grid would have saved the other
     bool any_fresh_ = false;
     bool stale_ = false; // the static grid must be rebuilt
     float dilation_ = 0.0f;

@@ -1,4 +1,4 @@
-// The contact state that bodies carry from substep to substep: what they touch, and how long they have lain still.
+// Contact state that bodies carry from substep to substep: the things they touch, and how long they have been still.
 #pragma once
 
 #include "base/handles.h"
@@ -19,7 +19,7 @@ inline constexpr uint32_t stay_rows = 7;    // of ContactCache::stay
 
 // A touched thing is the slot of a collider + 1, or one of these values; 0: nothing.
 inline constexpr uint32_t touching_body = UINT32_MAX;      // any number of bodies
-inline constexpr uint32_t touching_water = UINT32_MAX - 1; // it floats and touches nothing else: world/sleep/afloat.h
+inline constexpr uint32_t touching_water = UINT32_MAX - 1; // a float that touches nothing else: world/sleep/afloat.h
 static_assert(LR_MAX_COLLIDERS < touching_water);
 inline bool is_collider(uint32_t touched) {
     return touched != 0 && touched < touching_water;
@@ -29,12 +29,12 @@ struct Meetings {
     Touch touch[most_touches]; // unused ones last
 };
 
-// By slot of the body, written by the thread that steps it. Null arrays: events are off.
+// Touches for events, by body slot, written by the thread that steps the body. Null arrays: events are off.
 struct TouchNotes {
     const lr_body* ids = nullptr; // by dense index
     uint8_t* noted = nullptr;     // noted_* bits
     Meetings* met = nullptr;      // of the step
-    bool all = false;             // slots of colliders can have been reused: report all touches anew
+    bool all = false;             // slots can belong to other colliders by now: report all touches anew
 
     uint32_t slot(uint32_t index) const { return unpack(ids[index]).slot; }
 };
@@ -43,18 +43,17 @@ enum Note : uint8_t { noted_touch = 1, noted_landing = 2, noted_waking = 4, note
 
 // Per body of a batch, by dense index, written by the thread that steps it.
 struct ContactCache {
-    float* still_time = nullptr; // s, time it has lain still; null: nothing is recorded
-    // Time it has stayed in place, s, and its way and turn since then: m, world frame; rad, body frame.
+    float* still_time = nullptr; // s, time gathered for sleep (see enter_body); null: nothing is recorded
+    // How long the body has stayed in place, s, and since then its displacement (m, world frame) and turn (rad, body frame).
     float* stay[stay_rows] = {};
-    // The share of the wind's speed that others keep from it; lee_unknown, which counts as 0: not known since it woke. Of a sleeping body lee_unknown
-    // if it can have lost what it lies on, else 0.
+    // Share of the wind's speed lost to shelter; lee_unknown, which counts as 0: not known since the body woke. Of sleeping bodies 0, or lee_unknown
+    // if the support may have left.
     float* lee = nullptr;
     uint32_t* touching[most_touches] = {}; // slots + 1 of colliders, touching_body; 0: none
     void (*falls_asleep)(void* batch, uint32_t index) = nullptr;
     void* batch = nullptr;
     TouchNotes notes;
 
-    // The body touches nothing.
     void forget(uint32_t index) const {
         still_time[index] = 0.0f;
         if (stay[0][index] != 0.0f)
@@ -63,42 +62,42 @@ struct ContactCache {
     }
 };
 
-// A body falls asleep after touching something and hardly moving for this long.
+// Time after which a still body that touches something falls asleep.
 inline constexpr float time_to_sleep = 0.5f; // s
-// m/s over the square root of the reach in m, the limit for still bodies: the speed of a fall by 1e-5 of the reach.
+// Speed below which a body is still, over the square root of its reach: that of a fall by 1e-5 of the reach. m/s over sqrt(m).
 inline float still_speed(float gravity) {
     return std::sqrt(2e-5f * gravity);
 }
-// A body moves if it is faster than the limit of a still one by this factor.
+// A body moves if it is faster than still_speed by this factor; between the two it trembles.
 inline constexpr float trembling = 10.0f;
-// A trembling body falls asleep after staying in place for this long, within this share of its reach (BodyAfter::place).
+// A trembling body falls asleep after this time within this share of its reach (BodyAfter::place). On uneven ground trembling never ends.
 inline constexpr float time_to_stay = 1.0f, stay_way = 0.02f; // s
 
 struct BodyAfter {
     uint32_t index;
     float speed;                // m/s, of its fastest point
-    float still, moving;        // m/s: below `still` it lies still, above `moving` it moves
-    float place;                // m: it stays in place within this
-    bool moved;                 // at least one bit of its pose changed
-    Vector way, turn;           // m, world frame; rad, body frame: of the substep
+    float still, moving;        // m/s: still below `still`, moving above `moving`
+    float place;                // m: limit of staying in place
+    bool moved;                 // a bit of its pose changed
+    Vector way, turn;           // m, world frame; rad, body frame: change in the substep
     Vector extent;              // m, along its axes
     float reach;                // m
     uint32_t now[most_touches]; // as ContactCache::touching
     bool touches() const { return now[0] != 0; }
 };
 
-// Bound of the way of any point of a body with these extents by a small turn, m; or of its speed by a spin, m/s.
+// Bound of any point's displacement, m, by a small turn of a body with these extents; or of its speed, m/s, by a spin.
 inline float farthest(Vector extent, Vector turn) {
     const float x = std::abs(turn.x), y = std::abs(turn.y), z = std::abs(turn.z);
     return length(Vector{y * extent.z + z * extent.y, z * extent.x + x * extent.z, x * extent.y + y * extent.x});
 }
 
-// Bound of the speed of its fastest point, m/s.
+// Bound of the speed of the body's fastest point, m/s.
 inline float fastest(Vector extent, Vector v, Vector w) {
     return length(v) + farthest(extent, w);
 }
 
-// Everything but the touches. still_speed: m/s over the square root of the reach in m. v, w: body frame.
+// All of BodyAfter but the touches. still_speed: m/s over sqrt(m). v, w: body frame.
 inline BodyAfter body_moved(uint32_t index, const BodyShape& shape, float scale, float still_speed, Vector v, Vector w,
                             const Pose& before, const Pose& now) {
     BodyAfter body{};
@@ -115,7 +114,7 @@ inline BodyAfter body_moved(uint32_t index, const BodyShape& shape, float scale,
     return body;
 }
 
-// m: a bound of the way of any of its points since its stay began, this substep included. sum: of way and turn, 6 values; null: not wanted.
+// m: bound of the displacement of any point since the body's stay began, with this substep. sum, if wanted: displacement and turn, 6 values.
 inline float way_in_place(const ContactCache& book, const BodyAfter& body, float* sum = nullptr) {
     const float parts[6] = {body.way.x, body.way.y, body.way.z, body.turn.x, body.turn.y, body.turn.z};
     float own[6];
@@ -124,13 +123,13 @@ inline float way_in_place(const ContactCache& book, const BodyAfter& body, float
     return length(Vector{s[0], s[1], s[2]}) + farthest(body.extent, {s[3], s[4], s[5]});
 }
 
-// Whether it has stayed in place long enough; adds this substep.
+// Adds the substep to the stay; true once it has lasted time_to_stay.
 inline bool stays(const ContactCache& book, const BodyAfter& body, float seconds) {
     const uint32_t at = body.index;
     float sum[6];
     const float far = way_in_place(book, body, sum);
     const float lasted = book.stay[0][at] + seconds;
-    // A time of 0 means that nothing is recorded: a step below the smallest float must therefore record no way either.
+    // A time of 0 means no record. If the step is below the smallest float the time stays 0, so no displacement may be recorded either.
     if (!(far < body.place) || lasted == 0.0f) {
         for (float* row : book.stay) row[at] = 0.0f;
         return false;
@@ -140,7 +139,7 @@ inline bool stays(const ContactCache& book, const BodyAfter& body, float seconds
     return lasted >= time_to_stay;
 }
 
-// Records which contacts began in a substep, and whether any ended. touch_with(collider slot): a Touch.
+// Notes contacts that began in a substep, and whether any ended. touch_with(collider slot): a Touch.
 template <class TouchWith>
 void note_touches(const ContactCache& book, const BodyAfter& body, const TouchWith& touch_with) {
     const auto holds = [](const uint32_t(&row)[most_touches], uint32_t collider) {
@@ -154,7 +153,7 @@ void note_touches(const ContactCache& book, const BodyAfter& body, const TouchWi
     for (const uint32_t collider : body.now) {
         if (!is_collider(collider) || (!book.notes.all && holds(was, collider))) continue;
         changed = true;
-        // If there are more than fit, contacts that have ended again make room: those that last have a place.
+        // When all places are taken, contacts that have ended give theirs up.
         Touch(&met)[most_touches] = book.notes.met[slot].touch;
         const auto first = [&](const auto& is) { return std::find_if(std::begin(met), std::end(met), is); };
         Touch* at = first([&](const Touch& t) { return t.collider == collider || t.collider == 0; });
@@ -169,7 +168,7 @@ void enter_body(const ContactCache& book, const BodyAfter& body, bool may_sleep,
                 const TouchWith& touch_with) {
     const uint32_t at = body.index;
     if (!body.touches() && book.touching[0][at] == touching_water) return;
-    // A body that trembles up to ten times as fast takes four times as long; one that has not moved by a bit, a tenth.
+    // Stillness counts fully, ten times if not a bit of the pose changed, a quarter if the body trembles. Motion starts the time over.
     const bool moves = !body.touches() || body.speed > body.moving;
     const float share = moves ? 0.0f : body.speed > body.still ? 0.25f : body.moved ? 1.0f : 10.0f;
     book.still_time[at] = share > 0.0f ? book.still_time[at] + share * seconds : 0.0f;

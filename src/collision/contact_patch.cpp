@@ -9,7 +9,7 @@ namespace {
 
 constexpr uint32_t lanes = Patch::lanes;
 
-// Cuts a patch to at most `most` beyond the line through a place; `out` is across the line.
+// Cuts a patch to at most `most` beyond the line through a place; `out` points across the line.
 void cut(Patch& patch, float from_u, float from_v, float out_u, float out_v, float most) {
     alignas(16) float beyond[Patch::room];
     Float4 farthest = all(0.0f);
@@ -46,7 +46,7 @@ void Side::set_edge(const Across& across, Vector from, Vector to) {
     append(across, to);
 }
 
-// Sutherland and Hodgman 1974.
+// Clips by half planes (Sutherland and Hodgman 1974).
 void lay_over(const Side& upper, const Side& lower, float slack, Patch& out) {
     const bool by_lower = lower.count >= 3;
     const Side &cut_by = by_lower ? lower : upper, &other = by_lower ? upper : lower;

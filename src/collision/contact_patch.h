@@ -1,4 +1,4 @@
-// Sides of two convex cores seen along the normal between them, and the patch where they overlap.
+// Contact patch: the facing sides of two convex cores, seen along the normal, and their overlap.
 #pragma once
 
 #include "collision/body_shape.h"
@@ -21,17 +21,17 @@ struct Across {
     Vector at(float along_u, float along_v, float height) const { return along_u * u + along_v * v + height * normal; }
 };
 
-// A face or an edge, with its height above the plane normal to the contact.
+// A face or an edge, with its height along the normal as a plane over u and v.
 struct Side {
     static constexpr uint32_t most = most_shape_points;
 
-    uint32_t count = 0; // corners in order; 2: an edge; 0: neither
+    uint32_t count = 0; // of corners in order; 2: an edge; 0: none
     float u[most], v[most];
     bool clockwise = false; // seen against the normal
     float level = 0.0f, slope_u = 0.0f, slope_v = 0.0f;
 
     float height_at(float along_u, float along_v) const { return level + slope_u * along_u + slope_v * along_v; }
-    // From `corners` > 2 corners, corner(i), counter-clockwise seen from outside. False if the face is seen edge on.
+    // From `corners` > 2 corners, corner(i), counter-clockwise seen from outside. False if the face is nearly edge-on.
     template <class Corner>
     bool set_face(const Across& across, Vector outward, uint32_t corners, const Corner& corner) {
         const float up = dot(outward, across.normal);
@@ -39,7 +39,7 @@ struct Side {
         slope_u = -dot(outward, across.u) / up;
         slope_v = -dot(outward, across.v) / up;
         clockwise = up < 0.0f;
-        // If there are too many, some are skipped.
+        // If there are too many corners, some are skipped.
         const uint32_t stride = (corners + most - 1) / most;
         for (uint32_t i = 0; i < corners; i += stride) append(across, corner(i));
         return true;
@@ -47,7 +47,7 @@ struct Side {
     void set_edge(const Across& across, Vector from, Vector to);
 
 private:
-    // Cosine between a face and the normal below which its edge counts instead.
+    // Cosine between face and normal; below it the face's edge counts instead.
     static constexpr float edge_on = 0.2f;
     void append(const Across& across, Vector p) {
         u[count] = dot(across.u, p);
@@ -57,8 +57,8 @@ private:
     }
 };
 
-// The side of a body's core that faces `towards`, the normal or its opposite: a face, or the ends of the part at most `band` behind
-// the foremost point. Core: shape, face_towards(direction), face_normal(f), point(i).
+// The side of a body's core towards the normal or its opposite: a face, or the ends of the part within `band` of the foremost point. Core: shape,
+// face_towards(direction), face_normal(f), point(i).
 template <class Core>
 void set_body_side(const Core& core, const Across& across, Vector towards, float band, Side& side) {
     const BodyShape& shape = core.shape();
@@ -85,7 +85,7 @@ void set_body_side(const Core& core, const Across& across, Vector towards, float
     if (ends[0] != ends[1]) side.set_edge(across, core.point(ends[0]), core.point(ends[1]));
 }
 
-// A convex polygon, a line or nothing, with the gap between the upper and the lower side at its corners.
+// A convex polygon, a line or nothing; at each corner the gap between upper and lower side.
 struct Patch {
     static constexpr uint32_t most = 2 * Side::most + 1, lanes = 4, room = (most + lanes - 1) / lanes * lanes;
     uint32_t count = 0;
@@ -94,11 +94,11 @@ struct Patch {
         for (uint32_t i = count; i % lanes != 0; ++i) u[i] = u[0], v[i] = v[0];
     }
     void add(float along_u, float along_v) {
-        if (count == most) return; // corners that are NaN
+        if (count == most) return; // only if corners are NaN
         u[count] = along_u;
         v[count++] = along_v;
     }
 };
-// slack: m, by which one side can extend beyond the other.
+// Clips the sides against each other. slack: m, by which a side may extend beyond the other.
 void lay_over(const Side& upper, const Side& lower, float slack, Patch& out);
 } // namespace lr

@@ -9,9 +9,9 @@
 namespace lr {
 namespace {
 
-// Share of the body's reach: contacts closer than this are duplicates.
+// Contacts closer than this share of the reach are duplicates.
 constexpr float same = 1e-3f;
-// Parallel lanes of the search: one long chain of maxima is slow.
+// The maximum is searched in parallel lanes, because one long chain of maxima is slow.
 constexpr uint32_t lanes = 4;
 static_assert(most_found % lanes == 0);
 
@@ -22,9 +22,8 @@ float greatest_of(const float* values, uint32_t padded) {
     return std::max({most[0], most[1], most[2], most[3]});
 }
 
-// 1 for points that hold the body once it is pushed out, or that miss it by a tenth of the depth; less for others.
-// Each step moves a point that has about the farthest to go (Southwell's relaxation), hull corners first. With the mass of a disc: it decides
-// between points, not how they push.
+// Weight 1 for loaded points, which hold the body once it is pushed out or miss that by a tenth of the depth; less for others. Southwell's
+// relaxation: each step moves a point with about the farthest to go, hull corners first. The mass is that of a disc, which suffices to choose points.
 void weigh(const Contact* found, uint32_t count, float reach, float margin, float* weight) {
     constexpr uint32_t most_steps = 32;
     constexpr float about = 0.7f, done = 0.01f, misses = 0.1f;
@@ -63,7 +62,7 @@ void weigh(const Contact* found, uint32_t count, float reach, float margin, floa
     }
 }
 
-// Twice the area, along the first one's normal, that a point adds to the two or three that are kept; 0 if it is hardly outside.
+// Twice the area, along the first one's normal, that a point adds to the two or three kept ones; 0 if it is hardly outside.
 float area_beyond(const Contact* kept, uint32_t count, Vector point, float apart) {
     const Vector n = kept[0].normal;
     const auto beside = [&](uint32_t from, uint32_t to, Vector p, float& least) {
@@ -101,7 +100,7 @@ float ContactPoints::least_gap(uint32_t from) const {
 uint32_t ContactPoints::choose(Contact* out, bool loaded_first) const {
     if (count_ == 0) return 0;
     const float reach = body.reach + body.radius, square = reach * reach;
-    // Place and direction of each as one point in six dimensions, directions times the reach; in columns, so that compilers vectorise.
+    // Place and direction (times the reach) as one point in six dimensions, in columns for the vectoriser.
     float columns[6][most_found], apart[most_found], weight[most_found];
     uint32_t next = 0;
     for (uint32_t i = 0; i < count_; ++i) {
@@ -207,7 +206,7 @@ void set_collider_side(const PlacedCollider& collider, const Across& across, Sid
     if (size > 0.0) side.set_face(across, to_float(1.0 / size * plane), 3, corner);
 }
 
-// Distance and direction of a point from the core of a sphere or capsule.
+// Distance and direction of a point from the core of a sphere or a capsule.
 double distance_from(const PlacedCollider& round, Double3 p, Double3& direction) {
     Double3 from = p - round.points[0];
     if (round.count == 2) {

@@ -1,4 +1,4 @@
-// Contacts of a body with a collider: collects all, then keeps a few.
+// Manifold of a body and a collider: collects all contacts, then keeps a few.
 #pragma once
 
 #include "collision/collider_narrow_phase.h"
@@ -12,8 +12,8 @@ inline constexpr uint32_t most_found = 48;
 
 class ContactPoints {
 public:
-    // at: in the collider's frame. Contacts closer than `near` (m) count. began: where the body was as the substep began, which tells from
-    // which side it met a triangle; null: unknown. side: MeshFloor::side.
+    // at: in the collider's frame. near: m, the margin. began: pose at the beginning of the substep, which tells on which side of a triangle the body
+    // was; null: unknown. side: MeshFloor::side.
     ContactPoints(const BodyShape& shape, float scale, const Pose& at, float near, const Pose* began = nullptr,
                   int8_t known_side = 0)
         : body(shape, scale, at), margin(near), before(began), side(known_side) {}
@@ -25,18 +25,18 @@ public:
     const Pose* const before;
     const int8_t side;
 
-    // point: m, of the body's surface, from its centre of mass along the collider's axes.
+    // point: m, on the body's surface, from its centre of mass along the collider's axes.
     void add(Vector point, Vector normal, float gap);
-    // Adds the point of the core, `core_gap` from the collider along the normal, if it is near enough.
+    // Adds a core point at `core_gap` from the collider along the normal, if the surface there is within the margin.
     void add_core(Vector point, Vector normal, float core_gap) {
         const float gap = core_gap - body.radius;
         if (gap < margin) add(point - body.radius * normal, normal, gap);
     }
     uint32_t count() const { return count_; }
-    // Least gap of those found since `from`; infinite if there are none.
+    // Least gap among contacts from index `from` on; infinite if there are none.
     float least_gap(uint32_t from) const;
-    // Keeps at most most_contacts: the deepest, then repeatedly the one farthest from those kept, in place and direction. loaded_first: those
-    // that hold the body once it is pushed out before others; the first four about the largest quadrilateral.
+    // Keeps at most most_contacts: the deepest, then repeatedly the one farthest from the kept ones in place and direction. loaded_first: the first
+    // four span the largest quadrilateral, and contacts that hold the body once it is pushed out count more.
     uint32_t keep(Contact* out, bool loaded_first = false);
 
 private:
@@ -46,15 +46,15 @@ private:
     Contact found_[most_found]; // arms along the collider's axes
 };
 
-// A flat ellipsoid touches round colliders and floors at a point that jumps from rim to rim with the least tilt. As over ground, these are the points
-// where it would touch if it were tilted a little, and those at the other rims. None for other bodies.
+// The nearest point of a flat ellipsoid on a round collider or a floor jumps from rim to rim at the slightest tilt. So, as over ground, these points
+// are added: where it would touch if tilted a little, and those on the other rims. None for other bodies.
 struct Rims {
     uint32_t count;
     Vector point[7];
 };
 Rims rims_of(const PlacedBody& body, Double3 normal);
-// Adds those near the collider; farther ones than the margin count too, as they can be pressed in when the nearest point, with this gap, is pushed
-// out. gap_of(point, direction): the gap of a rim (m), and the normal there.
+// Adds rims near the collider. They count beyond the margin, since pushing out the nearest point, at this gap, can press them in. gap_of(point,
+// direction): returns the gap of a rim (m) and sets the normal there.
 template <class Gap> void add_rims(ContactPoints& set, Double3 normal, float gap, const Gap& gap_of) {
     const double wide = static_cast<double>(set.margin + 0.1f * set.body.reach + 2.0f * std::max(-gap, 0.0f));
     const Rims rims = rims_of(set.body, normal);
@@ -65,8 +65,8 @@ template <class Gap> void add_rims(ContactPoints& set, Double3 normal, float gap
     }
 }
 
-// Adds contacts along a given normal: corners of one over a side of the other, and crossings of their edges. For bodies with corners.
+// Adds contacts along a given normal: corners of one over a side of the other, and crossings of edges. For bodies with corners.
 void add_patch(ContactPoints& set, const PlacedCollider& collider, const Separation& along);
-// The same; where these are none, or farther than the nearest points, adds the nearest point too.
+// The same; adds the nearest point if it is nearer than all of them.
 void add_manifold(ContactPoints& set, const PlacedCollider& collider, const Separation& along);
 } // namespace lr

@@ -1,4 +1,4 @@
-// Stops bodies that would pass through something within a substep.
+// Continuous collision: stops bodies that would pass through something within a substep. docs/maintainers/contact.md, section 3.
 #include "collision/collider_contact_group.h"
 
 #include "collision/ray_cast.h"
@@ -9,12 +9,12 @@
 namespace lr {
 namespace {
 
-// Per body and substep; a body stays at its last stop.
+// Limits per body and substep; after the last stop the body stays there.
 constexpr uint32_t most_stops = 4, most_met = 32;
 constexpr float same_side = 0.9999f; // cosine: parts of one surface
-constexpr float shallow = 0.1f;      // share of the reach: a shallower overlap is undone
+constexpr float shallow = 0.1f;      // share of the reach: contacts undo shallower overlap
 
-// The least n . x of a body.
+// Least n . x of any point of a body.
 float lowest(const BodyShape& s, float scale, const Pose& pose, Vector n) {
     const Vector d = rotate(inverse(pose.rotation), n);
     float least = 0.0f;
@@ -27,13 +27,13 @@ float lowest(const BodyShape& s, float scale, const Pose& pose, Vector n) {
     return dot(n, pose.position) + scale * least;
 }
 
-// n . x >= offset; x is relative to the body's position before the substep.
+// Half space n . x >= offset; x is relative to the body's position before the substep.
 struct Side {
     Vector normal;
     float offset;
 };
 
-// Triangles that a body passes over: those of a mesh that it has met, and those behind planes on whose front it stays.
+// Triangles that the swept test skips: those already met, and those behind planes that the body stays in front of.
 struct PassedTriangles {
     const Candidate* met;
     uint32_t met_count, slot, side_count;
@@ -51,22 +51,22 @@ struct PassedTriangles {
     }
 };
 
-// A thing that a body runs into, and the contacts there.
+// A thing that stops a body, with the contacts there.
 struct Stop {
     Candidate candidate;
     uint32_t count;
     Contact contacts[most_contacts];
 };
 
-// A plane separates two convex things that touch: while the whole body stays on its side, it passes through nothing, however far it slides.
-// `met` is in the collider's frame; false if there is no such plane.
+// A plane that separates two convex things at the moment of touch. As long as the whole body stays on its side, it may slide along it and cannot pass
+// through. `met` is in the collider's frame. False if there is no such plane.
 bool find_side(const BodyShape& s, float scale, const Pose& met, const Geometry& g, ColliderPart part, float margin,
                Stop& stop, Side& side) {
     const float near = 0.2f * s.reach * scale;
     Contact* end = stop.contacts;
     if (g.kind == ColliderKind::mesh) {
         ContactPoints contacts(s, scale, met, near);
-        add_mesh(contacts, *g.mesh, part, true); // only this triangle was met
+        add_mesh(contacts, *g.mesh, part, true); // as if it had no neighbours: only this triangle was met
         end += contacts.keep(stop.contacts);
     } else {
         end += find_contacts(s, scale, met, g, part, near, stop.contacts);
@@ -82,7 +82,7 @@ bool find_side(const BodyShape& s, float scale, const Pose& met, const Geometry&
     return true;
 }
 
-// Moves a body to its side of all planes; false if they leave no room, up to `little` (m).
+// Moves a body to its side of all planes. False if they leave no room, up to `little` (m).
 bool keep_sides(const BodyShape& s, float scale, const Side* sides, uint32_t count, float little, Pose& pose) {
     float room[most_stops];
     for (uint32_t k = 0; k < count; ++k)
@@ -97,14 +97,14 @@ bool keep_sides(const BodyShape& s, float scale, const Side* sides, uint32_t cou
     return true;
 }
 
-// Whether a side of the solid is a plane for a body on this way: contacts from its first pose find it.
+// Whether a side of the solid acts as a plane on this path, so that contacts find the body without a swept test.
 bool over_flat_side(const Geometry& solid, const Pose& from, const Pose& to, float reach) {
     const auto side = flat_side(solid, from.position, to.position, reach);
-    // Beyond the middle of a thin solid, the next substep would take the other side for the body's.
+    // Beyond the middle of a thin solid the next substep would take the far side.
     return side && side->offset - dot(side->normal, to.position) < 0.5f * depth_below(solid, *side);
 }
 
-// For a body that came over a side of the solid and whose centre of mass is in it: the way by which that is `clear` out of it. All in its frame.
+// The displacement that takes a centre of mass `clear` out of a solid again, through the side over which it came. In the solid's frame.
 Vector way_out(const Geometry& solid, Vector from, Vector to, float clear) {
     const auto side = flat_side(solid, from, to, 0.0f);
     const float out = side ? dot(side->normal, to) - side->offset : 1.0f;
@@ -122,18 +122,18 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
         const auto free_way = [&](const Pose& target, const Candidate& candidate) {
             const Collider& c = step_->colliders->at(candidate.slot);
             if (c.geometry.kind == ColliderKind::plane) return 1.0f;
-            // Solid below: only a part thinner than the way could be jumped.
+            // Solid below: the path could jump only over parts thinner than itself.
             if (const HeightfieldGeometry* const f = c.geometry.heightfield; f && !c.moves)
                 if (length(target.position - from.position) < 0.5f * std::min(f->spacing[0], f->spacing[1]))
                     return 1.0f;
             const Pose first = relative(pose_at(c, begin), from), last = relative(pose_at(c, end), target);
-            // As over floors of meshes: fast bodies are stopped first. At rest the way is the fall in a substep, which the margin includes.
+            // As over mesh floors, fast bodies are swept. At rest the path is the fall in a substep, which the margin includes.
             const float reach = scale * step_->shape->reach;
             if (has_flat_sides(c.geometry.kind) && length(last.position - first.position) < reach + margin)
                 if (over_flat_side(c.geometry, first, last, reach)) return 1.0f;
             return free_fraction(*step_->shape, scale, first, last, c.geometry, candidate.part);
         };
-        // A stopped body slides along the thing up to the next, and along both up to a third.
+        // A stopped body slides along the thing to the next one, then along both to a third.
         uint32_t count = 0, met_count = 0;
         Pose target = to;
         Side sides[most_stops];
@@ -150,7 +150,7 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
             };
             any_order(i, grown(way, step_->shape->reach * scale), [&](const Candidate& c) {
                 const Collider& other = step_->colliders->at(c.slot);
-                if (floor_[i].count > 0 && c.slot == floor_[i].slot) return; // solid below
+                if (floor_[i].count > 0 && c.slot == floor_[i].slot) return; // a floor is solid below
                 if (const MeshGeometry* const mesh = other.geometry.mesh) {
                     const Pose ends = pose_at(other, end);
                     PassedTriangles passed{met_before, met_count, c.slot, count, little, {}};
@@ -197,7 +197,7 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
         put_in(arrays_.field, field_x, i, target.position);
         put_in(arrays_.field, field_qx, i, {q.x, q.y, q.z});
         arrays_.field[field_qw][i] = q.w;
-        // The body can have left such a thing again, which still takes its speed.
+        // The body may have left a thing again, which still takes its speed.
         for (uint32_t n = 0; n < count; ++n) {
             const uint32_t slot = stops[n].candidate.slot;
             const Collider& c = step_->colliders->at(slot);
@@ -208,15 +208,15 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
     }
 }
 
-// Sweeps can leave a small body deep in rough ground, and bodies are not swept over sides of boxes and hulls. Their centres must not stay beyond the
-// surface, or they would count as on the other side.
+// The solver can leave a small body deep in rough ground, and bodies over sides of boxes and hulls are not swept. A centre beyond the surface is put
+// back, since the next substep would count it as on the other side.
 void ContactGroup::leave_floors(const ContactSubstep& substep) {
     for (uint32_t i = 0; i < count_; ++i) {
         const MeshFloor& floor = floor_[i];
         const float scale = arrays_.field[field_scale][i];
         float deepest = 0.0f;
-        uint32_t last = a_body;                      // solid
-        for (uint32_t k = 0; k <= filled_[i]; ++k) { // solids that it touches, then the floor
+        uint32_t last = a_body;                      // stands for no solid so far
+        for (uint32_t k = 0; k <= filled_[i]; ++k) { // the solids that it touches, then its floor
             const bool touched = k < filled_[i];
             const uint32_t slot = touched ? slots_.slot[k].collider[i] : floor.slot;
             if (touched) deepest = std::max(deepest, -slots_.slot[k].gap[i]);
@@ -229,7 +229,7 @@ void ContactGroup::leave_floors(const ContactSubstep& substep) {
             const Vector to = relative(pose, at).position;
             if (touched && distance_from(c.geometry, to) > 0.0f) continue;
             const Vector from = relative(pose_at(c, substep.begin), pose_in(substep.before, i)).position;
-            const float clear = margin_of(i, 0.0f); // little: it can be pressed against another thing
+            const float clear = margin_of(i, 0.0f); // small: another thing may press the body from the other side
             const Vector out = touched ? way_out(c.geometry, from, to, clear)
                                        : way_out(*step_->shape, scale, to, *c.geometry.mesh, floor);
             put_in(arrays_.field, field_x, i, at.position + rotate(pose.rotation, out));
@@ -237,7 +237,7 @@ void ContactGroup::leave_floors(const ContactSubstep& substep) {
     }
 }
 
-// Contacts can press a body into another thing after its swept test. leave_floors() is for the floor.
+// Contacts can press a body into another thing after its swept test. Its own floor is up to leave_floors().
 void ContactGroup::stay_in_front(const ContactSubstep& substep) {
     for (uint32_t i = 0; i < count_; ++i) {
         const auto presses = [&](const ContactSlots::Slot& slot) {
@@ -255,13 +255,13 @@ void ContactGroup::stay_in_front(const ContactSubstep& substep) {
 Vector way_back(const ContactStep& step, float scale, uint32_t floor, const MeshFloor* alone, Vector from, Vector to,
                 const ContactSubstep& substep) {
     struct Passed {
-        float part = 1.0f; // of the way
+        float part = 1.0f; // fraction of the path
         Candidate candidate{};
         Vector out; // world frame
     };
-    // Out of one thing it can go into another. Between a moving and a still one, as under a foot, the still one holds.
+    // Out of one thing the centre can get into another. Between a moving and a still one, as under a foot, the still one holds it.
     constexpr uint32_t most_rounds = 6, rounds_of_all = 3;
-    // Little, so that what is pressed between two things does not jump to and fro, and of a thin body less than it rests at.
+    // Small, so that a body pressed between two things does not jump between them, and less than the gap at which a thin body rests.
     const float clear = scale * std::min(0.005f * step.shape->reach, 0.125f * step.shape->thickness) +
                         contact_margin(0.0f, to, 0.0f, 0.0f);
     Vector at = to;
@@ -278,7 +278,7 @@ Vector way_back(const ContactStep& step, float scale, uint32_t floor, const Mesh
                 const Pose begin = pose_at(c, substep.begin), end = pose_at(c, substep.end);
                 const Vector a = to_inner(begin, from), b = to_inner(end, at);
                 const float far = length(b - a);
-                if (!(far > 0.0f) || (!g.mesh && distance_from(g, a) <= 0.0f)) return; // it began within
+                if (!(far > 0.0f) || (!g.mesh && distance_from(g, a) <= 0.0f)) return; // it began inside
                 const Ray ray{to_double(a), 1.0 / static_cast<double>(far) * to_double(b - a)};
                 RayHit hit{};
                 if (!(g.mesh ? ray_hits_part(*g.mesh, candidate.part, ray, static_cast<double>(far), hit)
@@ -288,7 +288,7 @@ Vector way_back(const ContactStep& step, float scale, uint32_t floor, const Mesh
                 const float over =
                     static_cast<float>(dot(hit.normal, (hit.distance - static_cast<double>(far)) * ray.direction));
                 if (g.mesh && dot(normal, floor_side(floor, candidate.slot)) < 0.0f)
-                    return; // it comes out of what it was pressed into
+                    return; // it leaves the mesh that it was pressed into
                 const float part = static_cast<float>(hit.distance) / far;
                 if (any && (part > first.part || (part == first.part && comes_before(first.candidate, candidate))))
                     return;

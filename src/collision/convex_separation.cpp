@@ -10,10 +10,10 @@ namespace lr {
 namespace {
 
 using Lane = HWY_NAMESPACE::OnePair<double, Double3, true, 40>;
-// converged: relative to the square of the distance. touching: relative to the pair's size; closer points give no meaningful direction.
+// converged: relative to the squared distance. touching: relative to the pair's size; the direction between closer points is only rounding.
 constexpr double converged = 1e-7, touching = 1e-7;
 
-// A guess of the normal: unit, from the collider to the body.
+// First guess of the normal: unit, from the collider to the body.
 Double3 between(const PlacedBody& body, const PlacedCollider& collider) {
     Double3 out = to_double(body.center) - collider.middle();
     if (collider.count == 0 && !collider.hull) {
@@ -41,7 +41,7 @@ HWY_ATTR Nearest nearest_points(const PlacedBody& body, const PlacedCollider& co
 namespace {
 
 constexpr uint32_t most_refinements = 3;
-constexpr double step_out = 1e-3; // share of the body's reach beyond touching, when a direction is refined
+constexpr double step_out = 1e-3; // share of the reach by which the body is moved beyond touching
 
 struct Search {
     const PlacedBody& body;
@@ -62,7 +62,7 @@ struct Search {
     }
 };
 
-// Tries one of the collider's sides, unless a point in the body shows that it is not better.
+// Tries a side of the collider, unless a point inside the body shows that it cannot be better.
 void offer_side(Search& search, Double3 n, double plane, Double3 in_body) {
     if (search.any && dot(n, in_body) - plane <= search.best.distance) return;
     search.offer(n, dot(n, search.body.support(-n)) - plane);
@@ -82,7 +82,7 @@ void offer_sides(Search& search) {
             offer_side(search, along_axis(i, sign), sign * c.origin[i] + c.half[i], {0.0, 0.0, 0.0});
 }
 
-// Tries a direction, if it has a length.
+// Tries a direction, unless it is zero.
 void offer_along(Search& search, Double3 way, bool both_ways = false) {
     const double size = length(way);
     if (!(size > 0.0)) return;
@@ -102,7 +102,7 @@ void offer_body_faces(Search& search) {
     }
 }
 
-// Improves a direction by the pair's nearest points with the body moved out along it.
+// Moves the body out along a direction; the nearest points there give a better one.
 void refine(Search& search, Separation from) {
     for (uint32_t round = 0; round < most_refinements; ++round) {
         const double out = step_out * static_cast<double>(search.body.reach) - from.distance;
@@ -113,7 +113,7 @@ void refine(Search& search, Separation from) {
         const Nearest nearest = nearest_points(search.body, moved, std::numeric_limits<double>::infinity());
         if (nearest.overlap || !search.allowed(nearest.normal)) return;
         const double distance = separation_along(search.body, search.collider, nearest.normal);
-        // The rest is rounding.
+        // Further gain would be rounding.
         if (!(distance > from.distance + 1e-4 * (out < 0.0 ? 0.0 : out))) return;
         from.normal = nearest.normal;
         from.distance = distance;
@@ -147,7 +147,7 @@ Separation separate(const PlacedBody& body, const PlacedCollider& collider, doub
         offer_along(search, cross(collider.points[1] - collider.points[0], collider.points[2] - collider.points[0]),
                     true);
     } else if (collider.count == 2) {
-        // Tries directions across the axis, towards the body, and along the body's own axes across it.
+        // Tries directions across the capsule's axis: towards the body, and along the body's own axes.
         const Double3 axis = collider.points[1] - collider.points[0];
         const Double3 to = to_double(body.center) - collider.middle();
         const double square = dot(axis, axis);
@@ -165,13 +165,13 @@ Separation separate(const PlacedBody& body, const PlacedCollider& collider, doub
     const bool has_body = search.any;
     if (has_collider) search.offer(of_collider.normal, of_collider.distance);
     if (!search.any) search.offer(sides.one ? sides.front : Double3{0.0, 1.0, 0.0});
-    // For a sphere's centre in a hull the best direction is one of the faces.
+    // For a sphere against a polytope a face normal is exact.
     if (collider.count == 1 && body.count > 0) return search.best;
-    // Each leads to a local minimum of the depth.
+    // Each start leads to a local minimum of the depth.
     if (has_collider) refine(search, of_collider);
     if (has_body) refine(search, of_body);
     if (!has_collider && !has_body) refine(search, search.best);
-    if (collider.count == 1) return search.best; // the way between the middles was the collider's own
+    if (collider.count == 1) return search.best; // the line between the middles has been tried
     const Double3 apart = to_double(body.center) - collider.middle();
     const double size = length(apart);
     if (size > 0.0 && search.allowed(apart)) {

@@ -1,4 +1,4 @@
-// Convex pairs: distance and nearest points of their cores, and the direction of largest separation or least overlap.
+// Convex pairs: distance and nearest points of their cores, and the direction of largest separation or least depth.
 #pragma once
 
 #include "collision/local_pair.h"
@@ -6,14 +6,14 @@
 namespace lr {
 
 struct Nearest {
-    bool overlap;                 // of the cores; nothing below is set then
-    double distance;              // m, at least `lower`, which is certain
-    double lower;                 // m: separation of the cores along the normal
+    bool overlap;                 // of the cores; then nothing below is set
+    double distance;              // m, at least `lower`
+    double lower;                 // m, certain: separation of the cores along the normal
     Double3 normal;               // unit, from the collider to the body
     Double3 on_body, on_collider; // of the cores
 };
 
-// By Gilbert, Johnson and Keerthi (1988), bounded. enough: m; stops once the cores are farther apart; then only `lower` and `normal` are valid.
+// GJK (Gilbert, Johnson and Keerthi 1988), bounded. enough: m; stops once the cores are farther apart; then only `lower` and `normal` are valid.
 Nearest nearest_points(const PlacedBody& body, const PlacedCollider& collider, double enough);
 
 // Separation of the cores along a unit normal; negative if they overlap.
@@ -23,12 +23,12 @@ inline double separation_along(const PlacedBody& body, const PlacedCollider& col
 
 struct Separation {
     Double3 normal;  // unit, from the collider to the body
-    double distance; // m, of the cores along it; negative: depth of the overlap
-    bool has_points; // the cores are apart, and these are their nearest points
+    double distance; // m, of the cores along the normal; negative: penetration depth
+    bool has_points; // the cores are apart, and their nearest points follow
     Double3 on_body, on_collider;
 };
 
-// Sides of a triangle that collide: both, or only the one to which `front` points.
+// Sides of a triangle that collide: both, or only the side of `front`.
 struct Sides {
     bool one = false;
     Double3 front = {};
@@ -37,6 +37,6 @@ struct Sides {
 // enough: m; stops once the pair is known to be farther apart.
 Separation separate(const PlacedBody& body, const PlacedCollider& collider, double enough, const Sides& sides = {});
 
-// Only along the normals of a triangle's two sides, or of one.
+// Along the normals of the triangle's two sides, or of one only.
 Separation separate_from_plane(const PlacedBody& body, const PlacedCollider& collider, Double3 normal, bool one_sided);
 } // namespace lr

@@ -9,7 +9,7 @@
 namespace lr {
 namespace {
 
-// A bijection of the state for each word.
+// Each word changes the state by a bijection, so no difference is lost.
 struct Hash {
     uint64_t state = 0x9e3779b97f4a7c15ull;
     void add(uint64_t word) {
@@ -73,7 +73,7 @@ lr_status make_hull(Allocator& allocator, const lr_collider_desc& desc, SharedGe
         !copy(allocator, hull.corners, to.indices))
         return LR_ERROR_OUT_OF_MEMORY;
     const uint64_t given = uint64_t{3} * desc.vertex_count;
-    // Compares bits, like the hash: -0 differs from 0.
+    // Compares bits, as the hash does: -0 differs from 0.
     const bool same = hull.vertices.size() == given &&
                       std::memcmp(hull.vertices.data(), desc.vertices, static_cast<size_t>(4 * given)) == 0;
     if (!same && !copy(allocator, desc.vertices, given, to.given)) return LR_ERROR_OUT_OF_MEMORY;

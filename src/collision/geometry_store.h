@@ -12,7 +12,7 @@ namespace lr {
 
 struct SharedGeometry {
     ColliderKind kind;
-    uint64_t hash; // of kind and content, in the caller's form
+    uint64_t hash; // of kind and data, as the caller gave them
     uint64_t users;
     SharedGeometry* next; // in the store
     HullGeometry hull;
@@ -32,7 +32,7 @@ inline bool same_arrays(const lr_collider_desc& a, const lr_collider_desc& b) {
            std::equal(a.counts, a.counts + 2, b.counts) && std::equal(a.spacing, a.spacing + 2, b.spacing);
 }
 
-// A desc that recreates it: a collider at the origin. A mesh's triangles are in the order of its parts, which recreation keeps; but its hash differs.
+// A desc, at the origin, that recreates the geometry. A mesh keeps the order of its triangles, sorted into parts, so its hash differs.
 lr_collider_desc desc_of(const SharedGeometry& geometry);
 
 class GeometryStore {
@@ -42,12 +42,12 @@ public:
     GeometryStore(const GeometryStore&) = delete;
     GeometryStore& operator=(const GeometryStore&) = delete;
 
-    // Finds or builds the geometry of a desc, and adds a user. The API has checked the arrays, but not that they form a solid.
+    // Finds or builds the geometry of a desc and adds a user. The API has checked the arrays, not that they form a solid.
     lr_status acquire(const lr_collider_desc& desc, SharedGeometry*& out);
     SharedGeometry* find(ColliderKind kind, uint64_t hash) const; // null for none
-    // Removes a user; the last one frees it.
+    // Removes a user; the last removal frees it.
     void release(SharedGeometry* geometry);
-    // Changes the hash by which it is found, unless that is taken: for a mesh recorded with its triangles in another order (lr_replay).
+    // Changes the hash by which it is found, unless that is taken. lr_replay needs this for meshes recorded with reordered triangles.
     void rename(SharedGeometry* geometry, uint64_t hash);
 
 private:
@@ -59,7 +59,7 @@ private:
     void free(SharedGeometry* geometry);
 
     Allocator* allocator_;
-    Buffer<SharedGeometry*> lists_; // by the hash: a power of two, at least one per geometry
+    Buffer<SharedGeometry*> lists_; // by hash: a power of two, at least one per geometry
     size_t count_ = 0;
 };
 } // namespace lr

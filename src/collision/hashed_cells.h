@@ -1,4 +1,4 @@
-// Unbounded, hashed lattices of cells for searches. A thing in a cell of a level reaches at most half the cell's width.
+// Unbounded lattices of hashed cells for searches. In each level a thing extends at most half a cell from its middle.
 #pragma once
 
 #include "base/pose.h"
@@ -9,7 +9,7 @@
 
 namespace lr {
 
-// floor(x inverse_cell), clamped; monotonic, so a box's cells lie between those of its corners. std::floor is a function call without SSE4.
+// floor(x inverse_cell), clamped. Monotonic, so a box's cells lie between those of its corners. std::floor is a function call without SSE4.1.
 inline int32_t cell_number(float x, float inverse_cell) {
     const float at = x * inverse_cell;
     if (!(at > -most_cells)) return static_cast<int32_t>(-most_cells); // also NaN
@@ -29,7 +29,6 @@ constexpr uint32_t cell_hash(CellAt at, uint32_t level) {
     return cell_hash(at.x, at.y, at.z) ^ level * 0x9e3779b9u;
 }
 
-// The cells that a box overlaps.
 struct CellRange {
     CellAt first{}, last{};
 
@@ -47,19 +46,19 @@ struct CellRange {
     }
 };
 
-// Cells of a level, this wide, that can hold a thing overlapping a box. Differences round to nearest, which keeps their order with any float.
+// Cells of a level, `width` wide, that can hold a thing that overlaps the box. Rounding to nearest keeps the order of differences, so none is missed.
 inline CellRange cells_about(const Box& box, float width) {
     return {grown(box, 0.500001f * width), 1.0f / width};
 }
 
-// Sorts things [0, count) by bucket, stable: `first` receives the start of each bucket in `index`.
+// Stable sort of things [0, count) by bucket. `first` receives the start of each bucket in `index`.
 template <class BucketOf>
 void sort_into_buckets(uint32_t count, uint32_t buckets, const BucketOf& bucket_of, uint32_t* first, uint32_t* index) {
     std::fill_n(first, buckets, 0u);
     for (uint32_t i = 0; i < count; ++i) ++first[bucket_of(i)];
     uint32_t sum = 0;
     for (uint32_t b = 0; b < buckets; ++b) first[b] = sum += first[b];
-    // Fills each bucket backwards: its end moves down to its start.
+    // Fills each bucket from its end, so that first[b] ends at its start.
     for (uint32_t i = count; i-- > 0;) index[--first[bucket_of(i)]] = i;
 }
 } // namespace lr

@@ -6,7 +6,7 @@ PlacedBody::PlacedBody(const BodyShape& body, float body_scale, const Pose& pose
     : shape(&body), at(pose), scale(body_scale), count(body.count), radius(body_scale * body.radius),
       reach(body_scale * body.reach - radius), axes{} {
     const Rotation q = pose.rotation;
-    // Columns of the rotation: nine products per point.
+    // Columns of the rotation matrix: nine products per point.
     const Vector e[3] = {rotate(q, {body_scale, 0.0f, 0.0f}), rotate(q, {0.0f, body_scale, 0.0f}),
                          rotate(q, {0.0f, 0.0f, body_scale})};
     const auto turn = [&](Vector a) { return a.x * e[0] + a.y * e[1] + a.z * e[2]; };

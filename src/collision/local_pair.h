@@ -1,4 +1,4 @@
-// A body and a convex collider, cores of points or an ellipsoid, each with a rounding. Origin: the body's centre of mass; axes: the collider's.
+// A body and a convex collider as cores with a rounding. Origin: the body's centre of mass; axes: the collider's.
 #pragma once
 
 #include "collision/body_shape.h"
@@ -15,11 +15,11 @@ struct PlacedBody {
     uint32_t count; // of points; 0: an ellipsoid
     float x[most_shape_points], y[most_shape_points], z[most_shape_points];
     float radius;   // around the core
-    float reach;    // of the core from the centre of mass
+    float reach;    // m, of the core about the centre of mass
     Vector center;  // of the core
     Vector axes[3]; // of an ellipsoid, as long as its semi-axes
 
-    // size: scale of the core about its centre, 1 for the body itself.
+    // size: scales the core about its centre; 1 for the body itself.
     PlacedBody(const BodyShape& body, float body_scale, const Pose& pose, float size = 1.0f);
 
     Vector point(uint32_t i) const { return {x[i], y[i], z[i]}; }
@@ -27,7 +27,7 @@ struct PlacedBody {
     Vector face_normal(uint32_t face) const { return rotate(at.rotation, shape->faces[face].normal); }
 };
 
-// A collider's core: up to 3 points, a box or a hull. A capsule is two points and a radius.
+// A collider's core: up to 3 points, a box or a hull. A capsule is two points with a radius.
 struct PlacedCollider {
     uint32_t count = 0; // of points
     Double3 points[3] = {};
@@ -36,9 +36,7 @@ struct PlacedCollider {
     const HullGeometry* hull = nullptr;
     double radius = 0.0;
 
-    // Spheres, capsules, boxes and hulls.
     PlacedCollider(const Geometry& geometry, Vector body_position);
-    // A triangle.
     PlacedCollider(const Vector (&corners)[3], Vector body_position);
 
     Double3 support(Double3 direction) const;

@@ -10,19 +10,18 @@
 namespace lr {
 namespace {
 
-// Cosines: of the steepest triangle of a floor against its mean normal; of triangles that tell on which side of a surface a body is. Two
-// triangles at the first, 57 degrees, differ by less than the 120 degrees at which one would count as the other's back: of cards on a groove
-// of 65 degrees up to two fifths went through.
+// Cosines. steepest: between a floor's steepest triangle and its mean normal, 57 degrees. Two such triangles differ by less than 120 degrees, where
+// one would count as the other's back: up to two fifths of cards went through a groove of 65 degrees. facing: of triangles that tell the body's side.
 constexpr float steepest = 0.55f, facing = 0.5f;
-// Cosine between normals that differ by 0.2, as over heightfields: a sharper edge has to be met itself.
+// Cosine between normals that differ by 0.2, as over heightfields. Sharper edges need contacts of their own.
 constexpr float sharp = 0.98f;
-// Share of the thickness: a centre of mass nearer to the surface could be on the wrong side by rounding.
+// Share of the thickness: closer to the surface, rounding decides on which side a centre of mass is.
 constexpr float clear = 0.125f;
-// Times the size of a triangle.
+// Least size of uneven triangles: the margin over this factor. A body could fall through several smaller ones.
 constexpr float fine = 1.5f;
-// Share of the reach by which points may be outside a triangle, so that none falls between two.
+// Triangles are enlarged by this share of the reach, so that no point falls between two.
 constexpr float seam = 1e-4f;
-// Share of the reach by which a body can be pressed in beyond a surface: leave_floors() undoes what is much more than a tenth.
+// Share of the reach by which contacts can press a body beyond a surface; leave_floors() undoes overlaps of much more than a tenth.
 constexpr float pressed = 0.125f;
 
 bool crosses(const Box& box, const Triangle& t) {
@@ -32,7 +31,7 @@ bool crosses(const Box& box, const Triangle& t) {
     return std::abs(dot(t.normal, middle_of(box) - t.corners[0])) <= reach;
 }
 
-// Whether an edge without a neighbour comes near.
+// Whether an edge without a neighbour is near.
 bool ends_in(const Box& box, const Triangle& t) {
     for (uint32_t k = 0; k < 3; ++k) {
         if ((t.hidden >> k & 1u) != 0 || (t.hidden >> (3 + k) & 1u) != 0) continue;
@@ -61,12 +60,12 @@ struct FloorFace {
             edge[k] = dot(inward[k], t.corners[k] - origin);
         }
     }
-    // How far the place is inside all edges, seen along `up`; negative: outside.
+    // Least distance from the edges, seen along `up`; negative: outside.
     float inside(Vector p) const {
         return std::min({dot(inward[0], p) - edge[0], dot(inward[1], p) - edge[1], dot(inward[2], p) - edge[2]});
     }
     float gap(Vector p) const { return dot(normal, p) - offset; }
-    // Height over it along `up`.
+    // Height above the triangle along `up`.
     float height(Vector p) const { return lean * gap(p); }
 };
 
@@ -81,7 +80,7 @@ public:
     }
     uint32_t count() const { return count_; }
     const FloorFace& face(uint32_t k) const { return face_[k]; }
-    // The highest surface at a place, and the place's height over it; null outside.
+    // The highest surface under a place, and the height above it; null outside.
     const FloorFace* under(Vector p, float& height) const {
         const FloorFace* best = nullptr;
         height = std::numeric_limits<float>::infinity();
@@ -89,7 +88,7 @@ public:
             if (const float h = f->height(p); h < height && f->inside(p) >= seam_) height = h, best = f;
         return best;
     }
-    // The same for four places; -1 outside.
+    // The same for four places; -1: outside.
     Int4 under(Float4 x, Float4 y, Float4 z) const {
         const auto along = [&](Vector d) { return d.x * x + d.y * y + d.z * z; };
         Float4 least = all(std::numeric_limits<float>::infinity());
@@ -133,7 +132,7 @@ void add_points(ContactPoints& set, const FloorFaces& faces, bool even) {
         const FloorFace* const face = &faces.face(static_cast<uint32_t>(index));
         const float gap = face->gap(core);
         if (gap - body.radius >= set.margin) continue;
-        // Beside a ridge a slope's plane continues where the slope does not: its triangles then decide.
+        // Beside a ridge the slope's plane is no surface any more: triangles are tested instead.
         if (!even && gap > 0.0f) {
             float off;
             if (!faces.under(core - gap * face->normal, off) || off > 1e-3f * gap + seam * body.reach) continue;
@@ -142,8 +141,8 @@ void add_points(ContactPoints& set, const FloorFaces& faces, bool even) {
     }
 }
 
-// An ellipsoid touches each triangle of a valley. On a ridge it touches none of them with the point towards it, but with the one towards the
-// triangle below that point.
+// In a valley an ellipsoid touches each triangle. On a ridge its nearest points to each triangle may lie outside them; the point towards the triangle
+// below that point is on one.
 void add_ellipsoid(ContactPoints& set, const FloorFaces& faces, Vector up) {
     const PlacedBody& body = set.body;
     const auto add = [&](Vector core, const FloorFace& face) {
@@ -179,8 +178,8 @@ float height_over(const MeshGeometry& mesh, const MeshFloor& floor, Vector place
     return FloorFaces(mesh, floor, place, 0.0f).under({}, height) ? height : if_none;
 }
 
-// Whether a body on the `known` side of some surface can be on that side of these triangles, pressed in by at most `deep`. Else they are another
-// sheet, as the ceiling over the floor on which it was.
+// Whether a body on the `known` side of a surface can be on that side of these triangles, pressed in by at most `deep`. If not, they are another
+// sheet, such as the ceiling above its floor.
 bool can_be_on(const MeshGeometry& mesh, const uint32_t* triangles, uint32_t count, Vector known, Vector place,
                float deep) {
     bool near = false;
@@ -211,7 +210,7 @@ void find_floor(const BodyShape& shape, float scale, const Pose& from, const Pos
     Vector normals[MeshFloor::most], sum{};
     uint32_t used = 0;
     bool all = true;
-    float small = std::numeric_limits<float>::infinity(); // m^2, twice the area
+    float small = std::numeric_limits<float>::infinity(); // m^2, twice the least area
     out.count = 0;
     out.side = 0;
     for (uint32_t n = 0; n < count && all; ++n)
@@ -237,13 +236,13 @@ void find_floor(const BodyShape& shape, float scale, const Pose& from, const Pos
         front = front || dot(normals[k], known) > facing;
         back = back || dot(normals[k], known) < -facing;
     }
-    // Bodies that fall through several slopes within a substep are pushed from one to the next: the swept test stops them before.
+    // A body that falls through several slopes within a substep would be pushed from one to the next, so fine uneven meshes are swept.
     if (!out.even && margin * margin > fine * fine * small) return;
     const bool is_other = front != back && !can_be_on(mesh, out.triangles, used, known, a, pressed * reach);
     if (front != back && !is_other) out.side = front ? 1 : -1;
     if (out.side < 0) out.up = -out.up;
-    // Contacts undo a deep overlap over several substeps, so that fast bodies are stopped by the swept test first. At rest the way is the fall in a
-    // substep, which the margin includes.
+    // Contacts undo a deep overlap over several substeps, so fast bodies are swept instead. At rest the path is the fall in a substep, which the
+    // margin includes.
     const float far = (was_there && !is_other ? longest_floor : 1.0f) * (reach + margin);
     if (!flat || !(length(b - a) < far)) return;
     out.count = used;

@@ -1,4 +1,4 @@
-// The part of a mesh under a body as a floor that is solid below, like a heightfield: a body is met wherever it ends, and needs no swept test.
+// Mesh floors: the part of a mesh under a body acts as a heightfield, solid on the far side, and needs no swept test. contact.md, section 3.
 #pragma once
 
 #include "collision/colliders.h"
@@ -10,25 +10,25 @@ struct MeshFloor {
     static constexpr uint32_t most = 128;
 
     uint32_t slot = 0;        // of the collider
-    uint32_t count = 0;       // of triangles near the body's way; 0: no floor
+    uint32_t count = 0;       // of triangles near the body's path; 0: no floor
     uint32_t triangles[most]; // by index
     Vector up;                // unit, mesh frame: their mean normal, towards the body
-    bool even;                // points stand for the body: no edge is sharp
-    // Of a mesh that is no floor: the body was on this side of one in the last substep and can be pressed in beyond it, so only this side counts.
-    // 1: that of the normals of triangles that are not turned; -1: the other; 0: unknown.
+    bool even;                // no sharp edges: the body's points suffice
+    // If the mesh is no floor but the body was on one side of it in the last substep: only this side collides, since the body can be pressed in
+    // beyond it. 1: the side of the normals of triangles that are not turned; -1: the other; 0: unknown.
     int8_t side = 0;
 };
 
-// A body on a floor stays on it for ways of up to this many times its reach and margin.
+// On a known side a mesh stays a floor for paths up to this many times reach and margin; on others up to one.
 inline constexpr float longest_floor = 3.0f;
 
-// Whether the mesh is a floor for a body that goes from one pose to the other in the mesh's frame: near its way one surface without a border, nowhere
-// steeper than 57 degrees against its mean normal. parts: `count` of this mesh, near the body. out.up: of the last substep, or zero. A body that is
-// pressed in can be beyond the surface: then only this tells its side.
+// Makes the mesh a floor if near the body's path (poses in the mesh's frame) it is one surface without a border, nowhere over 57 degrees from its
+// mean normal. parts: `count` of this mesh near the body. out.up: that of the last substep, or zero; of a body pressed in beyond the surface only
+// this tells the side.
 void find_floor(const BodyShape& shape, float scale, const Pose& from, const Pose& to, float margin,
                 const MeshGeometry& mesh, const Candidate* parts, uint32_t count, MeshFloor& out);
 
-// For a body at a place in the mesh's frame: the way by which its centre of mass is out of the floor, zero if it is.
+// The displacement that takes the centre of mass at `position` (mesh's frame) out of the floor, zero if it is outside.
 Vector way_out(const BodyShape& shape, float scale, Vector position, const MeshGeometry& mesh, const MeshFloor& floor);
 
 void add_floor(ContactPoints& set, const MeshGeometry& mesh, const MeshFloor& floor);

@@ -8,14 +8,14 @@
 namespace lr {
 namespace {
 
-// Times the reach: contacts farther out would rotate the body without bounds.
+// Times the reach: impulses at points farther out would spin the body without bounds.
 constexpr float off_body = 4.0f;
 
 Vector moved(const PairBody& body, Vector arm) {
     return body.shift + (arm.x * body.turned[0] + arm.y * body.turned[1] + arm.z * body.turned[2]);
 }
 
-// The body's point farthest along a direction at the end of its way, body frame.
+// The body's point farthest along a direction at the end of the substep, body frame.
 Vector farthest(const PairBody& body, Vector direction) {
     const BodyShape& s = body.shape->shape;
     const Vector d = rotate(inverse(body.to.rotation), direction);
@@ -24,7 +24,7 @@ Vector farthest(const PairBody& body, Vector direction) {
 } // namespace
 
 float near_enough(const PairBody& a, const PairBody& b, float margin) {
-    // Bound of how much any two of their points approach each other.
+    // Bound of the approach of any two of their points.
     return margin + length(a.shift - b.shift) + a.turns + b.turns;
 }
 
@@ -33,7 +33,7 @@ PlacedBox placed_box(const PairBody& body, float margin) {
     const Vector middle = body.from.position + body.scale * rotate(body.from.rotation, hull.origin);
     const Vector half = body.scale * (hull.core_half + hull.shape.radius * Vector{1.0f, 1.0f, 1.0f});
     const Rotation q = body.from.rotation * hull.frame;
-    // For the rounding of middles and turned boxes.
+    // Rounding of middles and of turned boxes.
     const float far = std::max({std::abs(middle.x), std::abs(middle.y), std::abs(middle.z)});
     const float slack = 1e-6f * far + 1e-5f * body.reach();
     return {{middle.x, middle.y, middle.z},
@@ -58,18 +58,18 @@ uint32_t keep_way_contacts(const PairBody& a, const PairBody& b, float margin, c
         if (end < margin) out[kept++] = {c, end, k};
     }
     if (a.turns + b.turns == 0.0f) return kept;
-    // The plane between them at the substep's beginning must also separate them at its end: fast rotation could bring other points through.
+    // The plane that separates them at the beginning must do so at the end too, since fast rotation brings other points near.
     const Vector n = found.contact[0].normal;
     const float slop = 1e-3f * std::min(a.reach(), b.reach());
     if (!(gap > -slop)) return kept;
     const Vector on_a = to_outer(a.to, farthest(a, -n)), on_b = to_outer(b.to, farthest(b, n));
     const float apart = dot(n, on_a - on_b);
     if (!(apart < least - slop)) return kept;
-    // Both on one line, through the point of the faster one: impulses at two points side by side would rotate both.
+    // Both points on one line, through the faster body's: impulses at two points side by side would rotate both bodies.
     const bool first = a.way() >= b.way();
     const Vector arm_a = to_inner(a.to, first ? on_a : on_b + apart * n);
     const Vector arm_b = to_inner(b.to, first ? on_a - apart * n : on_b);
-    // On a far larger body this point can be far from the other body.
+    // If a body is far larger, its point can be far from the other body.
     if (length(arm_a) > off_body * a.reach() || length(arm_b) > off_body * b.reach()) return kept;
     uint32_t at = kept;
     if (kept == most_pair_contacts) {
@@ -92,7 +92,7 @@ uint32_t PairBatch::search(uint32_t first) {
         if (pair.a == one.a && pair.b == one.b) std::swap(order_[first + lanes++], order_[i]);
     }
     for (uint32_t lane = 0; lane < search_lanes; ++lane) {
-        // Unused lanes must terminate too.
+        // Unused lanes repeat a pair, so that the search ends for them too.
         const NearPair& near = waiting_[order_[first + (lane < lanes ? lane : 0)]].near;
         block_.ratio[lane] = near.pair.ratio;
         put_in(block_.offset, 0, lane, near.pair.offset);

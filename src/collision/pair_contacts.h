@@ -1,5 +1,5 @@
-// Contacts of pairs of bodies in a substep: found at its beginning, tested against the ways of both. Pairs of the same shapes are
-// searched in parallel lanes. docs/maintainers/contact.md
+// Contacts of pairs of bodies: found at the beginning of a substep, tested against the paths of both. Pairs of the same two shapes are searched side
+// by side, one per lane. docs/maintainers/contact.md, section 12.
 #pragma once
 
 #include "base/float4.h"
@@ -10,7 +10,7 @@
 
 namespace lr {
 
-// The relative placement of two bodies: in the first one's own frame, with its scale as the unit of length.
+// Relative placement of two bodies in the first one's own frame, in units of its scale.
 struct RelativePair {
     const PairHull* a;
     const PairHull* b;
@@ -36,20 +36,20 @@ struct PlacedPair : RelativePair {
     Vector point_b(uint32_t i) const { return {x[i], y[i], z[i]}; }
 };
 
-// A pair with boxes near each other.
+// A pair whose boxes are near each other.
 struct NearPair {
     RelativePair pair;
     Rotation own_a; // takes vectors from a's own frame to the world
     float scale_a, scale_b;
-    // in units of a's scale: b's rounding; the gap of cores below which they touch; tolerance of distances
+    // In units of a's scale: b's rounding; core gap below which they touch; tolerance of distances.
     float radius_b, enough, tolerance;
-    Vector start; // a guess of the normal
+    Vector start; // first guess of the normal
     bool swapped; // a and b are swapped relative to the call
 };
-// Places the pair at the beginning of the substep; symmetric in a and b. False: farther apart than `margin` (m, >= 0), or not finite.
+// Places the pair at the beginning of the substep; symmetric in a and b. False if farther apart than `margin` (m, >= 0), or not finite.
 bool relate(const PairBody& a, const PairBody& b, float margin, NearPair& out);
 
-// Closer than the larger core times this, rounding determines the direction.
+// Share of the larger core: cores closer than this give a direction that is only rounding.
 inline constexpr float touching_cores = 3e-5f;
 
 struct Closest {
@@ -57,15 +57,15 @@ struct Closest {
     State state;
     Vector normal;     // unit, from b to a
     float distance;    // of the two points
-    Vector on_a, on_b; // a's point includes its shift
+    Vector on_a, on_b; // a's point with the shift of a's core
 };
 
-// Turns places on cores into contacts of bodies.
+// Converts points on cores to contacts of bodies.
 class ContactFrame {
 public:
-    // normal: from b to a, in the pair's frame. shift: of a's core, by which it was drawn out of b's.
+    // normal: from b to a, in the pair's frame. shift: displacement that drew a's core out of b's.
     ContactFrame(const NearPair& near, Vector normal, Vector shift);
-    // gap: of the cores there, with the shift.
+    // gap: between the cores at this point, shift included.
     PairContact contact(Vector on_core_b, float gap) const;
 
 private:
@@ -73,35 +73,35 @@ private:
     Vector normal_, world_normal_, shift_;
 };
 
-// Contacts of a pair with known nearest points: those that hold it best. Returns how many.
+// Manifold of a pair from its nearest points: the contacts that hold it best. Returns their number.
 uint32_t contacts_of(const NearPair& near, Closest closest, PairContact (&out)[most_pair_contacts]);
 
 struct WayContact {
     static constexpr uint32_t swept = UINT32_MAX;
     PairContact begin;
-    float end;     // m, the gap at the end of the way
-    uint32_t from; // which contact of the manifold; swept: none, it was made for the end of the way
+    float end;     // m, gap at the end of the substep
+    uint32_t from; // index of the contact in the manifold; swept: none, made for the end of the substep
 };
-// All contacts of a pair as the substep begins.
+// All contacts of a pair at the beginning of the substep.
 struct Manifold {
     PairContact contact[most_pair_contacts];
     uint32_t count;
 };
 
-// For contacts that end closer than `margin` (m): how close they must begin (m), and which of them count. Returns how many.
+// Gap (m) at the beginning below which a contact can come closer than `margin` (m) by the end.
 float near_enough(const PairBody& a, const PairBody& b, float margin);
-// The body's box for a NearBoxes search of pairs that come nearer than the smaller of their margins (m).
+// Box of a body for NearBoxes, which searches pairs that come nearer than the smaller of their margins (m).
 PlacedBox placed_box(const PairBody& body, float margin);
 uint32_t keep_way_contacts(const PairBody& a, const PairBody& b, float margin, const Manifold& found,
                            WayContact (&out)[most_pair_contacts]);
 
-// The result of a pair does not depend on the other pairs.
+// The result of a pair does not depend on the other pairs of the batch.
 class PairBatch {
 public:
     explicit PairBatch(PairSearch* target) : target_(target) {}
 
-    // Calls found(id, contacts, count, manifold) once for each pair, now or in a later call, at the latest in finish(). Bodies must live
-    // until then. farther: m, by how much the manifold reaches beyond the contacts that count in this substep.
+    // Calls found(id, contacts, count, manifold) once for each pair, in this or a later call, at the latest in finish(); bodies must live until then.
+    // farther: m, by which the manifold reaches beyond the contacts of this substep, so that it can be kept.
     template <class Found>
     void find(const PairBody& a, const PairBody& b, float margin, float farther, uint32_t id, const Found& found) {
         Waiting& next = waiting_[count_];
@@ -137,7 +137,7 @@ private:
         float margin;
         uint32_t id;
     };
-    // Searches the pairs from `first` on that have the shapes of the first; returns how many.
+    // Searches the pairs from `first` on that have its shapes; returns their number.
     uint32_t search(uint32_t first);
     Manifold manifold_at(uint32_t at, uint32_t lane) const;
 

@@ -12,17 +12,17 @@
 namespace lr {
 namespace {
 
-// Ellipsoids flatter than this, thinnest over second axis, are plates.
+// Ellipsoids flatter than this, thinnest axis over second, become plates.
 constexpr double flat_ellipsoid = 0.2;
 constexpr uint32_t outline_points = 16;
-// Scale that gives the hull of sphere_points() the volume of the ball.
+// Scale at which the hull of sphere_points() has the ball's volume.
 constexpr double filled_sphere = 1.06122;
 
 // A plate with the outline, volume and mean thickness of a flat ellipsoid.
 BodyShape plate_of(const BodyShape& ellipsoid, uint32_t across) {
     const uint32_t k = (across + 1) % 3, l = (across + 2) % 3;
     const double radius = 2.0 / 3.0 * wide(ellipsoid.semi_axes[across]);
-    // Steps of 22.5 degrees. The outline's corners lie outside by as much as its edges lie inside.
+    // Every 22.5 degrees. Corners lie as far outside the ellipse as edges lie inside.
     const double root2 = std::numbers::sqrt2, sine = 0.5 * std::sqrt(2.0 - root2),
                  cosine = 0.5 * std::sqrt(2.0 + root2);
     const double grow = std::sqrt(std::numbers::pi / (0.5 * outline_points * sine));
@@ -42,7 +42,7 @@ BodyShape plate_of(const BodyShape& ellipsoid, uint32_t across) {
     return shape;
 }
 
-// Corners of an icosahedron and of a dodecahedron, on the unit sphere.
+// Corners of an icosahedron and a dodecahedron, on the unit sphere.
 std::array<Double3, 32> sphere_points() {
     const double phi = std::numbers::phi;
     std::array<Double3, 32> points{};
@@ -62,7 +62,7 @@ std::array<Double3, 32> sphere_points() {
     return points;
 }
 
-// A rounded hull with about the ellipsoid's volume. The rounding is half its least radius of curvature.
+// A rounded hull with about the ellipsoid's volume, rounded by half the least radius of curvature.
 BodyShape solid_of(const BodyShape& ellipsoid) {
     const Double3 semi = to_double(ellipsoid.semi_axes);
     const double most = std::max({semi.x, semi.y, semi.z}), thinnest = std::min({semi.x, semi.y, semi.z});
@@ -80,7 +80,7 @@ BodyShape solid_of(const BodyShape& ellipsoid) {
     return shape;
 }
 
-// A plate with fewer corners, because each costs time in each pair.
+// A plate with fewer corners, since each costs time in each pair.
 BodyShape coarse_plate(const BodyShape& plate) {
     std::vector<shape::HullPoint> points, outline;
     for (uint32_t i = 0; i < plate.count; ++i) {
@@ -108,7 +108,7 @@ BodyShape hull_for(const BodyShape& shape) {
     return wide(s[across]) < flat_ellipsoid * second ? plate_of(shape, across) : solid_of(shape);
 }
 
-// Rotates z to the nearer of a plate's two normals.
+// Rotates z to the nearer one of a plate's normals.
 Rotation plate_frame(const BodyShape& shape) {
     const Vector n = shape.faces[shape.faces[0].normal.z < 0.0f ? 1 : 0].normal;
     return normalised({-n.y, n.x, 0.0f, 1.0f + n.z});
@@ -148,7 +148,7 @@ void set_own_points(PairHull& out) {
 }
 } // namespace
 
-// For a rotation by an angle, 2 |sin of half the angle| is the chord at distance 1.
+// The chord of a rotation at distance 1 is 2 |sin(angle/2)|.
 PairBody pair_body(const PairHull& shape, float scale, const Pose& from, const Pose& to) {
     const Rotation turn = to.rotation * inverse(from.rotation);
     const float reach = scale * shape.shape.reach;
@@ -166,7 +166,7 @@ PairHull make_pair_hull(const BodyShape& shape) {
     out.flat = is_plate(s);
     out.frame = out.flat ? plate_frame(s) : Rotation{0.0f, 0.0f, 0.0f, 1.0f};
     set_own_points(out);
-    // The corners of the face that looks along z.
+    // Corners of the face towards z.
     const ShapeFace& face = s.faces[out.flat && out.face_z[1] > 0.0f ? 1 : 0];
     for (uint32_t i = 0; out.flat && i < s.count; ++i) {
         const uint32_t corner = s.corners[face.first + i];
@@ -197,7 +197,7 @@ Box bounds(const PairHull& shape, float scale, const Pose& at) {
     const Vector x = rotate(q, {scale, 0.0f, 0.0f}), y = rotate(q, {0.0f, scale, 0.0f}),
                  z = rotate(q, {0.0f, 0.0f, scale});
     const Vector middle = at.position + scale * rotate(at.rotation, shape.origin);
-    // For the rounding of rotated points and of positions.
+    // Rounding of rotated points and of positions.
     const float out = scale * (shape.shape.radius + 1e-6f * shape.core_reach);
     const auto extent = [&](float from_x, float from_y, float from_z, float about, float& low, float& high) {
         const auto along = [&](uint32_t i) {

@@ -12,16 +12,16 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr uint32_t most_advances = 100;
-// Share of a body's reach: a ray this close has hit it.
+// Share of the reach: a ray this near has hit the body.
 constexpr double met = 1e-6;
 
-// Inside: outward . x <= offset.
+// The set outward . x <= offset.
 struct Plane {
     Double3 outward;
     double offset; // m
 };
 
-// The part of a ray inside a convex set, initially everything up to `last`.
+// The part of a ray inside a convex set; at first all of it up to `last`.
 struct RayPart {
     double first = 0.0, last = 0.0; // m
     Double3 normal = {};            // of the plane at `first`; 0: the ray begins inside
@@ -42,7 +42,7 @@ struct RayPart {
     RayHit hit(const Ray& ray) const { return {first, first > 0.0 ? normal : -ray.direction}; }
 };
 
-// Whether a ray hits, within `most` (m), the set behind `count` planes, plane(i).
+// Whether a ray hits within `most` (m) the convex set behind `count` planes, plane(i).
 template <class PlaneAt>
 bool hits_planes(uint32_t count, const PlaneAt& plane, const Ray& ray, double most, RayHit& hit) {
     RayPart part;
@@ -58,12 +58,12 @@ bool begins_inside(const Ray& ray, RayHit& hit) {
     return true;
 }
 
-// An ellipsoid along the axes about `middle`.
+// An ellipsoid with axes along the frame's.
 bool hits_ellipsoid(Double3 middle, Double3 semi_axes, const Ray& ray, double most, RayHit& hit) {
     const auto in_units = [&](Double3 p) { return Double3{p.x / semi_axes.x, p.y / semi_axes.y, p.z / semi_axes.z}; };
     const Double3 a = in_units(ray.origin - middle), d = in_units(ray.direction);
     if (dot(a, a) <= 1.0) return begins_inside(ray, hit);
-    // The least distance from the middle by the cross product: differences of squares lose precision far away.
+    // Distance from the middle by the cross product, since differences of squares lose precision far away.
     const Double3 across = cross(a, d);
     const double square = dot(d, d), room = square - dot(across, across);
     if (!(room >= 0.0)) return false;
@@ -74,7 +74,7 @@ bool hits_ellipsoid(Double3 middle, Double3 semi_axes, const Ray& ray, double mo
     return true;
 }
 
-// Steps along the ray from plane to plane through the body's point nearest to the ray's (van den Bergen 2004): few rounds, never past the surface.
+// Advances from plane to plane, each through the body's point nearest to the ray's (van den Bergen 2004): few rounds, never past the surface.
 bool hits_rounded(const BodyShape& shape, float scale, const Ray& ray, double most, RayHit& hit) {
     const PlacedBody body(shape, scale, {{0.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.0f, 1.0f}});
     const double radius = wide(body.radius), near = met * wide(scale * shape.reach);
@@ -108,7 +108,7 @@ bool hits_hull(const BodyShape& shape, double scale, const Ray& ray, double most
     return hits_planes(shape.face_count, plane, ray, most, hit);
 }
 
-// The part of a ray within `radius` of the origin.
+// Whether a ray comes within `radius` of the origin, and where first.
 bool reaches_sphere(Double3 from, Double3 direction, double radius, double most, double& first) {
     const Double3 across = cross(from, direction);
     const double room = radius * radius - dot(across, across);
@@ -128,7 +128,7 @@ Ray ray_in(const Pose& frame, const Ray& ray) {
 bool ray_hits_body(const BodyShape& shape, float scale, const Pose& at, const Ray& ray, double most, RayHit& hit) {
     Ray own = ray_in(at, ray);
     const double size = wide(scale);
-    // Starts where it enters the sphere about the body, so precision is relative to the body's size.
+    // Starts at the sphere around the body, so that precision is relative to the body's size.
     double start = 0.0;
     if (!reaches_sphere(own.origin, own.direction, 1.001 * size * wide(shape.reach), most, start)) return false;
     own.origin = own.origin + start * own.direction;
@@ -155,7 +155,7 @@ bool hits_plane(const Ray& ray, double most, RayHit& hit) {
     return hit.distance <= most;
 }
 
-// Tests the tube between the ends, and the spheres at the ends.
+// The tube, then the spheres at its ends.
 bool hits_capsule(double radius, double half, const Ray& ray, double most, RayHit& hit) {
     const Double3 o = ray.origin, d = ray.direction;
     const double dd = d.x * d.x + d.z * d.z, across = o.x * d.z - o.z * d.x;
@@ -187,7 +187,7 @@ bool hits_hull(const HullGeometry& hull, const Ray& ray, double most, RayHit& hi
     return hits_planes(hull.face_count, plane, ray, most, hit);
 }
 
-// By the signs of three volumes (Plücker coordinates), so that no ray slips through an edge between two triangles.
+// The signs of three volumes (Pluecker coordinates) decide, so that no ray slips through the edge between two triangles.
 bool hits_triangle(const Vector (&corners)[3], const Ray& ray, double most, bool two_sided, RayHit& hit) {
     const Double3 a = to_double(corners[0]) - ray.origin, b = to_double(corners[1]) - ray.origin,
                   c = to_double(corners[2]) - ray.origin;
@@ -213,7 +213,7 @@ bool reaches_box(const Box& box, const Ray& ray, double most) {
             continue;
         }
         const double a = (low - from) / along, b = (high - from) / along;
-        // A flat box is entered and left at the same place: allows for rounding.
+        // A flat box is entered and left at the same place: the slack covers rounding.
         const double slack = 1e-12 * (std::abs(a) + std::abs(b));
         first = std::max(first, std::min(a, b) - slack);
         last = std::min(last, std::max(a, b) + slack);
@@ -221,7 +221,7 @@ bool reaches_box(const Box& box, const Ray& ray, double most) {
     return first <= last;
 }
 
-// The first hit of a ray with things [begin, end), the first thing of equals. hits(i, hit): the hit within `most`, which shrinks to the nearest so far.
+// The first hit among things [begin, end), the first thing if equal. hits(i, hit) tests within `most`, which shrinks to the nearest hit so far.
 template <class Hits> bool hits_first(size_t begin, size_t end, double& most, RayHit& hit, const Hits& hits) {
     bool any = false;
     for (size_t i = begin; i < end; ++i) {
@@ -241,7 +241,7 @@ bool hits_mesh(const MeshGeometry& mesh, const SharedGeometry& shared, const Ray
     });
 }
 
-// The ground under a place of the outline.
+// Height of the ground under a place of the outline.
 double ground(const HeightfieldGeometry& field, Double3 p) {
     const double most_x = wide(field.spacing[0]) * (field.counts[0] - 1.0),
                  most_z = wide(field.spacing[1]) * (field.counts[1] - 1.0);
@@ -250,7 +250,7 @@ double ground(const HeightfieldGeometry& field, Double3 p) {
     return wide(height_at(field, x, z).height);
 }
 
-// Visits cells along the ray, within the outline and below the highest sample.
+// Visits the cells along the ray, within the outline and below the highest sample.
 bool hits_heightfield(const HeightfieldGeometry& field, const Ray& ray, double most, RayHit& hit) {
     const double spacing[2] = {wide(field.spacing[0]), wide(field.spacing[1])};
     RayPart part;
@@ -269,7 +269,7 @@ bool hits_heightfield(const HeightfieldGeometry& field, const Ray& ray, double m
     const Double3 from = ray.origin + part.first * ray.direction;
     const double at[2] = {from.x, from.z}, along[2] = {ray.direction.x, ray.direction.z};
     int64_t cell[2], cells[2];
-    double next[2], every[2]; // m along the ray: where it leaves the cell, and the length of a cell
+    double next[2], every[2]; // m along the ray: to the end of the cell, and per cell
     for (uint32_t k = 0; k < 2; ++k) {
         cells[k] = static_cast<int64_t>(field.counts[k]) - 1;
         cell[k] = std::clamp(static_cast<int64_t>(std::floor(at[k] / spacing[k])), int64_t{0}, cells[k] - 1);

@@ -1,4 +1,4 @@
-// Ray tests against bodies and colliders. Everything is in double: origins can be far away.
+// Rays against bodies and colliders. In double, since origins can be far away.
 #pragma once
 
 #include "collision/geometry_store.h"
@@ -13,17 +13,16 @@ struct Ray {
 
 struct RayHit {
     double distance; // m, along the ray
-    Double3 normal;  // unit, outward; against the ray if it begins inside, at distance 0
+    Double3 normal;  // unit, outward; if the ray begins inside: against the ray, at distance 0
 };
 
-// The first hit of a ray with the shape, `scale` times, at `at`, within `most` (m). False: none.
+// The first hit within `most` (m) of the ray with the shape, `scale` times, at `at`. False if there is none.
 bool ray_hits_body(const BodyShape& shape, float scale, const Pose& at, const Ray& ray, double most, RayHit& hit);
 
 // The ray is in the collider's frame. shared: null if the collider has none.
 bool ray_hits_collider(const Geometry& geometry, const SharedGeometry* shared, const Ray& ray, double most,
                        RayHit& hit);
 
-// The first hit of a ray with a part of a mesh.
 bool ray_hits_part(const MeshGeometry& mesh, const ColliderPart& part, const Ray& ray, double most, RayHit& hit);
 
 Ray ray_in(const Pose& frame, const Ray& ray);

@@ -1,4 +1,4 @@
-// Places of a batch's sleeping bodies: an unbounded grid of hashed cells, in levels by size.
+// Positions of a batch's sleeping bodies in an unbounded grid of hashed cells, in levels by size.
 #pragma once
 
 #include "base/allocator.h"
@@ -10,21 +10,21 @@ namespace lr {
 
 class SleepingGrid {
 public:
-    // Each level's cells are four times as wide as those of the previous one: enough for all scales.
+    // Each level's cells are four times as wide as those before: eleven levels span all scales.
     static constexpr uint32_t level_count = 11;
-    // A search also finds bodies whose boxes, larger by this share of the reach, overlap its own.
+    // A search also finds bodies within this share of their reach beyond their boxes.
     static constexpr double room = 0.02;
 
-    // reach: m, of a body of scale 1 from its centre of mass. False when out of memory.
+    // reach: m, at scale 1. False when out of memory.
     bool create(Allocator& allocator, uint32_t capacity, double reach);
 
-    // By slots; `at` is in [insert(), remove()) of it.
+    // By body slot.
     void insert(uint32_t slot, Vector position, float scale);
     void remove(uint32_t slot);
     void clear();
 
-    // Calls fn(slot) for all bodies whose boxes, position +- reach, overlap `box`, and for others near it, some more than once, in no
-    // order; fn may remove its body. Returns false without a call if testing `all` bodies is cheaper.
+    // Calls fn(slot) for all bodies whose box, position +- reach, overlaps `box`, and for some near it, some more than once, in no order. fn may
+    // remove its body. Returns false without a call if testing `all` bodies one by one is cheaper.
     template <class Function> bool visit(const Box& box, uint32_t all, Function&& fn) const {
         double cells = 0.0;
         for (uint32_t level = 0; level < level_count; ++level)
@@ -54,7 +54,7 @@ private:
     uint32_t population_[level_count] = {};
     uint32_t mask_ = 0;
     Buffer<uint32_t> heads_;
-    Buffer<uint32_t> next_, previous_; // by slot; previous: head_bit and the bucket for the first of it
+    Buffer<uint32_t> next_, previous_; // by slot; previous: of a bucket's first, head_bit and the bucket
     Buffer<uint8_t> level_;            // by slot
 };
 } // namespace lr

@@ -8,12 +8,12 @@ namespace lr {
 namespace {
 
 constexpr uint8_t all_front = 7;
-// An edge is a ridge if the next triangle falls below this one's plane by more than this share of a cell's width.
+// An edge is a ridge if the next triangle falls below this one's plane by more than this share of a cell.
 constexpr float ridge = 1e-3f;
-// Cosine between a triangle's normal and the direction of a body beside it.
+// Cosine between triangle normal and separation; below it the body is beside the triangle.
 constexpr double beside = 0.1;
 
-// Whether the corner or edge farthest along the normal is hidden. Corners that differ by less than 1e-4 of the triangle's size count as equal.
+// Whether the corner or edge farthest along the normal is hidden (hidden_edges). Corners within 1e-4 of the triangle's size count as equal.
 bool is_hidden(const Triangle& t, Vector n) {
     const float side = dot(n, t.normal);
     if (std::abs(side) > 0.9999f) return false;
@@ -35,7 +35,7 @@ bool is_hidden(const Triangle& t, Vector n) {
     return hidden(out == 3 ? 0 : out == 6 ? 1 : 2);
 }
 
-// Whether the whole near part of the body is over the inside of the triangle.
+// Whether the body, seen along the normal, lies inside the triangle.
 bool covers(const Triangle& t, Vector position, float reach) {
     for (uint32_t i = 0; i < 3; ++i) {
         const Vector edge = t.corners[(i + 1) % 3] - t.corners[i];
@@ -45,25 +45,25 @@ bool covers(const Triangle& t, Vector position, float reach) {
     return true;
 }
 
-// Whether the foot of a point on the triangle's plane lies within the triangle.
+// Whether a point, seen along the normal, lies inside the triangle.
 bool is_over(const Triangle& t, Vector point) {
     for (uint32_t i = 0; i < 3; ++i)
         if (dot(cross(t.normal, t.corners[(i + 1) % 3] - t.corners[i]), point - t.corners[i]) < 0.0f) return false;
     return true;
 }
 
-// Towards the side on which the body was as the substep began; 0 if unknown. A thin body that is pressed in beyond its middle plane would
-// else be pushed out on the other side.
+// Direction to the side on which the body was when the substep began; 0 if unknown. A thin body pressed in beyond its middle plane would otherwise
+// leave on the other side.
 Double3 side_before(const ContactPoints& set, const Triangle& t) {
     if (!set.before) return {};
     const PlacedBody body(*set.body.shape, set.body.scale, *set.before);
     const PlacedCollider collider(t.corners, set.before->position);
     const Double3 side = separate(body, collider, std::numeric_limits<double>::infinity()).normal;
-    // Of a body beside the triangle, which then slides over it, rounding would tell.
+    // If the body was beside the triangle and slides over it, rounding would decide.
     return std::abs(dot(side, to_double(t.normal))) < beside ? Double3{} : side;
 }
 
-// Along the triangle's normal, on the given side; on that of less overlap if it is 0.
+// Along the triangle's normal on the given side; if that is 0, on the side of less overlap.
 Separation separate_from_side(const ContactPoints& set, const Triangle& t, const PlacedCollider& collider,
                               Double3 side) {
     const Double3 normal = to_double(t.normal);
@@ -72,8 +72,8 @@ Separation separate_from_side(const ContactPoints& set, const Triangle& t, const
     return separate_from_plane(set.body, collider, along < 0.0 ? -normal : normal, true);
 }
 
-// The neighbours handle the surroundings of a hidden edge. Here only the part of the body over the triangle counts: beside a ridge the body
-// reaches below the triangle's plane, where the triangle no longer is.
+// Neighbours handle the surroundings of a hidden edge, so only the part of the body over the triangle counts. Beside a ridge the rest reaches below
+// the triangle's plane, beyond its end.
 void add_over_triangle(ContactPoints& set, const Triangle& t, const PlacedCollider& collider, bool apart,
                        Double3 side) {
     const Separation flat = separate_from_side(set, t, collider, side);
@@ -82,7 +82,7 @@ void add_over_triangle(ContactPoints& set, const Triangle& t, const PlacedCollid
     if (!apart && is_over(t, set.body.at.position + lowest)) add_manifold(set, collider, flat);
 }
 
-// alone: no neighbour handles the surroundings of its edges.
+// alone: the neighbours are not tested, so no edge is left to them.
 void add_triangle(ContactPoints& set, const Triangle& t, bool alone = false) {
     const PlacedBody& body = set.body;
     const float reach = body.reach + body.radius, far = reach + set.margin;
@@ -108,7 +108,7 @@ void add_triangle(ContactPoints& set, const Triangle& t, bool alone = false) {
     }
     if (!is_hidden(t, to_float(along.normal))) return add_manifold(set, collider, along);
     if (!alone) return add_over_triangle(set, t, collider, along.has_points, side);
-    // Along the floor that the triangle is a part of, if the body is over all of its plane: an edge within a floor is no obstacle.
+    // Along the plane of its floor if all of the body is above it: an edge within a floor is no obstacle.
     const Separation flat = separate_from_side(set, t, collider, side);
     add_manifold(set, collider, flat.distance > 0.0 ? flat : along);
 }
@@ -121,7 +121,7 @@ Vector corner(const HeightfieldGeometry& field, uint32_t i, uint32_t k) {
     return {static_cast<float>(i) * field.spacing[0], sample(field, i, k), static_cast<float>(k) * field.spacing[1]};
 }
 
-// Bits of the edges that are not ridges. Edges of the outline are not ridges.
+// Bits of edges that are not ridges; borders of the field are not.
 uint8_t hidden_edges(const HeightfieldGeometry& field, uint32_t i, uint32_t k, bool second, const Triangle& t) {
     const uint32_t columns = field.counts[0] - 1, rows = field.counts[1] - 1;
     const float below = -ridge * std::min(field.spacing[0], field.spacing[1]);
@@ -152,7 +152,7 @@ void add_points(ContactPoints& set, const HeightfieldGeometry& field) {
         const HeightPoint below = height_at(field, p.x, p.z);
         const float gap = (p.y - below.height) * below.normal.y;
         if (gap - body.radius >= set.margin) return;
-        // Beside a ridge a slope's plane continues where the slope does not: its triangles then decide.
+        // Beside a ridge the slope's plane is no surface any more: triangles are tested instead.
         if (gap > 0.0f && below.normal.y < 0.999f) {
             const Vector foot = p - gap * below.normal;
             const float off = foot.y - height_at(field, foot.x, foot.z).height;
@@ -163,7 +163,7 @@ void add_points(ContactPoints& set, const HeightfieldGeometry& field) {
     };
     for (uint32_t i = 0; i < body.count; ++i) add(body.point(i));
     if (body.count > 0) return;
-    // The ellipsoid's point is the one towards the triangle below, which in turn is the one below that point.
+    // Iterates: the ellipsoid's point towards the triangle below, then the triangle below that point.
     Vector normal{0.0f, 1.0f, 0.0f};
     for (uint32_t round = 0; round < 4; ++round) {
         const Vector p = position + to_float(body.support(-to_double(normal)));
@@ -188,7 +188,7 @@ Triangle mesh_triangle(const MeshGeometry& mesh, uint32_t index) {
 }
 
 Triangle one_side(Triangle t, bool front) {
-    if (!front) { // the edges are in reverse order then
+    if (!front) { // this reverses the order of edges
         std::swap(t.corners[1], t.corners[2]);
         t.normal = -t.normal;
         const auto bit = [&](uint32_t edge) { return static_cast<uint32_t>(t.hidden) >> (3 + edge) & 1u; };

@@ -1,4 +1,4 @@
-// Bodies against single triangles: of meshes, and of heightfields, which are solid below.
+// Bodies against single triangles, of meshes and of heightfields.
 #pragma once
 
 #include "collision/contact_points.h"
@@ -19,7 +19,7 @@ struct HeightPoint {
     float height; // m
     Vector normal;
 };
-// The triangle of a heightfield below or above a place within its outline.
+// The heightfield's triangle below or above a place within its outline.
 HeightPoint height_at(const HeightfieldGeometry& field, float x, float z);
 
 // Cells of a heightfield that a box overlaps, [first, last); none if it is outside.
@@ -30,11 +30,11 @@ Cells cells_between(const HeightfieldGeometry& field, const Box& box);
 // One of the two triangles of a cell; `hidden` is not set.
 Triangle field_triangle(const HeightfieldGeometry& field, uint32_t i, uint32_t k, bool second);
 
-// alone: without the surrounding parts, so that no edge is left to them.
+// alone: the mesh part is tested without its neighbours, so all edges collide here.
 void add_mesh(ContactPoints& set, const MeshGeometry& mesh, ColliderPart part, bool alone = false);
-// Its front, or its back, alone.
+// The triangle with one side only, its front or its back.
 Triangle one_side(Triangle t, bool front);
-// Of such a triangle, if one of its edges is a ridge.
+// Adds contacts at the ridges of a one-sided triangle.
 void add_ridges(ContactPoints& set, const Triangle& t);
 void add_heightfield(ContactPoints& set, const HeightfieldGeometry& field);
 } // namespace lr
