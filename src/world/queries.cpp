@@ -1,4 +1,4 @@
-// Ray casts, overlap tests, and the flow's loads on a body.
+// Queries: ray casts, overlap tests, and the fluid's loads on a body.
 #include "world/world.h"
 
 #include "base/pose.h"
@@ -16,17 +16,17 @@ namespace {
 constexpr uint32_t nothing = UINT32_MAX;
 
 constexpr uint32_t filter_block = 256;
-// Share of the distance: more than the rounding of single precision here.
+// Share of the distance: bound of the filter's rounding in single precision.
 constexpr float rounding = 2e-6f;
 
-// Filters bodies by their spheres, along a ray or, without length, a sphere.
+// Finds bodies whose spheres are near a ray; with length 0, near a sphere.
 struct RayFilter {
     Vector origin, direction; // m; unit
     float radius, reach;      // m, of the ray; of a body of scale 1
     float most;               // m, along the ray
 };
 
-// For bodies [begin, end), at most filter_block, in a loop that compilers vectorise. Returns whether any is marked: perhaps too many, never too few.
+// For bodies [begin, end), at most filter_block; vectorised. Marks perhaps too many, never too few. Returns whether any is marked.
 bool filter_bodies(const RayFilter& f, const BatchArrays& arrays, uint32_t begin, uint32_t end,
                    uint32_t (&marks)[filter_block]) {
     const float *const x = arrays.field[field_x] + begin, *const y = arrays.field[field_y] + begin,
@@ -49,7 +49,7 @@ bool filter_bodies(const RayFilter& f, const BatchArrays& arrays, uint32_t begin
     return any != 0;
 }
 
-// Calls fn(index) for bodies of the batch that pass the filter; fn may narrow the filter.
+// Calls fn(index) for bodies that pass the filter; fn may narrow it.
 template <class Function> void for_passing(const Batch& batch, const RayFilter& filter, Function&& fn) {
     uint32_t marks[filter_block];
     for (uint32_t at = 0; at < batch.count(); at += filter_block) {
@@ -68,7 +68,7 @@ struct FirstHit {
 };
 
 void cast_at_bodies(const Batch& batch, const Ray& ray, double most, FirstHit& nearest) {
-    // A little more, for rounding.
+    // Slightly enlarged for rounding.
     RayFilter filter{to_float(ray.origin), to_float(ray.direction), 0.0f, 1.001f * batch.asset().shape.reach, 0.0f};
     const auto shorten = [&] { filter.most = 1.000001f * static_cast<float>(std::min(most, nearest.hit.distance)); };
     shorten();
@@ -103,7 +103,7 @@ void cast_at_colliders(const Colliders& colliders, uint32_t layers, const Ray& r
     }
 }
 
-// A sphere or box, and a body that can overlap it.
+// Tests bodies against a sphere or a box.
 class OverlapTest {
 public:
     explicit OverlapTest(const lr_overlap_desc& desc) {
@@ -114,14 +114,14 @@ public:
         const float(&s)[3] = desc.size;
         reach_ = sphere ? s[0] : 1.000001f * length(Vector{s[0], s[1], s[2]});
     }
-    // A ray without length, as thick as the sphere around it.
+    // A ray of length 0, as thick as the sphere around the shape.
     RayFilter filter(const Batch& batch) const {
         return {frame_.position, {1.0f, 0.0f, 0.0f}, reach_, 1.001f * batch.asset().shape.reach, 0.0f};
     }
     bool holds(const Batch& batch, uint32_t i) const {
         const float scale = batch.arrays().field[field_scale][i];
         const Pose at = relative(frame_, pose_of(batch.arrays(), i));
-        // Most bodies in a large box have their middle in it, and most others are far.
+        // Cheap tests first: in a large box most bodies have their middle inside, and most others are far away.
         const Vector middle = at.position + rotate(at.rotation, scale * batch.asset().shape.center);
         if (depth(middle) <= 0.0) return true;
         if (depth(at.position) > 1.001 * wide(scale * batch.asset().shape.reach)) return false;
@@ -133,7 +133,7 @@ public:
     }
 
 private:
-    // m: how far a point is outside; 0 or less inside.
+    // m: distance of a point from the shape; not positive inside.
     double depth(Vector p) const {
         if (geometry_.kind == ColliderKind::sphere) return length(to_double(p)) - wide(geometry_.size[0]);
         const auto beyond = [](float v, float half) { return std::max(wide(std::abs(v)) - wide(half), 0.0); };
@@ -143,7 +143,7 @@ private:
 
     Pose frame_;
     Geometry geometry_{};
-    float reach_; // m, of a sphere around it
+    float reach_; // m, of the sphere around the shape
 };
 } // namespace
 
@@ -214,7 +214,7 @@ void find_loads(const lr_world& world, Batch& batch, uint32_t i, lr_body_loads& 
     if (batch.step.loads != Loads::aerodynamic) return;
     BodyCopies<lane_block> copy;
     copy.take(batch.arrays(), 1, [&](uint32_t) { return i; });
-    if (batch.asleep(i)) // the arrays have the wind withstood there
+    if (batch.asleep(i)) // there the arrays hold the wind withstood
         for (size_t f = field_gust_x; f < field_count; ++f) std::fill_n(copy.field[f], copy.padded, 0.0f);
     StepInput in = batch.step;
     in.seed = world.seed;

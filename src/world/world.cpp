@@ -36,7 +36,7 @@ using namespace lr;
 
 namespace {
 
-// Calls run(items, count) for each set of items on the same time grid.
+// Calls run(items, count) for each group of items with the same times.
 template <class Run> void by_time(StepItem* some, uint32_t count, const Run& run) {
     for (StepItem* const end = some + count; some != end;) {
         const BatchClock& first = some->batch->pace;
@@ -78,7 +78,7 @@ lr_world* lr_world::create(const lr_world_desc& desc, lr_status& status) {
 }
 
 void lr_world::destroy(lr_world* world) {
-    Allocator allocator = world->allocator; // must outlive the world
+    Allocator allocator = world->allocator; // it must outlive the world
     allocator.end(world);
 }
 
@@ -166,7 +166,7 @@ bool lr_world::set_pair(uint32_t a, uint32_t b, bool on) {
 }
 
 lr_status lr_world::destroy_bodies(const lr_body* bodies, uint32_t count) {
-    // All or none: marks every body first; a stale or already marked one aborts.
+    // All or none: marks every body first; a stale or marked one ends the call.
     uint32_t index = 0, marked = 0;
     for (; marked < count; ++marked) {
         Batch* const batch = find(bodies[marked], index);
@@ -198,7 +198,7 @@ lr_status lr_world::set_sleep(const lr_body* bodies, uint32_t count, bool asleep
         }
         index = batch.fall_asleep(index);
         if (batch.events()) batch.events()->take_back(unpack(batch.ids()[index]).slot, noted_waking);
-        batch.sleeping()->ask_again(); // rules have perhaps never checked it
+        batch.sleeping()->ask_again(); // the rules may never have checked it
     }
     return LR_OK;
 }
@@ -280,18 +280,18 @@ void lr_world::fill_input(Batch& batch, const StepTime& t, uint64_t first_subste
 
 void lr_world::fill_step(Batch& batch, float dt, bool& unfit) {
     const BatchClock& pace = batch.pace;
-    const bool made_up = pace.behind() != static_cast<double>(dt); // of several steps, or only part of this one
+    const bool made_up = pace.behind() != static_cast<double>(dt); // several steps, or a part of this one
     const auto seconds = static_cast<float>(pace.behind());
     if (made_up && batch.external.pending()) batch.external.spread(dt / seconds, batch.awake());
     StepInput& in = batch.step;
     fill_input(batch, pace.time(), pace.record().first_substep, pace.record().wind, unfit);
-    // In an accelerating fluid, gravity acts as if reduced by the acceleration; clamped, or steps of microseconds could overflow the product.
+    // In accelerating air a body sees gravity less the air's acceleration. Clamped, since steps of microseconds could overflow.
     for (size_t k = 0; k < 3 && in.wind_changes; ++k)
         in.gravity[k] -= std::clamp((in.wind[k] - in.wind_begin[k]) / seconds, -1e9f, 1e9f);
 }
 
 bool lr_world::step(float dt, uint32_t substeps, const FloatMode& mode) {
-    // A change of the uniform wind is spread over the step; there is nothing to change before the first one.
+    // A change of the uniform wind is spread over the step; before the first one there is none.
     if (substep_count == 0) std::copy(wind.uniform.wind, wind.uniform.wind + 3, wind.uniform.before);
     events.begin_step();
     lap(timings.total);
@@ -306,9 +306,9 @@ bool lr_world::step(float dt, uint32_t substeps, const FloatMode& mode) {
         colliders.begin_step(static_cast<double>(dt), contact_reach(dt));
         if (sleeping) colliders.for_moving([&](uint32_t slot) { wake_at(slot); });
     }
-    // A phase that has nothing to do is not timed: reading the clock is a tenth of the step of a single body.
+    // Phases with nothing to do are not timed: reading the clock is a tenth of the step of a single body.
     if (colliders.any() || pairs.any()) lap(timings.colliders);
-    schedule_batches(dt, substeps); // so that woken bodies are stepped
+    schedule_batches(dt, substeps); // so that bodies that woke are stepped
     uint32_t item_count = 0;
     bool unfit = false;
     each_batch([&](Batch& batch, uint32_t slot) {
@@ -319,13 +319,13 @@ bool lr_world::step(float dt, uint32_t substeps, const FloatMode& mode) {
     });
     const WaterStep at_surface{target, &surface, {}, gravity};
     const WaterStep* const water = surface.present() ? &at_surface : nullptr;
-    // Batches with body contact go through the step together.
+    // Batches with body contact take each substep together.
     StepItem* const with_body_contact =
         std::partition(items.data(), items.data() + item_count,
                        [&](const StepItem& item) { return !pairs.has_contact(unpack(item.handle).index); });
     const auto alone = static_cast<uint32_t>(with_body_contact - items.data());
     const auto run_here = [&](StepItem* some, uint32_t count) { run(some, count, water, mode); };
-    // A field is prepared for moments in time.
+    // A wind field is prepared for moments, which these groups share.
     if (wind.active())
         by_time(items.data(), alone, run_here);
     else
@@ -355,7 +355,7 @@ bool lr_world::step(float dt, uint32_t substeps, const FloatMode& mode) {
     substep_count += substeps;
     time += static_cast<double>(dt);
     finish_batches(static_cast<double>(dt));
-    wake_left(); // before events, which tell of it in this step
+    wake_left(); // before events, which report it in this step
     if (events.on()) lap(timings.emit_and_rules);
     each_batch([&](Batch& batch, uint32_t slot) {
         const int32_t ended = batch.lifecycle() ? batch.lifecycle()->ended_kind() : LR_EVENT_KILLED;
@@ -363,18 +363,18 @@ bool lr_world::step(float dt, uint32_t substeps, const FloatMode& mode) {
             batch.events()->tell(batch, handle(slot), colliders, batch.pace.granted() != 0, ended, events);
     });
     lap(events.on() ? timings.events : timings.emit_and_rules);
-    // The phases' sum, which rounds, is never more.
+    // Rounded up, so that the sum of the phases is never more.
     timings.total = (lapped - began) * (1.0 + 1e-12);
     return met;
 }
 
-// About the time of a substep of a body, over that with LANGEVIN loads in still air.
+// About the time of a body's substep, in units of one with LANGEVIN loads in still air.
 static uint64_t cost_of(const StepInput& in, bool field) {
     const uint64_t loads = in.loads != Loads::aerodynamic ? 1 : in.body.stations.count != 0 ? 8 : 3;
     return loads * in.motions + (field ? 3 : 0);
 }
 
-// All items have the same time if there is a wind field.
+// In a wind field all items must have the same times.
 void lr_world::run(StepItem* some, uint32_t count, const WaterStep* at_surface, const FloatMode& mode) {
     const bool field = wind.active();
     uint64_t blocks = 0, work = 0, cost = 0;
@@ -382,7 +382,7 @@ void lr_world::run(StepItem* some, uint32_t count, const WaterStep* at_surface, 
         const Batch& batch = *some[i].batch;
         some[i].begin = blocks;
         blocks += batch.padded_awake() / lane_block;
-        // In a wind field the workers are called once per slice of the step.
+        // In a wind field the workers are called for each slice of the step.
         const uint32_t at_a_time = field ? std::min(batch.step.substeps, WindField::slice) : batch.step.substeps;
         const uint64_t here = uint64_t{batch.padded_awake()} * at_a_time;
         work += here;
@@ -420,7 +420,7 @@ void lr_world::lap(double& phase) {
     phase += lapped - last;
 }
 
-// Reach of the largest bodies at scale 1 plus their way in a step, at typical speeds of fluttering bodies plus the wind.
+// Reach of the largest bodies at scale 1, and their path in a step at typical speeds of flutter plus the wind.
 float lr_world::contact_reach(float dt) const {
     float most = 0.0f;
     each_batch([&](const Batch& batch, uint32_t) { most = std::max(most, batch.asset().shape.reach); });
@@ -438,7 +438,7 @@ void lr_world::wake_in_water(const Water::Record& before) {
     const FloatMode mode;
     each_batch([&](Batch& batch, uint32_t) {
         forget_afloat(batch);
-        // A body that wakes swaps places with one that was already visited.
+        // A waking body swaps places with one before it, already visited.
         for (uint32_t i = batch.awake(); i < batch.count(); ++i)
             if (surface.changes(before, batch.sleeping()->box(unpack(batch.ids()[i]).slot))) batch.wake(i);
     });
@@ -460,7 +460,7 @@ bool lr_world::reserve_contact() {
     return enough;
 }
 
-// Twice gravity for other loads; part of the wind, which light bodies take on within a step; and a large value for external forces.
+// Twice gravity, to allow for other loads; half the wind, which light bodies take on within a step; much for external forces.
 float lr_world::contact_gain(const Batch& batch, float dt) const {
     const float forced = batch.step.external.any ? 50.0f : 0.0f;
     return 2.0f * dt * length(vector_of(gravity)) + 0.5f * length(vector_of(wind.uniform.wind)) + forced;
@@ -469,7 +469,7 @@ float lr_world::contact_gain(const Batch& batch, float dt) const {
 void lr_world::finish_batches(double dt) {
     FaultReport faults;
     each_batch([&](Batch& batch, uint32_t slot) {
-        // State at the step's beginning: bodies can wake at its end.
+        // As at the beginning of the step: bodies may wake at its end.
         const bool still = !batch.pace.waits(), waits = !still && batch.pace.granted() == 0;
         Lifecycle* const lifecycle = batch.lifecycle();
         if (waits) {
@@ -486,7 +486,7 @@ void lr_world::finish_batches(double dt) {
             if (lifecycle && turn) lifecycle->judge_sleep(target->ended, batch);
             settle_diverged(*this, batch, handle(slot), faults);
             if (lifecycle) lifecycle->finish(batch, *this, seconds);
-            batch.wake_noted(); // rules have not checked them as awake bodies
+            batch.wake_noted(); // the rules have not checked these as awake
             batch.settle_noted();
         }
     });
@@ -526,7 +526,7 @@ uint64_t lr_world::hash() const {
             mix(bit_cast<uint64_t>(batch.lifecycle()->state().burst_clock));
         }
     });
-    // The step's number decides which bodies try the wind.
+    // The step's number decides whose turn a trial is.
     if (paced || pacing.limited() || flow_may_wake()) mix(step_count);
     pacing.hash(mix);
     for (uint64_t word : {wind.hash(time), surface.hash(), colliders.hash()})
@@ -542,5 +542,5 @@ void lr_world::log(int32_t level, const char* function, const char* message) con
         std::snprintf(text, sizeof text, "%s: %s", function, message);
         log_callback(log_user, level, text);
     }
-    if (level == LR_LOG_ERROR) note_error(function, message); // last: the callback can have failed elsewhere
+    if (level == LR_LOG_ERROR) note_error(function, message); // last, since the callback may have failed elsewhere
 }

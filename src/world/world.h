@@ -1,4 +1,4 @@
-// The world: batches, time, wind, workers. Behind lr_world.
+// The world behind lr_world: batches, time, wind, workers.
 #pragma once
 
 #include "base/allocator.h"
@@ -22,14 +22,14 @@ class Recorder;
 struct lr_world;
 namespace lr {
 
-// Tracks which call is inside a world: detects misuse across threads and from callbacks if checks ask for it.
+// Knows which call is inside a world, to detect use from two threads or from callbacks, if the world is checked.
 class CallGuard {
 public:
-    // Called before the world is used.
+    // Before the world is used.
     void check(uint32_t checks) { checked_ = (checks & LR_CHECK_THREADS) != 0; }
     bool checked() const { return checked_; }
 
-    // LR_OK: the calling thread owns the world until leave(). Else LR_ERROR_CONCURRENT_USE or LR_ERROR_REENTRANT.
+    // LR_OK: the thread owns the world until leave(). Else LR_ERROR_CONCURRENT_USE or LR_ERROR_REENTRANT.
     lr_status enter(const char* function) {
         ThreadId owner = nullptr;
         const ThreadId self = this_thread();
@@ -44,7 +44,7 @@ public:
     }
     const char* function() const { return function_.load(std::memory_order_relaxed); } // null: between two calls
 
-    // Logging a refusal can call back into the library, which is refused again: log only once.
+    // A refusal is logged once, since the log callback may call the library again and be refused again.
     bool begin_telling() { return !telling_.exchange(true, std::memory_order_relaxed); }
     void end_telling() { telling_.store(false, std::memory_order_relaxed); }
 
@@ -55,17 +55,17 @@ private:
     std::atomic<bool> telling_{false};
 };
 
-// For checked worlds: CallGuard::enter, and logs a refusal.
+// CallGuard::enter for checked worlds; logs a refusal.
 lr_status enter(const lr_world& world, const char* function);
 } // namespace lr
 
 struct lr_world {
-    // Null after an error. The desc has been checked.
+    // The desc must be valid. Null on failure.
     static lr_world* create(const lr_world_desc& desc, lr_status& status);
     static void destroy(lr_world* world);
 
-    lr::Batch* find(lr_batch batch) const; // null for a stale handle
-    // The batch and dense index of a living body; null for a stale one.
+    lr::Batch* find(lr_batch batch) const; // null if stale
+    // The batch and dense index of a body; null if stale.
     lr::Batch* find(lr_body body, uint32_t& index) const;
 
     // Calls fn(batch, its slot).
@@ -76,17 +76,17 @@ struct lr_world {
     lr_batch handle(uint32_t slot) const { return lr::pack(lr::BatchHandle{slot, batches[slot].generation}); }
     lr_status create_batch(const lr_asset& asset, uint32_t capacity, const lr::BatchSettings& settings, lr_batch& out);
     void destroy_batch(lr_batch batch);
-    // By slots of batches. A change wakes their bodies. False when out of memory; nothing has then changed.
+    // Switches body contact between two batches, by slot; a change wakes their bodies. Returns false and changes nothing when out of memory.
     bool set_pair(uint32_t a, uint32_t b, bool on);
     lr_status destroy_bodies(const lr_body* bodies, uint32_t count);
 
-    // All or none: LR_OK, LR_ERROR_STALE_BODY, LR_ERROR_OUT_OF_MEMORY.
+    // For all or none: LR_OK, LR_ERROR_STALE_BODY, LR_ERROR_OUT_OF_MEMORY.
     lr_status set_sleep(const lr_body* bodies, uint32_t count, bool asleep);
-    uint32_t wake_box(const lr::Box& box); // how many
-    // A body is removed or moved away: wake_left() wakes the bodies that can lie on it.
+    uint32_t wake_box(const lr::Box& box); // returns their number
+    // Called before a body is removed or placed elsewhere: wake_left() then wakes the bodies that may lie on it.
     void leave(const lr::Batch& batch, uint32_t index);
     void wake_left();
-    // meets(slot): whether that batch will have body contact. False when out of memory.
+    // meets(slot): whether the batch has, or will have, body contact. False when out of memory.
     template <class Meets> bool reserve_left(const Meets& meets) {
         size_t count = 0; // bodies that need room
         each_batch([&](const lr::Batch& batch, uint32_t slot) { count += meets(slot) ? batch.capacity() : 0; });
@@ -96,40 +96,40 @@ struct lr_world {
 
     uint32_t take_key(); // the noise seed of the next body
 
-    // mode: stores the caller's floating-point mode. False if, for lack of memory, bodies passed through each other; the step was still taken.
+    // mode: holds the caller's floating-point mode. False if memory was short and bodies may have passed through each other; the step was taken.
     bool step(float dt, uint32_t substeps, const lr::FloatMode& mode);
     void sample_wind(const float* positions, uint32_t count, float* velocities) const;
     uint64_t hash() const;
 
-    // Wakes sleeping bodies along a collider's way in the step.
+    // Wakes sleeping bodies on a collider's path in the step.
     void wake_at(uint32_t collider);
     void wake_in_water(const lr::Water::Record& before); // the water has changed
-    bool flow_may_wake() const;                          // whether wind or water can move sleeping bodies
+    bool flow_may_wake() const;                          // whether wind or water may wake any body
     bool any_asleep() const;
-    // capacity 0 disables them.
+    // capacity 0 switches events off.
     lr_status set_events(uint32_t capacity, uint32_t kinds);
-    void recheck_contacts();             // colliders have been destroyed
+    void recheck_contacts();             // after colliders were destroyed
     bool reserve_contact();              // of all batches; false when out of memory
     float contact_reach(float dt) const; // m, for the broad phase
-    // m/s that bodies of a batch can gain in `dt`: limits how far they search for contacts.
+    // m/s: allowance for speed gained in dt, which widens the search for contacts.
     float contact_gain(const lr::Batch& batch, float dt) const;
 
-    // For substeps in a uniform wind that was `begin` before them. unfit: set if a batch cannot be in the water.
+    // For substeps in uniform wind, `begin` at their beginning. unfit: set if a batch cannot be in the water.
     void fill_input(lr::Batch& batch, const lr::StepTime& time, uint64_t first_substep, const float (&begin)[3],
                     bool& unfit);
 
     void lap(double& phase); // adds the time since the last lap to that phase of `timings`
 
-    // An error is also the calling thread's last one.
+    // An error becomes the calling thread's last one too.
     void log(int32_t level, const char* function, const char* message) const;
 
-    lr::StepWorkers step_workers; // first: it is aligned to cache lines
+    lr::StepWorkers step_workers; // first, for its alignment to cache lines
     mutable lr::Allocator allocator;
     const lr::KernelTarget* target = nullptr;
-    const lr::KernelTarget* narrow = nullptr; // for the last few bodies of a batch; null: no special case
+    const lr::KernelTarget* narrow = nullptr; // for a batch's last few bodies; null: no need
     uint64_t seed = 0;
-    mutable lr::WindField wind{allocator}; // sampling prepares an instant
-    mutable lr::Water surface;             // asking counts what the callback did wrong
+    mutable lr::WindField wind{allocator}; // mutable: sampling prepares it for a moment
+    mutable lr::Water surface;             // mutable: counts faulty answers of the callback
     lr::Colliders colliders{allocator};
     lr::BatchPairs pairs;
     lr::PairCache pair_cache;
@@ -143,13 +143,13 @@ struct lr_world {
 
     struct BatchSlot {
         lr::Batch* batch;
-        uint32_t generation;      // of the batch in it, or of the next
-        uint32_t body_generation; // first generation of bodies of the next batch
+        uint32_t generation;      // of its batch, or of the next one
+        uint32_t body_generation; // first one of bodies of the next batch
     };
     lr::Buffer<BatchSlot> batches;
     lr::Buffer<lr::StepItem> items; // scratch of a step, with room for all batches
 
-    // Former places of bodies on which others can have lain. Room for every body with body contact: each leaves once per call.
+    // Places that bodies have left, where others may lie on them. Each body leaves at most once per call, so there is room for all with body contact.
     struct Left {
         uint32_t slot; // of the batch
         lr::Box box;
@@ -167,11 +167,11 @@ struct lr_world {
     float fluid_viscosity = 0.0f;          // m^2/s; 0: each asset's own
     uint32_t next_noise_seed = 1;
     uint32_t batch_slots = 0; // used part of `batches`
-    uint32_t left_count = 0;  // and of `left`
+    uint32_t left_count = 0;  // used part of `left`
 
 private:
     friend class lr::Allocator;
-    // Cached for the last substep's length: saves a few per cent of the step of one body.
+    // For the last length of substep: saves a few per cent of a step of one body.
     struct Roots {
         double h;
         float sqrt, inverse_sqrt;
@@ -189,24 +189,24 @@ private:
 
 namespace lr {
 
-// Snapshots, checked as a whole before anything is restored.
+// Snapshots are checked as a whole before anything is restored.
 uint64_t snapshot_size(const lr_world& world);
 lr_status snapshot_save(const lr_world& world, void* memory, uint64_t size, uint64_t* written);
-// Whether the memory begins with an undamaged snapshot, by header and seal; snapshot_bytes() is then at most `size`.
+// Whether the memory begins with a whole, undamaged snapshot; snapshot_bytes() is then at most `size`.
 bool snapshot_is_whole(const void* memory, uint64_t size);
 uint64_t snapshot_bytes(const void* memory);
-// Requires snapshot_is_whole().
+// After snapshot_is_whole().
 lr_status snapshot_restore(lr_world& world, const void* memory);
 
-// Queries with checked arguments. only: restricts to bodies of this batch; null: all.
+// Queries; the arguments must be valid. only: bodies of this batch; null: all bodies.
 lr_ray_hit cast_ray(const lr_world& world, const lr_ray& ray, const Batch* only);
 
-// Returns how many bodies overlap; writes up to `capacity` ids, sorted if there is room for all.
+// Returns the number of overlapping bodies; writes up to `capacity` ids, sorted if there is room for all.
 uint32_t find_overlaps(const lr_world& world, const lr_overlap_desc& desc, const Batch* only, lr_body* bodies,
                        uint32_t capacity);
 
-// The constants of body `i` in the fluid that its centre is in. stream: receives the velocity there if that is the water.
+// Constants of body `i` in the fluid around its centre. stream: receives the velocity of the water there, if it is water.
 const BodyConstants& constants_at(const lr_world& world, Batch& batch, uint32_t i, float (&stream)[3]);
-// The flow's loads on body `i` now. Writes all but `struct_size`.
+// The fluid's loads on body `i` now; sets all but `struct_size`.
 void find_loads(const lr_world& world, Batch& batch, uint32_t i, lr_body_loads& out);
 } // namespace lr

@@ -17,7 +17,7 @@ namespace {
 
 constexpr uint32_t mark_bit = 1u << 31; // above every generation
 
-// Of the shape that is drawn and of that of contact: an ellipsoid's hull is slightly smaller than the ellipsoid, a box of given extents has no hull.
+// Covers both shapes, drawn and of contact: an ellipsoid's hull is slightly smaller than the ellipsoid, and a box of given extents has no hull.
 double reach_of(const lr_asset& asset) {
     const AssetData& a = asset.data;
     const auto norm = [](double x, double y, double z) { return std::sqrt(x * x + y * y + z * z); };
@@ -165,7 +165,7 @@ void Batch::judge(uint32_t index) {
 }
 
 uint32_t Batch::fall_asleep(uint32_t index) {
-    if (held(index)) arrays_.field[field_age_remainder][index] = 0.0f; // an ordinary sleeping body from now on
+    if (held(index)) arrays_.field[field_age_remainder][index] = 0.0f; // so that it is no longer held when it wakes
     if (awake_ == count_) sleeping_->begin();
     const uint32_t to = --awake_;
     swap(index, to);
@@ -179,7 +179,7 @@ uint32_t Batch::fall_asleep(uint32_t index) {
     return to;
 }
 
-// Requires its birth. A body that has lain in this pose before keeps its box.
+// Needs its birth. After a snapshot was restored, a body in the same pose still has its box.
 void Batch::lie_down(uint32_t index) {
     const uint32_t slot = unpack(ids()[index]).slot;
     const float scale = arrays_.field[field_scale][index];
@@ -195,7 +195,7 @@ uint32_t Batch::wake(uint32_t index) {
     sleeping_->age_of(index, arrays_.field[field_age][index], arrays_.field[field_age_remainder][index]);
     oldest_ = std::max(oldest_, static_cast<double>(arrays_.field[field_age][index]));
     columns_.clear(index, index + 1, column_birth, 1);
-    columns_.clear(index, index + 1, column_gust, wake_fields); // see WakeByFlow
+    columns_.clear(index, index + 1, column_gust, wake_fields); // they held the wind withstood
     columns_.clear(index, index + 1, column_still_time, 1);
     columns_.clear(index, index + 1, column_stay, stay_rows);
     if (events_) events_->note(slot, noted_waking);
@@ -204,7 +204,7 @@ uint32_t Batch::wake(uint32_t index) {
     return awake_++;
 }
 
-// A sleeping body needs no wake: its columns store the wind, and the first of the lag the shelter.
+// Sleeping bodies have no wake, so the columns of its gust hold the wind, and the first of its lag the shelter.
 void Batch::store_wind(uint32_t index, Vector wind, bool sheltered) {
     put_in(arrays_.field, field_gust_x, index, wind);
     arrays_.field[field_lag_x][index] = sheltered ? 1.0f : 0.0f;
@@ -231,12 +231,12 @@ void Batch::wake_in(const Box& box) {
     wake_near(box, 0.0, 0.0);
 }
 
-// The gap of a body at rest is within the slop of contact (docs/maintainers/contact.md, 4), or that of one that trembles in place above it.
+// Bodies may lie above the box by the slop of contact (contact.md, section 4), or by their room if they tremble in place.
 void Batch::wake_on(const Box& box) {
     wake_near(box, SleepingGrid::room, 2e-6);
 }
 
-// share: of the reach; round: of the greatest coordinate.
+// share: of the body's reach, round: of its greatest coordinate, by which boxes are enlarged.
 void Batch::wake_near(const Box& box, double share, double round) {
     if (awake_ == count_) return;
     const auto greatest = [](Double3 a) { return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}); };
@@ -249,7 +249,7 @@ void Batch::wake_near(const Box& box, double share, double round) {
     };
     const double far = std::max(greatest(low), greatest(high));
     const Box around = grown(box, static_cast<float>(1.01 * round * far));
-    // By index, not in the grid's order: that depends on the order in which bodies fell asleep, which no snapshot has.
+    // Wakes in the order of indices, since the grid's order depends on the order of falling asleep, which no snapshot has.
     uint32_t found[1024];
     size_t n = 0;
     const auto note = [&](uint32_t slot) {
@@ -262,12 +262,12 @@ void Batch::wake_near(const Box& box, double share, double round) {
         std::for_each(found, std::unique(found, found + n), [&](uint32_t i) { wake(i); });
         return;
     }
-    // A body that wakes swaps places with one that was already visited.
+    // A waking body swaps places with a body before it, already visited.
     for (uint32_t i = awake_; i < count_; ++i)
         if (touches(i)) wake(i);
 }
 
-// Spheres around the bodies' places, and around the places that they can have reached since.
+// From spheres around the bodies; if the batch is behind, around all places that they may have reached since.
 Box Batch::box() const {
     const auto reach = static_cast<float>(1.0001 * reach_), behind = static_cast<float>(1.0001 * pace.behind());
     float low[3] = {FLT_MAX, FLT_MAX, FLT_MAX}, high[3] = {-FLT_MAX, -FLT_MAX, -FLT_MAX};
@@ -280,7 +280,7 @@ Box Batch::box() const {
             high[k] = std::max(high[k], x + r);
         }
     }
-    // Places are rounded, here and by renderers.
+    // Covers the rounding of positions, here and in renderers.
     for (size_t k = 0; k < 3 && count_ != 0; ++k) {
         low[k] = std::max(low[k] - 1e-6f * std::abs(low[k]), -FLT_MAX);
         high[k] = std::min(high[k] + 1e-6f * std::abs(high[k]), FLT_MAX);
@@ -289,7 +289,7 @@ Box Batch::box() const {
 }
 
 void Batch::set_contact(const lr_batch_contact& contact) {
-    // Bodies keep their boxes for the pose in which they slept.
+    // Boxes are kept for the pose of sleep, so they must be made anew with another thickness.
     const uint32_t boxes = sleeping_ && contact.min_thickness != contact_.min_thickness ? capacity_ : 0;
     for (uint32_t slot = 0; slot < boxes; ++slot) sleeping_->forget_box(slot);
     contact_ = contact;
@@ -297,7 +297,7 @@ void Batch::set_contact(const lr_batch_contact& contact) {
 }
 
 bool Batch::reserve_sleep() {
-    // The contact shape can extend slightly beyond the reach, and be thickened later.
+    // The contact shape may extend slightly beyond the reach, and be thickened later.
     const double most = std::max(reach(), (1.0 + 0.5 * most_thickened) * wide(asset_->pair_hull.shape.reach));
     return columns_.reserve(*allocator_, part_sleep, whole_blocks(capacity_)) &&
            sleeping_.reserve(*allocator_, capacity_, most, index_, columns_.row<double>(column_birth));
@@ -357,7 +357,7 @@ void Batch::note_sleep(uint32_t index) {
     __atomic_store_n(&cut_noted_[index / cut_bodies], uint8_t{1}, __ATOMIC_RELAXED);
 }
 
-// Both clear the marks that they report.
+// Both clear the mark that they return.
 bool Batch::take_cut(uint32_t cut) {
     return std::exchange(cut_noted_[cut], uint8_t{0}) != 0;
 }
@@ -365,7 +365,7 @@ bool Batch::take_note(uint32_t index) {
     return std::exchange(columns_.row<uint32_t>(column_noted)[index], 0u) != 0;
 }
 
-// Backwards, so that a marked body never moves to an index that was already visited.
+// Backwards, so that no marked body moves to an index already visited.
 void Batch::settle_noted() {
     if (!columns_.has(part_contact)) return;
     for (uint32_t cut = cut_count(padded_awake()); cut-- > 0;) {
@@ -379,10 +379,10 @@ void Batch::settle_noted() {
     }
 }
 
-// Forwards, so that a body moved into another's place was already visited.
+// Forwards, since a waking body swaps places with one already visited.
 void Batch::wake_noted() {
     if (!columns_.has(part_contact)) return;
-    const uint32_t shared = awake_ / cut_bodies; // shared with awake bodies, which can be marked for sleep
+    const uint32_t shared = awake_ / cut_bodies; // its awake bodies may be marked for sleep
     for (uint32_t cut = shared, end = cut_count(count_); cut < end; ++cut) {
         if (cut == shared ? cut_noted_[cut] == 0 : !take_cut(cut)) continue;
         const uint32_t begin = cut * cut_bodies;
@@ -436,10 +436,10 @@ void Batch::grow_older(double seconds) {
 void Batch::write(uint32_t index, const BodyState& state) {
     oldest_ = std::max(oldest_, static_cast<double>(state.value[field_age]));
     for (size_t f = 0; f < field_count && arrays_.field[f]; ++f) arrays_.field[f][index] = state.value[f];
-    if (arrays_.floor) arrays_.floor[index] = 0; // placed anywhere, on any side
+    if (arrays_.floor) arrays_.floor[index] = 0; // it may be on any side now
 }
 
-// Loads off the body's axes or centre of buoyancy need the full path. A diagonal asset's own loads do not.
+// The diagonal path needs loads along the body's axes at its centre of buoyancy; a diagonal asset's own are.
 bool Batch::is_diagonal_with(const AerodynamicData& loads) const {
     constexpr std::array<double, 9> body_axes{1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
     const AerodynamicData& own = asset_->data.aerodynamics;

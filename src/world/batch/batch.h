@@ -1,4 +1,4 @@
-// All bodies of one asset: dense arrays, and the slots behind the handles.
+// All bodies of one asset: dense arrays, and slots for the handles.
 #pragma once
 
 #include "asset/asset.h"
@@ -25,20 +25,20 @@ namespace lr {
 class Lifecycle;
 
 struct BatchSettings {
-    lr_batch_desc desc = LR_BATCH_DESC_INIT; // of its creation
+    lr_batch_desc desc = LR_BATCH_DESC_INIT; // as given at creation
     Gains gains;
     double fluid_density = 1.2; // kg/m^3
     double viscosity = 1.5e-5;  // m^2/s, kinematic
 };
 
-// A body's state in the frames of storage: position and orientation in the world, velocities in the body frame.
+// A body's state as it is stored: position and orientation in the world, velocities in the body frame.
 struct BodyState {
     float value[field_count];
     uint32_t noise_seed;
     uint64_t user;
 };
 
-// The data that k-epsilon samples need, in the units of the bake. Snapshots contain it; count 0 there: the asset's table.
+// Header of a k-epsilon table in the units of the bake. In snapshots, count 0 stands for the asset's own table.
 struct TableHead {
     uint32_t count = 0, stationary = 0;
     double dt = 0.0, u0 = 0.0, l = 0.0, c0 = 0.0;
@@ -54,14 +54,14 @@ inline const char* wrong_in(const TableHead& t) {
     return t.stationary < t.count ? nullptr : "stationary is not less than count";
 }
 
-// Diverged bodies: held where they were last valid, or ended. docs/reference/bodies.md
+// Diverged bodies stay where they were last valid, or end. docs/reference/bodies.md
 struct DivergedCounts {
     uint32_t noted = 0; // set in a step in which a body diverges (StepInput::faults)
-    uint32_t last = 0;  // bodies, in the last step
+    uint32_t last = 0;  // number in the last step
     uint64_t total = 0;
 };
 
-// Settings that calls can change at any time: 32-bit numbers, or structs of them. Snapshots contain this struct.
+// Settings that calls can change at any time. Snapshots contain this struct, so it has only 32-bit numbers.
 struct BatchOptions {
     int32_t divergence_policy = LR_DIVERGENCE_AUTO;
     uint32_t reserved = 0; // keeps the size a multiple of 8 bytes
@@ -70,7 +70,7 @@ inline const char* wrong_in(const BatchOptions& o) {
     if (o.divergence_policy < LR_DIVERGENCE_AUTO || o.divergence_policy > LR_DIVERGENCE_REMOVE) return "unknown policy";
     return o.reserved != 0 ? "reserved is not 0" : nullptr;
 }
-// Settings that are not initial are part of the world's hash.
+// Only settings that differ from their initial values enter the world's hash.
 template <class Mix> void hash(const BatchOptions& options, const Mix& mix) {
     using Words = std::array<uint32_t, sizeof options / 4>;
     const auto words = bit_cast<Words>(options), initial = bit_cast<Words>(BatchOptions());
@@ -91,27 +91,27 @@ public:
     void remove(lr_body body);           // find(body) holds
     // The dense index of a living body; false for a stale one.
     bool find(lr_body body, uint32_t& index) const;
-    // False if marked already. Marks last for one call.
+    // False if the body is marked already: finds repeats within one call.
     bool mark(uint32_t index);
     void unmark(uint32_t index);
     BodyState read(uint32_t index) const;
-    void write(uint32_t index, const BodyState& state); // all but noise seed and user
-    // After a step; ages stop at most_age (kernel/limits.h).
+    void write(uint32_t index, const BodyState& state); // all but noise seed and user value
+    // After a step. Ages stop at most_age (kernel/limits.h).
     void grow_older(double seconds);
 
-    // Both leave the old table in place when they fail.
+    // On failure both keep the old table.
     bool set_table(const TableHead& head, const float* chi, const float* epsilon);
     bool set_asset_table();
     const TableHead& table() const { return table_head_; }
     const float* table_chi() const { return table_.data(); }
     const float* table_epsilon() const { return table_.data() + table_head_.count; }
-    // Sets quasi-steady loads other than the asset's own. False if they cannot be used; nothing has then changed.
+    // Replaces the asset's quasi-steady loads. Returns false and changes nothing if these cannot be used.
     bool set_aerodynamics(const AerodynamicData& loads, const Gains& gains);
     bool can_use(const AerodynamicData& loads, const Gains& gains) const;
     const AerodynamicData& aerodynamics() const { return aerodynamics_; }
     const Gains& gains() const { return settings_.gains; }
 
-    // Bodies [0, awake()) are awake, [awake(), count()) asleep and not stepped. The order in either part has no meaning.
+    // Bodies [0, awake()) are awake and stepped, [awake(), count()) asleep. Order within either part has no meaning.
     uint32_t count() const { return count_; }
     uint32_t awake() const { return awake_; }
     uint32_t capacity() const { return capacity_; }
@@ -120,14 +120,14 @@ public:
     uint32_t padded_awake() const { return whole_blocks(awake_); }
     bool asleep(uint32_t index) const { return index >= awake_; }
     bool held(uint32_t index) const; // it diverged and is held
-    void judge(uint32_t index);      // checks an awake body for divergence after a change of its velocity
-    // Return the body's new index. A body that falls asleep loses its velocities and forces; on waking its age is exact.
+    void judge(uint32_t index);      // checks an awake body for divergence after its velocity was set
+    // Both return the new index. Falling asleep clears velocities and forces; waking makes the age exact.
     uint32_t fall_asleep(uint32_t index); // awake, and reserve_sleep() has held
     uint32_t wake(uint32_t index);        // asleep
     void wake_all();
-    void wake_in(const Box& box); // sleeping bodies whose boxes, position +- reach() times scale, overlap it
-    void wake_on(const Box& box); // likewise, and those that can lie on what is in it
-    // Calls function for sleeping bodies whose contact box overlaps `box`. Any thread, while no body falls asleep or wakes.
+    void wake_in(const Box& box); // sleeping bodies whose box, position +- reach() times scale, overlaps this one
+    void wake_on(const Box& box); // the same, and bodies that may lie on something in it
+    // Calls function for sleeping bodies whose contact box overlaps `box`. Any thread, while none falls asleep or wakes.
     template <class Function> void visit_sleeping(const Box& box, Function&& function) const {
         if (awake_ == count_) return;
         const auto look_at = [&](uint32_t slot) {
@@ -136,48 +136,48 @@ public:
         if (sleeping_->grid.visit(box, count_ - awake_, look_at)) return;
         for (uint32_t i = awake_; i < count_; ++i) look_at(unpack(ids()[i]).slot);
     }
-    // Called as a body wakes, with the contact box in which it lay. Null: nothing to do.
+    // Called when a body wakes, with the contact box in which it slept. Null: no callback.
     struct Waking {
         void (*tell)(void* world, Batch& batch, uint32_t index, const Box& box) = nullptr;
         void* world = nullptr;
     };
     void on_waking(const Waking& waking) { waking_ = waking; }
-    // The wind that a sleeping body has withstood (m/s; 0: none), and whether only since others sheltered it. See WakeByFlow.
+    // Stores the wind that a sleeping body has withstood (m/s; 0: none), and whether it needed shelter for that. See WakeByFlow.
     void store_wind(uint32_t index, Vector wind, bool sheltered);
-    // A sleeping body can have lost what it lies on: it is tried in its turn, in still air too. Any thread, in a batch with contact.
+    // A sleeping body's support may have left: at its turn it takes a trial, even in still air. Any thread, in a batch with contact.
     void doubt(uint32_t index);
     bool doubted(uint32_t index) const { return columns_.row<float>(column_lee)[index] < 0.0f; }
     void set_lee(uint32_t index, float lee) { columns_.row<float>(column_lee)[index] = lee; }
-    void forget_shelter(uint32_t index); // it has to withstand the wind again, if others sheltered it
+    void forget_shelter(uint32_t index); // a body that withstood the wind in shelter has to take a trial again
     bool reserve_sleep();                // false when out of memory
     SleepingBodies* sleeping() const { return sleeping_.get(); } // null before reserve_sleep()
     // Updates the ages of sleeping bodies in the arrays.
     void make_ages_exact();
-    double reach() const { return reach_; } // m: no part of a body of scale 1 is farther from its centre of mass
+    double reach() const { return reach_; } // m: greatest distance of the surface from the centre of mass, at scale 1
     Box box() const;                        // of all bodies; with none, from FLT_MAX to -FLT_MAX
-    // Grows whenever sleeping bodies wake, end, or change their indices.
+    // Increases whenever sleeping bodies wake, end or change their indices.
     uint64_t revision() const { return revision_; }
 
-    // Allocates the per-body records of contact; false when out of memory.
+    // Allocates the columns of contact; false when out of memory.
     bool reserve_contact();
-    bool any_contact() const;     // whether any record is not empty
-    void forget(uint32_t index);  // a body respawned or was placed: clears its contacts and forces
-    void forget_touched_bodies(); // their batch has no body contact any more
-    // Marks a body of a stepped chunk to fall asleep at the end of the step. Any thread.
+    bool any_contact() const;     // whether any of their values is not 0
+    void forget(uint32_t index);  // clears contacts and forces, since the body respawned or was placed
+    void forget_touched_bodies(); // the batch has no body contact any more
+    // Marks an awake body to fall asleep, or a sleeping one to wake, at the end of the step. Any thread.
     void note_sleep(uint32_t index);
     void settle_noted(); // after the step
-    void wake_noted();   // wakes the sleeping bodies marked before that
+    void wake_noted();   // wakes marked sleeping bodies; before settle_noted()
     const lr_asset& asset() const { return *asset_; }
     const BodyColumns& columns() const { return columns_; }
     const BatchArrays& arrays() const { return arrays_; }
     const lr_body* ids() const { return columns_.row<lr_body>(column_ids); }
     const uint64_t* users() const { return columns_.row<uint64_t>(column_user); } // null before reserve_users()
     uint64_t user(uint32_t index) const { return users() ? users()[index] : 0; }
-    void set_user(uint32_t index, uint64_t user);                 // reserve_users() has held, unless user is 0
-    uint32_t last_generation() const { return last_generation_; } // the highest in any handle given out so far
+    void set_user(uint32_t index, uint64_t user);                 // requires reserve_users(), unless user is 0
+    uint32_t last_generation() const { return last_generation_; } // highest generation in any handle given out
     const BatchSettings& settings() const { return settings_; }
 
-    // Its constants in water, recomputed when the water or the loads have changed. Null if the batch cannot be in water; `failed` is then set once.
+    // Constants in water, recomputed when water or loads have changed. Null if the batch cannot be in water; the first time `failed` is set.
     const WaterBody* water_body(const lr_water_desc& surface, bool& failed);
 
     ExternalForces external;
@@ -189,7 +189,7 @@ public:
 
     const lr_batch_contact& contact() const { return contact_; }
     void set_contact(const lr_batch_contact& contact);       // while no body sleeps
-    const PairHull& pair_hull() const { return pair_hull_; } // with which bodies touch other bodies
+    const PairHull& pair_hull() const { return pair_hull_; } // shape against other bodies
     ContactCache contact_cache();
 
     ContactEvents* events() const { return events_.get(); }                   // null while events are off
@@ -198,7 +198,7 @@ public:
 
     DivergedCounts faults;
     BatchOptions options;
-    StepInput step{}; // constants of the shape, filled up by World::step
+    StepInput step{}; // constants; World::step adds the rest
     BatchClock pace;
 
 private:
@@ -207,9 +207,9 @@ private:
     Batch(Allocator& allocator, double length);
     ~Batch();
     bool allocate(uint32_t capacity);
-    void move(uint32_t from, uint32_t to); // to an unused place
+    void move(uint32_t from, uint32_t to); // `to` must be unused
     void swap(uint32_t a, uint32_t b);
-    void moved(uint32_t index); // a body has moved to this index
+    void moved(uint32_t index); // updates the slot of a body that now has this index
     void lie_down(uint32_t index);
     void wake_near(const Box& box, double share, double round);
     bool take_cut(uint32_t cut);
@@ -233,12 +233,12 @@ private:
     uint32_t first_generation_ = 1, last_generation_ = 0;
     BatchArrays arrays_{};
     BodyColumns columns_;
-    Buffer<uint8_t> cut_noted_;    // whether bodies of a cut are marked
+    Buffer<uint8_t> cut_noted_;    // by cut: whether bodies in it are marked
     Buffer<uint32_t> dense_;       // by slot: the body's dense index, or free_bit and the next free slot
-    Buffer<uint32_t> generations_; // by slot: of the body in it, or of the next
-    // A queue of free slots, so that a slot is reused as late as possible. Undefined while all slots are in use.
+    Buffer<uint32_t> generations_; // by slot: of its body, or of the next one
+    // Free slots form a queue, so that a slot is reused as late as possible. Undefined while all are in use.
     uint32_t free_first_ = 0, free_last_ = 0;
-    Buffer<float> table_, next_table_; // chi, epsilon, alpha, beta^2; next_table_: of a snapshot with another table
+    Buffer<float> table_, next_table_; // chi, epsilon, alpha, beta^2; next_table_: of a snapshot being restored
     TableHead table_head_;
     bool asset_table_ = true;
     AerodynamicData aerodynamics_;
@@ -246,14 +246,14 @@ private:
     bool water_made_ = false, water_usable_ = false; // for these:
     float water_density_ = 0.0f, water_viscosity_ = 0.0f;
     TurbulenceSample stationary_{}; // of a table set by the user; u0 is 0 without one
-    double oldest_ = 0.0;           // s, upper bound of the ages of awake bodies
+    double oldest_ = 0.0;           // s: bound of the ages of awake bodies
     Waking waking_;
     Owned<Lifecycle> lifecycle_;
     Owned<SleepingBodies> sleeping_;
     Owned<ContactEvents> events_;
 };
 
-// Calls move(), which steps lanes [begin, end), and preserves sleeping bodies in the last lanes.
+// Calls move(), which steps lanes [begin, end), and restores the sleeping bodies among the last lanes.
 template <class Move> void move_awake(const Batch& batch, uint32_t begin, uint32_t end, const Move& move) {
     const uint32_t first = std::max(begin, batch.awake()), past = std::min(end, batch.count());
     if (first >= past) return move();

@@ -9,7 +9,7 @@
 namespace lr {
 namespace {
 
-// Calls fn for each allocated column, with the width of its values as a compile-time constant.
+// Calls fn for each allocated column; the width of values is a compile-time constant.
 template <class Function> void each(unsigned char* const (&data)[column_count], const Function& function) {
     for (size_t i = 0; i < column_count; ++i) {
         if (!data[i]) continue;
@@ -77,7 +77,7 @@ void BodyColumns::clear(uint32_t begin, uint32_t end, size_t first, size_t count
 
 bool BodyColumns::any(size_t column, uint32_t count) const {
     const uint32_t words = count * body_columns[column].width / 4;
-    uint32_t bits = 0; // of all, in vectors
+    uint32_t bits = 0; // of all values, for the vectoriser
     for (uint32_t i = 0; data_[column] && i < words; ++i) bits |= row<uint32_t>(column)[i];
     return bits != 0;
 }

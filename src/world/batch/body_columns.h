@@ -1,4 +1,4 @@
-// The per-body state of a batch: one table of columns, by dense index. Allocation, clearing, moving, hashes and snapshots loop over it.
+// The per-body state of a batch: a table of columns by dense index. Allocation, moves, hashes and snapshots loop over it.
 #pragma once
 
 #include "base/allocator.h"
@@ -12,7 +12,7 @@
 
 namespace lr {
 
-// Memory is allocated by part: every batch has part_body, the others follow when they are first needed.
+// Memory is allocated by part: part_body in each batch, the others when first needed.
 enum ColumnPart : uint32_t {
     part_body,
     part_sleep,
@@ -28,7 +28,7 @@ enum class Hashed : uint8_t {
     never,
     always,
     awake,  // of awake bodies
-    rare,   // values other than 0: most are 0
+    rare,   // values other than 0, which are few
     birth,  // of sleeping bodies
     remnant // of awake bodies, values other than 0
 };
@@ -38,12 +38,12 @@ struct Column {
     uint32_t width = 0; // bytes of a value, 4 or 8
     Hashed hashed = Hashed::never;
     uint32_t tag = 0;              // in the hash
-    float low = 0.0f, high = 0.0f; // allowed range in a snapshot; both 0: not checked by itself
+    float low = 0.0f, high = 0.0f; // allowed range in a snapshot; both 0: checked elsewhere
     bool saved = true;
     uint32_t empty = 0; // bits of unused lanes
 };
 
-// The order of hashing. Columns before column_birth are BatchArrays::field.
+// In the order of hashing. Columns before column_birth are BatchArrays::field.
 enum ColumnIndex : uint32_t {
     column_birth = field_gust_x,
     column_gust,
@@ -69,7 +69,7 @@ constexpr std::array<Column, column_count> make_columns() {
         for (size_t i = first; i < first + count; ++i, ++column.tag) all[i] = column;
     };
     using enum Hashed;
-    // Velocities have no limits here: a step checks them for divergence.
+    // Velocities have no limits here, since a step checks them for divergence.
     rows(field_x, 3, {part_body, 4, always, field_x, -farthest_place, farthest_place});
     rows(field_qx, 10, {part_body, 4, always, field_qx, -most, most});
     all[field_qw].empty = one;
@@ -80,14 +80,14 @@ constexpr std::array<Column, column_count> make_columns() {
     rows(column_gust, wake_fields, {part_gust, 4, always, field_gust_x, -most, most});
     rows(column_life, 1, {part_life, 4, rare, field_count}); // how often a body has respawned
     rows(column_force, force_components, {part_forces, 4, rare, 64, -most, most});
-    // ContactCache: time it has lain still; what it touches; time it has stayed in place, with its way and turn since.
+    // ContactCache: time gathered for sleep; touched things; time in place, and displacement and turn since.
     rows(column_still_time, 1, {part_contact, 4, rare, 128, 0.0f, most});
     rows(column_touching, most_touches, {part_contact, 4, rare, 129});
     rows(column_stay, 1, {part_contact, 4, rare, 136, 0.0f, most});
     rows(column_stay + 1, stay_rows - 1, {part_contact, 4, rare, 137, -most, most});
-    // The share of the wind's speed that others keep from an awake body: 0 to 1, or lee_unknown.
+    // Share of the wind's speed that an awake body loses to shelter: 0 to 1, or lee_unknown.
     rows(column_lee, 1, {part_contact, 4, rare, 143, lee_unknown, 1.0f});
-    rows(column_floor, 1, {part_contact, 4, rare, 144}); // the side of a mesh on which it is: MeshFloor::up
+    rows(column_floor, 1, {part_contact, 4, rare, 144}); // side of a mesh that the body is on: MeshFloor::up
     rows(column_noted, 1, {part_contact, 4, never, 0, 0.0f, 0.0f, false}); // marked for sleep or waking
     rows(column_noise_seed, 1, {part_body, 4, never});
     rows(column_ids, 1, {part_body, 8, never});
@@ -108,12 +108,12 @@ public:
 
     void copy(uint32_t from, uint32_t to);
     void swap(uint32_t a, uint32_t b);
-    // Clears lanes [begin, end), in all columns or some.
+    // Clears lanes [begin, end) of `count` columns from `first`.
     void clear(uint32_t begin, uint32_t end, size_t first = 0, size_t count = column_count);
 
-    // Whether any of the first `count` bodies has a value other than 0.
+    // Whether any of the first `count` bodies has a value other than 0 there.
     bool any(size_t column, uint32_t count) const;
-    // A sum over bodies, so that their order does not matter. The first `awake` are awake.
+    // A sum over bodies, independent of their order. The first `awake` are awake.
     uint64_t hash(uint32_t awake, uint32_t count) const;
 
 private:

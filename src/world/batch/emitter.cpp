@@ -17,7 +17,7 @@ Quaternion<double> unit(const float (&v)[4]) {
     return {q.x / n, q.y / n, q.z / n, q.w / n};
 }
 
-// 1 - cos x = 2 sin^2(x/2) for 0 <= x <= pi, by the series of the sine: the C library's differs between machines.
+// 1 - cos x = 2 sin^2(x/2) for 0 <= x <= pi by a series, since the C library's differs between machines.
 double one_minus_cosine(double x) {
     const double y = 0.5 * x;
     double term = y, sine = y;
@@ -28,7 +28,7 @@ double one_minus_cosine(double x) {
     return 2.0 * sine * sine;
 }
 
-// A unit vector in any direction (Marsaglia 1972).
+// A uniform direction (Marsaglia 1972).
 Double3 direction(CounterRandom& random) {
     double x, y;
     const double s = random.disc(x, y);
@@ -36,7 +36,7 @@ Double3 direction(CounterRandom& random) {
     return {x * r, y * r, 1.0 - 2.0 * s};
 }
 
-// Any orientation (Marsaglia 1972).
+// A uniform orientation (Marsaglia 1972).
 Quaternion<double> orientation(CounterRandom& random) {
     Quaternion<double> q{};
     const double s = random.disc(q.x, q.y), t = random.disc(q.z, q.w);
@@ -49,7 +49,7 @@ Double3 in_cube(CounterRandom& random) {
     return {x, y, random.between(-1.0, 1.0)};
 }
 
-// On the surface of a box of these half extents: a face by its area, a point on it.
+// A uniform point on the surface of a box: a face by area, then a point on it.
 Double3 on_box(CounterRandom& random, Double3 h) {
     const double area[3] = {h.y * h.z, h.z * h.x, h.x * h.y};
     const double at = random.uniform() * (area[0] + area[1] + area[2]);
@@ -80,7 +80,7 @@ Double3 place(CounterRandom& random, int32_t shape, Double3 size) {
     }
 }
 
-// For finite numbers. Null if valid, else the reason.
+// Numbers must be finite. Null if valid, else the reason.
 const char* wrong_in(const lr_emitter_desc& d) {
     if (d.shape < LR_EMIT_POINT || d.shape > LR_EMIT_SPHERE_SURFACE) return "unknown shape";
     if (d.pose != LR_POSE_RANDOM && d.pose != LR_POSE_FIXED) return "unknown pose";

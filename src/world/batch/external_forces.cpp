@@ -16,7 +16,7 @@ void ExternalForces::add(uint32_t index, size_t frame, size_t kind, Double3 valu
 }
 
 void ExternalForces::set_batch(const float (&force)[force_components]) {
-    // No negative zeros: they would make a sum depend on whether zeros are added.
+    // Without negative zeros, sums do not depend on whether zeros are added.
     std::transform(force, force + force_components, batch_, [](float f) { return f + 0.0f; });
     on_batch_ = std::any_of(force, force + force_components, [](float f) { return f != 0.0f; });
 }
@@ -38,7 +38,7 @@ void ExternalForces::spread(float part, uint32_t count) {
 void ExternalForces::fill(ExternalInput& in) const {
     in.any = on_batch_ || pending();
     in.used = used_;
-    if (!in.any) return; // and the rest is not read
+    if (!in.any) return; // in.any decides whether the rest is read
     in.clear = true;
     std::copy(batch_, batch_ + force_components, in.batch);
     in.bodies = rows_;

@@ -1,4 +1,4 @@
-// External forces on a batch: on single bodies over the next step, and on all of them until changed.
+// External forces: on single bodies for the next step, on a whole batch until changed.
 #pragma once
 
 #include "base/pose.h"
@@ -14,7 +14,7 @@ inline const char* wrong_batch_force(const float (&force)[force_components]) {
 
 class ExternalForces {
 public:
-    // Sets the rows for single bodies, `stride` apart; before, there are no forces on single bodies.
+    // Sets the rows for single bodies, `stride` floats apart. Before this there can be no forces on single bodies.
     void use(float* rows, size_t stride) { rows_ = rows, stride_ = stride; }
     void add(uint32_t index, size_t frame, size_t kind, Double3 value);
 
@@ -22,12 +22,12 @@ public:
     const float (&batch() const)[force_components] { return batch_; }
     bool pending() const { return used_ != 0; } // on single bodies
 
-    // Forces that cancel, or whose bodies have ended, are none: adding zeros rounds otherwise than adding nothing.
+    // If all forces are 0, because they cancelled or their bodies ended, there are none: adding zeros rounds differently from adding nothing.
     void forget_zeros(uint32_t count);
-    // Scales forces on single bodies by `part`: they act over 1/part of the intended time.
+    // Scales forces on single bodies by `part`, since the batch's step is 1/part times as long as the world's.
     void spread(float part, uint32_t count);
     void fill(ExternalInput& in) const; // for a step
-    void stepped() { used_ = 0; }       // the kernel has left zeros
+    void stepped() { used_ = 0; }       // the kernel has cleared the rows
     void restored(bool pending) { used_ = pending ? all_vectors : 0; }
 
 private:
@@ -35,7 +35,7 @@ private:
 
     float batch_[force_components] = {};
     bool on_batch_ = false;
-    uint32_t used_ = 0; // a bit for each vector that is not 0 on all bodies
+    uint32_t used_ = 0; // a bit for each vector that is not 0 on every body
     float* rows_ = nullptr;
     size_t stride_ = 0;
 };
@@ -44,6 +44,6 @@ struct Kick {
     Double3 v, w; // m/s and rad/s, body frame
 };
 
-// The change of velocity by an impulse (N s) and an angular impulse (N m s), body frame, including the added mass: (M + added)^-1 of them.
+// Change of velocity by a linear (N s) and an angular impulse (N m s) in the body frame, with the added mass: (M + A)^-1 times them.
 Kick impulse_response(const BodyConstants& body, double scale, const Kick& impulse);
 } // namespace lr

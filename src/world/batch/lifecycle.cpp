@@ -14,7 +14,7 @@ namespace lr {
 
 namespace {
 
-// For finite numbers. Null if valid, else the reason.
+// Numbers must be finite. Null if valid, else the reason.
 const char* wrong_in(const lr_batch_rules& r) {
     if (r.action != LR_END_DESTROY && r.action != LR_END_RESPAWN) return "unknown action";
     if (!(r.max_age >= 0.0f && r.max_age <= most_age)) return "max_age is negative or too large";
@@ -106,13 +106,13 @@ void Lifecycle::judge_sleep(EndedFunction ended, Batch& batch) {
     SleepingBodies* const sleeping = batch.sleeping();
     if (!has_rules() || !sleeping->in_question(state_.rules.max_age)) return;
     batch.make_ages_exact();
-    // Includes the awake bodies in the first one's cut: judging them again changes nothing.
+    // From the start of a cut: judging its awake bodies again gives the same answer.
     judge(ended, batch.arrays(), batch.awake() / cut_bodies * cut_bodies, batch.padded_count());
     sleeping->answered(batch.awake(), batch.count(), state_.rules.max_age);
     sleep_judged_ = true;
 }
 
-// From the last to the first of [begin, end).
+// Backwards over [begin, end).
 template <class Function> void Lifecycle::for_ended(uint32_t begin, uint32_t end, Function&& function) {
     for (uint32_t cut = cut_count(end); cut-- > begin / cut_bodies;) {
         if (cut_has_ended_[cut] == 0) continue;
@@ -132,7 +132,7 @@ void Lifecycle::respawn(Batch& batch, const lr_world& world, uint32_t index) {
     if (batch.events()) batch.events()->clear(unpack(batch.ids()[index]).slot);
 }
 
-// A body moved into the place of an ended one was already judged. The result depends on noise seed and life alone, so the order does not matter.
+// Backwards, so that the body that fills an ended one's place has been judged. Results depend on noise seed and life, not on the order.
 void Lifecycle::end_bodies(Batch& batch, lr_world& world) {
     const uint32_t awake = batch.awake(), count = batch.count();
     const auto note = [&](uint32_t i) {
@@ -143,7 +143,7 @@ void Lifecycle::end_bodies(Batch& batch, lr_world& world) {
     };
     if (ended_respawned_) {
         for_ended(0, awake, [&](uint32_t i) { note(i), respawn(batch, world, i); });
-        // Forwards: a body that wakes swaps places with an earlier one.
+        // Forwards, since a waking body swaps places with one before it.
         for (uint32_t i = sleep_judged_ ? awake : count; i < count; ++i)
             if (cause_[i] != cause_none) note(i), respawn(batch, world, i);
     } else {
@@ -167,7 +167,7 @@ void Lifecycle::spawn_due(Batch& batch, lr_world& world, double dt) {
         state_.burst_clock = std::max(state_.burst_clock - bursts * interval, 0.0);
         births += bursts * static_cast<double>(d.burst_count);
     }
-    // Spawns without room are dropped, not postponed: a full batch must not burst when a place becomes free.
+    // Spawns without room are dropped: kept ones would burst out as soon as places become free.
     const uint32_t wanted = static_cast<uint32_t>(std::min(births, 4294967295.0));
     spawned_ = emit(batch, world, wanted, nullptr);
     missed_ = wanted - spawned_;
@@ -237,10 +237,10 @@ void settle_diverged(lr_world& world, Batch& batch, lr_batch handle, FaultReport
             lifecycle->end_diverged(i);
             continue;
         }
-        world.leave(batch, i); // it touches nothing any more
+        world.leave(batch, i); // it touches nothing from now on
         if (batch.events()) batch.events()->note(unpack(batch.ids()[i]).slot, noted_divergence);
     }
-    if (batch.faults.last == 0) return; // a lane without a body
+    if (batch.faults.last == 0) return; // a lane without a body diverged
     batch.faults.total += batch.faults.last;
     if (report.count == 0) report.batch = handle, report.noise_seed = first_noise_seed;
     report.count += batch.faults.last;

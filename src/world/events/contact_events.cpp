@@ -95,7 +95,7 @@ void ContactEvents::resume(uint32_t pending, const void* noted, const void* held
     std::memcpy(static_cast<void*>(held_.data()), held, held_.size() * held_bytes);
 }
 
-// The colliders that a body touches at the end of a step.
+// Colliders that a body touches at the end of a step.
 ContactEvents::Held ContactEvents::now_held(const Batch& batch, uint32_t index, const Colliders& colliders) const {
     Held held{};
     if (!looks_ || !batch.columns().has(part_contact)) return held;
@@ -107,7 +107,7 @@ ContactEvents::Held ContactEvents::now_held(const Batch& batch, uint32_t index, 
     return held;
 }
 
-// For a body that was not stepped: drops destroyed colliders.
+// For a body that was not stepped: its contacts without destroyed colliders.
 ContactEvents::Held ContactEvents::still_held(uint32_t slot, const Colliders& colliders) const {
     Held held{};
     uint32_t count = 0, ignored = 0;
@@ -130,7 +130,7 @@ void ContactEvents::tell_body(const Batch& batch, uint32_t index, lr_batch handl
         if (notes & note) to.tell(event);
     };
     tell_of(noted_spawn, LR_EVENT_SPAWNED);
-    // All touched colliders by slot; if two colliders used a slot in turn, the former comes first.
+    // All touched colliders by slot; of two that used one slot, the earlier comes first.
     lr_collider all[3 * most_touches];
     lr_collider* end = all;
     const auto insert = [&](lr_collider one) {

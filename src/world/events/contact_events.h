@@ -1,4 +1,4 @@
-// The events of a batch: collected during a step, reported at its end. docs/reference/bodies.md
+// Events of a batch: collected during a step, reported at its end. docs/reference/bodies.md
 #pragma once
 
 #include "base/allocator.h"
@@ -13,7 +13,7 @@ namespace lr {
 
 class Batch;
 
-// The events of a world's last step. Events beyond the capacity are only counted.
+// Events of the last step. Beyond the capacity they are only counted.
 struct EventList : StepList<lr_event> {
     uint32_t kinds = 0;
     uint64_t lost = 0, total_lost = 0;
@@ -25,29 +25,27 @@ struct EventList : StepList<lr_event> {
     }
 };
 
-// Indexed by the slots of bodies, which are fixed while they live.
+// By body slot, which does not change while the body lives.
 class ContactEvents {
 public:
     bool allocate(Allocator& allocator, uint32_t capacity);
 
-    // Before a step of the batch.
     void begin_step(const Batch& batch, const Colliders& colliders);
     TouchNotes notes(const lr_body* ids);
-    // A collider has been destroyed: its slot can get another one.
+    // A collider was destroyed, and its slot can get another: contacts must be compared anew.
     void recheck() { all_ = true; }
 
     void note(uint32_t slot, Note what) { noted_[slot] |= what; }
-    // The body was put back to sleep before it moved.
+    // Undoes a note: the body was put back to sleep before it moved.
     void take_back(uint32_t slot, Note what) { noted_[slot] &= static_cast<uint8_t>(~what); }
-    // A body that ends, before it does; at most once per body and step. for_fault: it diverged.
+    // Called before a body ends, at most once per body and step. for_fault: it diverged.
     void note_ended(const Batch& batch, uint32_t index, bool for_fault);
-    // The slot has a new body, or none.
+    // For a slot with a new body, or with none.
     void clear(uint32_t slot);
-    // Takes contacts from the batch's arrays, without events.
+    // Takes over the contacts in the batch's arrays without reporting them.
     void resume(const Batch& batch, const Colliders& colliders);
 
-    // For snapshots between steps. The part of the next step's events that the batch's arrays do not have: 0, or bits that resume() takes with both
-    // arrays.
+    // For snapshots between steps. 0 if everything follows from the batch's arrays; else bits that resume() takes, with both arrays.
     uint32_t pending(const Batch& batch, const Colliders& colliders) const;
     static bool consistent(uint32_t pending) { return pending <= (pending_any | pending_all | pending_looks); }
     static constexpr uint32_t held_bytes = sizeof(lr_collider) * most_touches;
@@ -55,7 +53,7 @@ public:
     void* held() { return held_.data(); }
     void resume(uint32_t pending, const void* noted, const void* held);
 
-    // At the end of a step of the world; stepped: the batch took part in it. ended: LR_EVENT_KILLED or LR_EVENT_RESPAWNED.
+    // At the end of a world step. stepped: the batch took part in it. ended: LR_EVENT_KILLED or LR_EVENT_RESPAWNED.
     void tell(const Batch& batch, lr_batch handle, const Colliders& colliders, bool stepped, int32_t ended,
               EventList& to);
 
@@ -66,10 +64,10 @@ private:
         float position[3];
         uint8_t notes;
     };
-    // A body, alive or ended, in the order of reporting.
+    // A body, living or ended, in reporting order.
     struct Entry {
         uint32_t noise_seed, slot;
-        uint32_t at; // dense index, or place among the ended
+        uint32_t at; // dense index, or index in ended_
     };
     enum : uint32_t { pending_any = 1, pending_all = 2, pending_looks = 4 };
     static constexpr uint32_t ended_bit = 1u << 31; // above every index
@@ -87,7 +85,7 @@ private:
                    EventList& to);
 
     Buffer<uint8_t> noted_;
-    Buffer<Held> held_; // at the end of the last step
+    Buffer<Held> held_; // contacts at the end of the last step
     Buffer<Meetings> met_;
     StepList<Ended> ended_;
     StepList<Entry> entries_;

@@ -8,7 +8,7 @@
 namespace lr {
 namespace {
 
-// Up to these, fall statistics change by a few per cent at most, and longer substeps save nothing: docs/reference/stepping.md.
+// Longest substep of any body. Up to here fall statistics change by a few per cent, and longer substeps save nothing: docs/reference/stepping.md.
 constexpr double longest_of_all = 1.0 / 60.0; // s
 constexpr double pace_of_length = 2.0;        // m/s
 
@@ -25,9 +25,9 @@ bool BatchClock::consistent(const Record& r, double time, uint64_t substep_count
         !within(r.drift, most_way) || !in_range(r.lost, 0.0, most_time) || !in_range(r.behind, 0.0, most_time))
         return false;
     if (r.steps == 0) return r.substeps == 0 && r.behind == 0.0 && r.passed_over == 0;
-    // Sums of the same steps, up to rounding.
+    // Both are sums of the same steps, equal up to rounding.
     const bool meets = std::abs(r.begin + r.behind - time) <= 1e-9 * std::abs(time) + 1e-9;
-    // The count of substeps can have wrapped around once.
+    // The unsigned count of substeps may wrap around.
     return meets && in_range(r.begin, 0.0, time) && r.behind > 0.0 && r.substeps >= r.steps &&
            r.first_substep + r.substeps == substep_count;
 }
@@ -66,7 +66,7 @@ uint32_t BatchClock::divisor(double h) const {
     return static_cast<uint32_t>(std::clamp(longest_ / h + slack, 1.0, static_cast<double>(record_.divisor)));
 }
 
-// Batches of different phases take different steps.
+// Phases spread batches over different steps.
 bool BatchClock::due(uint32_t divisor, uint32_t substeps, uint64_t step, uint32_t phase) const {
     const uint32_t period = std::max(divisor / substeps, 1u);
     return record_.steps >= period || (step + phase) % period == 0;
@@ -130,7 +130,7 @@ void StepScheduler::ask(Batch& batch, uint32_t slot, const Step& step) {
     claim.urgency = claim.due ? static_cast<double>(pace.record().substeps) / divisor : 0.0;
 }
 
-// In the order of waiting, each gets the fewest substeps that respect its longest; then, in the same order, as many of the rest as it wants.
+// Shares the budget in the order of urgency: first the fewest substeps that each batch may take, then, in the same order, as many as each wants.
 void StepScheduler::share(uint64_t step) {
     Claim* const end = claims_.data() + count_;
     for (uint32_t i = 0; i < count_; ++i) claims_[i].turn = (step + i) % count_;
@@ -149,12 +149,12 @@ void StepScheduler::share(uint64_t step) {
         c->granted = 0;
         if (!c->due || short_of) continue;
         grant(*c, std::min(c->batch->pace.least(), c->wanted));
-        // Later batches that still fit must not go first: this one would wait forever. The rest is saved for it.
+        // If smaller batches behind it went first, this one could wait forever; so the rest is saved for it.
         short_of = c->granted == 0;
     }
     record_.saved = short_of ? left : 0;
     for (Claim* c = claims_.data(); c != end && !short_of; ++c) grant(*c, c->wanted - c->granted);
-    // Beyond the budget, in addition to the batches whose turn it was.
+    // Forces must not wait, so these batches are stepped beyond the budget.
     for (Claim* c = claims_.data(); c != end; ++c)
         if (c->forced) c->granted = std::max(c->granted, 1u);
 }

@@ -10,7 +10,7 @@ namespace lr {
 namespace {
 
 constexpr uint64_t cut_blocks = cut_bodies / lane_block;
-constexpr uint64_t chunks_a_thread = 8; // so that no thread waits long for the last
+constexpr uint64_t chunks_a_thread = 8; // short enough that no thread waits long for the last
 constexpr uint64_t most_chunks = 1u << 24;
 } // namespace
 
@@ -59,7 +59,7 @@ ContactRun contact_run(const lr_world& world, Batch& batch, const WaterStep* wat
 void StepChunks::step(const StepItem& item, uint32_t begin, uint32_t end) const {
     Batch& batch = *item.batch;
     move_awake(batch, begin, end, [&] { move_bodies(item, begin, end); });
-    // While the bodies are still in the cache.
+    // Here the bodies are still in the cache.
     if (slice && slice->first + slice->count != slice->time.substeps) return;
     rest_afloat(*world_, batch, begin, end);
     if (batch.lifecycle()) batch.lifecycle()->judge(world_->target->ended, batch.arrays(), begin, end);

@@ -1,4 +1,4 @@
-// Divides the bodies of a world into pieces of work.
+// Divides the bodies of a step into chunks for the workers.
 #pragma once
 
 #include "kernel/integrator/step.h"
@@ -16,25 +16,25 @@ struct FieldSlice;
 struct WaterStep;
 struct ContactRun;
 
-// Tests build with other lengths (-DLR_CHUNK_BODIES): motion must not depend on it.
+// Tests build with other lengths (-DLR_CHUNK_BODIES), since results must not depend on it.
 #if !defined(LR_CHUNK_BODIES)
 #define LR_CHUNK_BODIES 1024
 #endif
 static_assert(LR_CHUNK_BODIES > 0 && LR_CHUNK_BODIES % lane_block == 0);
 
-// Batches are cut only at multiples of this. Rules record ended bodies per cut, each written by one thread.
+// Batches are cut only at multiples of this. Ended bodies are recorded by cut, and only one thread writes each.
 inline constexpr uint32_t cut_bodies = LR_CHUNK_BODIES < 256 ? LR_CHUNK_BODIES : 256;
-// Bodies in a chunk of a large world. Shorter chunks cost nothing extra; after longer ones the caller waits for the last.
+// Bodies in a chunk of a large world. Shorter chunks cost nothing extra; with longer ones the caller waits for the last.
 inline constexpr uint32_t most_chunk_bodies = LR_CHUNK_BODIES;
 inline constexpr uint32_t most_chunk_work = 8192; // body-substeps
-// Body-substeps with LANGEVIN loads, 8 ns each, that take as long as work that justifies another thread: waking it takes up to ten microseconds.
+// Work that is worth another thread, in body-substeps with LANGEVIN loads of 8 ns each: waking a thread takes up to 10 us.
 inline constexpr uint64_t helper_cost = 4096;
 
-// The most bodies at the end of a batch that the narrow target steps.
+// A batch's last bodies, if at most this many, are stepped by the narrow target.
 inline constexpr uint32_t narrow_lanes = 4;
 
 struct StepTime;
-// For a batch over `seconds`; records nothing about its bodies.
+// For a step of `seconds` of the batch. Records nothing about its bodies.
 ContactRun contact_run(const lr_world& world, Batch& batch, const WaterStep* water, const StepTime& time,
                        float seconds);
 
@@ -42,11 +42,11 @@ inline uint32_t cut_count(uint32_t lanes) {
     return (lanes + cut_bodies - 1) / cut_bodies;
 }
 
-// A batch with awake bodies, on the line of all lane blocks of a step.
+// A batch with awake bodies. The lane blocks of all items of a step form one line.
 struct StepItem {
     Batch* batch;
     lr_batch handle;
-    uint64_t begin; // its first lane block
+    uint64_t begin; // its first block on that line
 };
 
 // The last item that begins at or before `at`.
@@ -54,10 +54,10 @@ inline const StepItem* item_at(const StepItem* items, uint32_t count, uint64_t a
     return std::upper_bound(items, items + count, at, [](uint64_t a, const StepItem& i) { return a < i.begin; }) - 1;
 }
 
-// Chunks are equal lengths of that line, with ends moved back to the last cut: part of a large batch, or many small ones.
+// Chunks are equal parts of that line, moved back to the last cut: a part of a large batch, or several small ones.
 class StepChunks {
 public:
-    // work: body-substeps of one run over them; cost: what they take, in those with LANGEVIN loads.
+    // work: body-substeps of one run; cost: the same, weighted by loads in units of LANGEVIN's.
     StepChunks(const lr_world& world, const StepItem* items, uint32_t item_count, uint64_t lane_blocks, uint64_t work,
                uint64_t cost, uint32_t helpers);
 
@@ -66,7 +66,7 @@ public:
     bool colliders = false;             // whether the world has any
 
     uint32_t count() const { return static_cast<uint32_t>((blocks_ + chunk_ - 1) / chunk_); }
-    uint32_t helpers() const { return helpers_; } // threads besides the caller that are worth waking
+    uint32_t helpers() const { return helpers_; } // threads worth waking besides the caller
     void run(uint32_t chunk) const;
 
 private:
@@ -78,6 +78,6 @@ private:
     uint32_t item_count_;
     uint32_t helpers_;
     uint64_t blocks_;
-    uint64_t chunk_; // lane blocks in each
+    uint64_t chunk_; // lane blocks in a chunk
 };
 } // namespace lr

@@ -9,10 +9,10 @@
 namespace lr {
 namespace {
 
-// As in a heap: what is stirred by a body's fall carries it on for long, ever slower.
+// Times still_speed, as in a heap: a fall sets water in motion, which moves floats on for long, ever slower.
 constexpr float afloat_still = 3.0f;
 
-// blur: as in the kernel, of bodies thinner than their fall in a substep.
+// blur: m, as in the kernel, for bodies thinner than their fall in a substep.
 bool cuts(const SurfaceInstant& plane, const WaterBody& water, float scale, const Pose& pose, float blur) {
     const Vector up = vector_of(plane.up), normal = rotate(inverse(pose.rotation), up);
     float squared = 0.0f;
@@ -56,7 +56,7 @@ void rest_afloat(const lr_world& world, Batch& batch, uint32_t begin, uint32_t e
             if (touching != 0) book.forget(i);
             continue;
         }
-        // Nothing else stops it: what trembles on the ground drifts here.
+        // Floats that move faster than still ones start over: nothing else stops a drift.
         touching = touching_water;
         body.way = seconds * rotate(pose.rotation, v), body.turn = seconds * w;
         float& lasted = book.still_time[i];
@@ -72,7 +72,7 @@ void forget_afloat(Batch& batch) {
         if (book.touching[0][i] == touching_water) book.forget(i);
 }
 
-// A float drifts at the root of the fluids' densities times the wind.
+// A float drifts at sqrt(rho_a/rho_w) times the wind.
 bool wakes_afloat(const lr_world& world, const Batch& batch, uint32_t index, Vector wind) {
     const float speed = afloat_still * still_speed(length(vector_of(world.gravity)));
     const float reach = batch.asset().shape.reach * batch.arrays().field[field_scale][index];

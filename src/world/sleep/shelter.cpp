@@ -6,7 +6,7 @@
 namespace lr {
 namespace {
 
-// The points that colliders hide among those that bodies hide on one side alone: nothing else can shelter a body.
+// Marks points that colliders cover, where a body covers the other side alone. A collider by itself gives no shelter.
 void hide_by_colliders(const lr_world& world, uint32_t layers, const PairHull& hull, float scale, const Pose& at,
                        const Box& near, Hidden& hidden) {
     const FaceLines lines(hull, scale, at);
@@ -22,7 +22,7 @@ void hide_by_colliders(const lr_world& world, uint32_t layers, const PairHull& h
         for (uint32_t k = 0; k < face_points; ++k) {
             const uint32_t bit = 1u << k;
             if (((hidden.above ^ hidden.below) & bit) == 0) continue;
-            const bool above = (hidden.above & bit) == 0; // the side that is still open
+            const bool above = (hidden.above & bit) == 0; // towards the open side
             const Double3 direction = to_double(lines[k].direction);
             const Ray ray{to_double(lines[k].point), above ? direction : -direction};
             if (hits(candidate, collider, ray_in(collider.begin, ray))) (above ? hidden.above : hidden.below) |= bit;

@@ -13,7 +13,7 @@ namespace {
 // From this age on rounding is carried along, as the kernel does for awake bodies.
 constexpr float plain_age = 2.0f; // s
 constexpr double never = std::numeric_limits<double>::infinity();
-constexpr double slack = 200.0; // s: the largest rounding error of an age
+constexpr double slack = 200.0; // s: bound of an age's rounding error
 
 struct Neighbour {
     uint32_t batch, noise_seed, index;
@@ -28,7 +28,7 @@ bool equal(Vector a, Vector b) {
     return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
-// The first few by batch and noise seed, each once, in any order of insertion.
+// The first most_sleeping by batch and noise seed, each once, whatever the order of insertion.
 struct Neighbours {
     Neighbour found[most_sleeping];
     uint32_t count = 0;
@@ -104,7 +104,7 @@ bool SleepingBodies::withstood(const float (&wind)[3]) {
     return false;
 }
 
-// The oldest body decides, rounded as its age will be; a needless yes changes nothing.
+// The oldest body decides; its age is rounded as the rules will see it. A needless yes only costs time.
 bool SleepingBodies::in_question(float max_age) const {
     return state_.unjudged != 0 || (max_age > 0.0f && static_cast<float>(state_.clock - earliest_) >= max_age);
 }
@@ -145,7 +145,7 @@ uint32_t SleepingNeighbours::touched_by(uint32_t noise_seed, float scale, const 
         const Batch& batch = *world_->batches[other].batch;
         batch.visit_sleeping(box, [&](uint32_t index) {
             const uint32_t its = batch.arrays().noise_seed[index];
-            // A copy of a sleeping body does not touch its original.
+            // The copy in a trial must not touch its original.
             if (other == slot_ && its == noise_seed && equal(pose_of(batch.arrays(), index).position, from.position))
                 return;
             near.take({other, its, index});

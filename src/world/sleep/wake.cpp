@@ -11,17 +11,17 @@
 namespace lr {
 namespace {
 
-constexpr uint32_t chunk_bodies = 8 * cut_bodies; // sleeping; few of them have their turn
+constexpr uint32_t chunk_bodies = 8 * cut_bodies; // of sleeping bodies, few of which have their turn
 constexpr auto most = static_cast<uint32_t>(field_block);
 
-// A body wakes if it gains this share of gravity in spite of its contacts: above the static lock's limit, so that it does not lie still again.
+// A body wakes if it gains this share of gravity in spite of its contacts. That is above the static lock's limit, or it would lie still again.
 constexpr float going = 0.05f;
 
 constexpr uint32_t grain = 256; // bodies
-// Times the speed of a still body: a fall by a tenth of the reach. Slower bodies, as in a settling heap, only wake bodies that they touch.
+// Times still_speed: the speed of a fall by a tenth of the reach. Slower bodies, as in a settling heap, wake only bodies that they touch.
 constexpr float hits = 100.0f;
 
-// The first cut with sleeping bodies.
+// The first cut that has sleeping bodies.
 uint32_t first_cut(const Batch& batch) {
     return batch.awake() / cut_bodies * cut_bodies;
 }
@@ -66,7 +66,7 @@ void WakeByFlow::run(const FloatMode& mode) {
         in.sqrt_h = std::sqrt(in.h);
         in.inverse_sqrt_h = 1.0f / in.sqrt_h;
     }
-    // All at the same moment: the field is prepared once. A uniform wind as it is at the end of the step; it is a field for sheltered bodies.
+    // All trials are at one moment, so the field is prepared once. Uniform wind is that at the step's end; for sheltered bodies it is a field.
     UniformWind uniform = world_->wind.uniform;
     if (!world_->wind.active()) std::copy(uniform.wind, uniform.wind + 3, uniform.before);
     world_->wind.prepare(time_, uniform, 0, 1, world_->seed);
@@ -82,12 +82,12 @@ void WakeByFlow::run(const FloatMode& mode) {
     world_->step_workers.run(chunks_, helpers, try_chunk, mode);
 }
 
-// Bodies that touch nothing were put to sleep by the caller, and stay asleep.
+// Bodies that touch nothing stay asleep: the caller put them to sleep.
 void WakeByFlow::try_range(const StepItem& item, uint32_t begin, uint32_t end) {
     const Batch& batch = *item.batch;
     const uint32_t* const noise_seed = batch.arrays().noise_seed;
     const uint32_t* const touching = batch.columns().row<uint32_t>(column_touching);
-    if (!touching) return; // its batch is not among the items
+    if (!touching) return; // a batch that can touch nothing is not among the items
     const auto turn = static_cast<uint32_t>(world_->step_count % turns);
     uint32_t index[most], count = 0;
     for (uint32_t i = begin; i < end; ++i) {
@@ -111,7 +111,7 @@ void WakeByFlow::try_bodies(const StepItem& item, const uint32_t* index, uint32_
     BodyCopies<field_block> copies;
     copies.take(batch.arrays(), count, [&](uint32_t i) { return index[i]; });
     BatchArrays arrays = copies.arrays();
-    float winds[3 * field_block]; // m/s, x y z of each
+    float winds[3 * field_block]; // m/s, x y z each
     for (uint32_t i = 0; i < count; ++i)
         put(field ? vector_in(copies.field, field_x, i) : vector_of(in.wind), winds + size_t{3} * i);
     if (field)
@@ -138,7 +138,7 @@ void WakeByFlow::try_bodies(const StepItem& item, const uint32_t* index, uint32_
     const SleepingNeighbours neighbours(*world_, unpack(item.handle).index);
     bool moves[most];
     take_substep(item, neighbours, tried, tried_count, nullptr, moves);
-    // The wind would move them if they lay alone.
+    // The open wind would move them; those in shelter take a second trial in weaker wind.
     uint32_t sheltered[most], in_tried[most], sheltered_count = 0;
     float felt[most];
     for (uint32_t i = 0; i < tried_count; ++i) {
@@ -176,7 +176,7 @@ void WakeByFlow::take_substep(const StepItem& item, const SleepingNeighbours& ne
     copies.take(batch.arrays(), count, [&](uint32_t i) { return index[i]; });
     BatchArrays arrays = copies.arrays();
     const uint32_t padded = copies.padded;
-    // In the arrays these values are outdated.
+    // The arrays are not updated for sleeping bodies.
     for (uint32_t i = 0; i < padded; ++i)
         batch.sleeping()->age_of(index[std::min(i, count - 1)], copies.field[field_age][i],
                                  copies.field[field_age_remainder][i]);
@@ -200,7 +200,7 @@ void WakeByFlow::take_substep(const StepItem& item, const SleepingNeighbours& ne
     for (uint32_t i = 0; i < count; ++i) {
         const auto size = [&](size_t f) { return length(vector_in(copies.field, f, i)); };
         const float reach = batch.asset().shape.reach * copies.field[field_scale][i];
-        // In water a body can fall with less than that share: it lies on nothing if it falls half as fast as it can.
+        // In water a body may fall with less than that share of gravity: half of its own fall shows that it has no support.
         const Vector v = rotate(pose_of(arrays, i).rotation, vector_in(copies.field, field_vx, i));
         moves[i] = size(field_vx) + reach * size(field_wx) > limit ||
                    std::abs(dot(v, vector_of(world_->gravity))) > 0.5f * fall[i] * run.step.gravity * one.h;

@@ -1,4 +1,4 @@
-// Wakes sleeping bodies that are about to be hit, or that wind or water would move.
+// Wakes sleeping bodies that are about to be hit, or that wind or water would move. docs/maintainers/contact.md, sections 5 and 14.
 #pragma once
 
 #include "base/float_mode.h"
@@ -14,16 +14,16 @@ namespace lr {
 
 class SleepingNeighbours;
 
-// Wakes bodies that are about to be hit in the coming step of dt (s), so that they take the blow as awake bodies.
+// Wakes bodies that a fast one would hit in the coming step of dt (s), so that they take the blow awake.
 void wake_before_hit(lr_world& world, float dt, const FloatMode& mode);
 
-// Wakes bodies that wind or water would move: each in turn is tried by a substep of a copy.
+// Wakes bodies that wind or water would move. The trial: a copy of the body takes one substep.
 class WakeByFlow {
 public:
-    // A body's turn comes in one of so many steps of the world, by its noise seed.
+    // A body's turn comes once in this many world steps, by its noise seed.
     static constexpr uint32_t turns = 16;
 
-    // items: room for as many as the world has batches. h: s, a substep of the step.
+    // items: room for all batches of the world. time: of the step, for the length of a substep.
     WakeByFlow(lr_world& world, StepItem* items, const StepTime& time);
 
     // Marks the bodies that would move, for Batch::wake_noted().
@@ -32,7 +32,7 @@ public:
 private:
     void try_range(const StepItem& item, uint32_t begin, uint32_t end);
     void try_bodies(const StepItem& item, const uint32_t* index, uint32_t count);
-    // moves: whether each does. felt: the share of the wind's speed that each feels; null: all of it.
+    // moves: receives whether each body does. felt: the share of the wind's speed that each feels; null: all.
     void take_substep(const StepItem& item, const SleepingNeighbours& neighbours, const uint32_t* index, uint32_t count,
                       const float* felt, bool* moves);
 

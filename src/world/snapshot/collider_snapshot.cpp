@@ -16,12 +16,12 @@ bool near(Vector v, Vector most) {
     return std::abs(v.x) <= most.x && std::abs(v.y) <= most.y && std::abs(v.z) <= most.z; // false for NaN
 }
 
-// Steps can carry colliders farther than calls may place them, up to the limit of `advanced`.
+// Steps can carry colliders beyond the limit for calls, up to that of advanced().
 bool consistent(const Pose& pose) {
     const float n = dot(pose.rotation, pose.rotation);
     return near(pose.position, {farthest_place, farthest_place, farthest_place}) && n > 0.999f && n < 1.001f;
 }
-// The rounding carried with a position is below its last digit.
+// The rounding error carried with a position is below its last digit.
 bool is_remainder(Vector remainder, Vector of) {
     const auto most = [](float x) { return 0x1p-23f * std::abs(x) + 1e-37f; };
     return near(remainder, {most(of.x), most(of.y), most(of.z)});
@@ -45,12 +45,12 @@ ColliderSnapshot::Slot ColliderSnapshot::slot(uint32_t i) const {
 ColliderRecord ColliderSnapshot::record(uint32_t i) const {
     return value_at<ColliderRecord>(slots_ + sizeof(Slot) * uint64_t{head_.slots}, i);
 }
-// Null if the collider has none, or if the world lacks it.
+// Null if the collider has no shared geometry, or the world lacks it.
 SharedGeometry* ColliderSnapshot::shared(const ColliderRecord& r) const {
     return r.data != 0 ? to_->geometries_.find(static_cast<ColliderKind>(r.kind), r.data) : nullptr;
 }
 
-// Calls write(record) for slots and colliders in order, while it returns true.
+// Calls write(record) for slots and colliders in order, as long as it returns true.
 template <class Write> bool ColliderSnapshot::visit(const Colliders& c, Write&& write) {
     static_assert(sizeof(Slot) % 8 == 0 && LR_MAX_COLLIDERS < taken);
     for (uint32_t i = 0; i < c.used_; ++i)
@@ -122,7 +122,7 @@ lr_status ColliderSnapshot::read(const Head& head, const unsigned char* from, ui
 void ColliderSnapshot::commit() {
     if (same_) return;
     Colliders& c = *to_;
-    // Acquires data before releasing any: the same data can be in both.
+    // Acquires before it releases: both states may share data.
     for (uint32_t i = 0; i < head_.count; ++i)
         if (SharedGeometry* const data = shared(record(i))) ++data->users;
     for (uint32_t i = 0; i < c.used_; ++i)

@@ -19,8 +19,8 @@ SnapshotHeader header_of(const void* memory) {
     return value_at<SnapshotHeader>(static_cast<const unsigned char*>(memory), 0);
 }
 
-// The checksum detects damage, not forgery. It takes 64-bit words, the seal itself as 0: word i goes to sum i mod 8, so that no multiplication waits
-// for the one before it. Each step of a sum, and of combining the sums, is a bijection: one changed word always changes the seal.
+// Checksum against damage, not forgery, over 64-bit words with the seal as 0. Word i goes to sum i mod 8, so that no multiplication waits for the one
+// before. Each step is a bijection of a sum, and so is combining sums: one changed word always changes the seal.
 uint64_t seal_of(const unsigned char* bytes, uint64_t size) {
     constexpr uint64_t factor = 0x9e3779b97f4a7c15ull, block = 64;
     const auto take = [](uint64_t& sum, uint64_t word) {
@@ -28,7 +28,7 @@ uint64_t seal_of(const unsigned char* bytes, uint64_t size) {
         sum ^= sum >> 32;
     };
     const auto word_at = [](const unsigned char* from) { return value_at<uint64_t>(from, 0); };
-    // Named variables: compilers keep them in registers and do not vectorise them.
+    // Separate variables stay in registers; compilers would vectorise an array.
     uint64_t a = 1 * factor, b = 2 * factor, c = 3 * factor, d = 4 * factor, e = 5 * factor, f = 6 * factor,
              g = 7 * factor, h = 8 * factor;
     const auto take_block = [&](const unsigned char* from) {
@@ -52,7 +52,7 @@ uint64_t seal_of(const unsigned char* bytes, uint64_t size) {
     return all;
 }
 
-// Writes a snapshot's parts in order, or only counts their bytes.
+// Writes the parts of a snapshot in order, or only counts their bytes.
 class Writer {
 public:
     explicit Writer(unsigned char* to) : begin_(to) {}
@@ -65,7 +65,6 @@ public:
         }
         used_ += padded;
     }
-    // save(to) writes `size` bytes.
     template <class Save> void part(uint64_t size, const Save& save) {
         if (begin_) save(begin_ + used_);
         used_ += size;
@@ -98,7 +97,7 @@ template <class Header, class Slot, class Move> void move_slot(Header& h, Slot& 
     move(h.body_generation, slot.body_generation);
 }
 
-// Loops over columns without branches, so that they vectorise.
+// Without branches, so that loops over columns vectorise.
 bool bodies_consistent(const SavedBatch& s) {
     const SnapshotBatch& h = s.header;
     const auto number = [&](uint32_t column, uint32_t i) { return s.value<float>(column, i); };
@@ -115,7 +114,7 @@ bool bodies_consistent(const SavedBatch& s) {
     for (uint32_t i = 0; i < h.count; ++i) {
         const auto square = [&](uint32_t f) { return number(f, i) * number(f, i); };
         const float turn = square(field_qx) + square(field_qy) + square(field_qz) + square(field_qw);
-        // Below the age's last digit, or the mark of a held body.
+        // The remainder must be below the age's last digit, or be the mark of a held body.
         const float age = number(field_age, i), remainder = number(field_age_remainder, i);
         bad |= wrong(turn >= shortest_turn) | wrong(turn <= longest_turn);
         bad |= wrong(std::abs(remainder) <= 0x1p-23f * age) & wrong(remainder == held_mark) &
@@ -126,7 +125,7 @@ bool bodies_consistent(const SavedBatch& s) {
     return bad == 0;
 }
 
-// Slots can be those of destroyed colliders. meets_bodies: the batch has body contact.
+// Slots may be those of destroyed colliders. has_body_contact: touching_body is allowed.
 bool touched_consistent(const SavedBatch& s, bool has_body_contact) {
     if (piece_bytes(s.header, column_touching) == 0) return true;
     const uint32_t most = has_body_contact ? 1 : 0;
@@ -159,7 +158,7 @@ bool slots_consistent(const SavedBatch& s, uint32_t batch_index) {
     }
     if (bad != 0 || used != h.count || h.first_generation > max_generation || h.last_generation > max_generation)
         return false;
-    // The bit is 1 if a slot is free; toggling it makes any dense index an invalid slot.
+    // A free slot has this bit, so toggling gives the next slot; a dense index becomes an invalid slot.
     const auto next = [&](uint32_t slot) { return dense(slot) ^ Batch::free_bit; };
     return make_chain(h.free_first, h.free_last, h.capacity - h.count, h.capacity, next) &&
            (h.count == h.capacity || (dense(h.free_last) & Batch::free_bit) != 0);
@@ -184,7 +183,7 @@ public:
             to.bytes(live(*slot.batch, piece), piece_bytes(h, piece));
     }
 
-    // Checks everything and allocates memory; changes nothing visible.
+    // Checks everything and allocates memory, without visible changes.
     static lr_status check(const SavedBatch& s, uint64_t left, uint32_t index, Batch* batch,
                            const SnapshotHeader& world, bool has_body_contact, bool contact) {
         const SnapshotBatch& h = s.header;
@@ -238,19 +237,19 @@ public:
             b.aerodynamics_ = h.aerodynamics;
             b.settings_.gains = h.gains;
             const TableHead head = !other_table ? b.table_head_ : h.table.count == 0 ? b.asset_table() : h.table;
-            // Cannot fail: it was checked.
+            // Cannot fail after check().
             b.use_table(other_table ? b.next_table_ : b.table_, head, h.table.count == 0);
             b.next_table_.reset();
         }
         b.external.set_batch(h.force);
         b.external.restored((h.parts >> part_forces & 1u) != 0);
         b.set_contact(h.contact);
-        b.faults.noted = 1; // some can have diverged since the last step
+        b.faults.noted = 1; // bodies may have diverged since the last step
         b.faults.last = 0;
         if (b.lifecycle_) b.lifecycle_->restore(h.lifecycle);
         if (b.events() && h.events != 0)
             b.events()->resume(h.events, s.at(piece_noted), s.at(piece_held));
-        else if (b.events()) // contacts exist, without events
+        else if (b.events()) // the snapshot has contacts, but no events
             b.events()->resume(b, colliders);
         b.columns_.clear(b.awake_, b.count_, field_vx, 6);
         b.columns_.clear(b.awake_, b.count_, column_force, force_components);
@@ -292,7 +291,7 @@ private:
         if (b.lifecycle_) h.lifecycle = b.lifecycle_->state();
         return h;
     }
-    // Parts in use: in the others all columns are empty.
+    // Parts in use; all columns of the others are 0.
     static uint32_t parts_of(const Batch& b) {
         const auto bit = [](ColumnPart part, bool there) { return there ? 1u << part : 0u; };
         return bit(part_body, true) | bit(part_gust, b.columns_.has(part_gust)) | bit(part_sleep, b.awake_ < b.count_) |
@@ -307,7 +306,7 @@ private:
             return !b.events() ? nullptr : piece == piece_noted ? b.events()->noted() : b.events()->held();
         return b.table_.data() + (piece == piece_chi ? 0 : b.table_head_.count);
     }
-    // Sleeping bodies in the same place keep their boxes: recomputed ones would be equal.
+    // Boxes of sleeping bodies in the same place stay, since recomputing would give the same.
     static void forget_other_boxes(Batch& b, const SavedBatch& s) {
         for (uint32_t i = b.awake_; i < b.count_; ++i) {
             const uint32_t slot = unpack(b.ids()[i]).slot, to = s.value(piece_dense, slot);
@@ -386,7 +385,7 @@ lr_status snapshot_save(const lr_world& w, void* memory, uint64_t size, uint64_t
 
 bool snapshot_is_whole(const void* memory, uint64_t size) {
     const auto* const bytes = static_cast<const unsigned char*>(memory);
-    // Reads no further if it is not a snapshot.
+    // Stops early if this is no snapshot.
     if (size < sizeof(SnapshotHeader) || value_at<decltype(SnapshotHeader::magic)>(bytes, 0) != snapshot_magic)
         return false;
     const auto header = header_of(memory);
@@ -406,7 +405,7 @@ lr_status snapshot_restore(lr_world& w, const void* memory) {
         return LR_ERROR_SNAPSHOT_FORMAT;
     if (header.batch_slots != w.batch_slots) return LR_ERROR_SNAPSHOT_MISMATCH;
 
-    // First everything is checked.
+    // Checks all before it changes anything.
     uint64_t at = sizeof header;
     const auto left = [&] { return header.size - at; };
     WindSnapshot wind(w.wind, w.seed);

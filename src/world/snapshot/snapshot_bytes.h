@@ -1,4 +1,4 @@
-// Bytes of a snapshot, as they are written and read: of any alignment, in parts of a multiple of 8 bytes.
+// Bytes of a snapshot in parts of multiples of 8 bytes; reading and writing need no alignment.
 #pragma once
 
 #include <cstdint>
@@ -16,13 +16,12 @@ template <class T> T value_at(const unsigned char* from, uint64_t index) {
     return value;
 }
 
-// Bit for bit: 0 and -0 differ.
+// Compares bits: 0 and -0 differ.
 template <class T> bool same(const T& x, const T& y) {
     return std::memcmp(&x, &y, sizeof x) == 0; // NOLINT(bugprone-suspicious-memory-comparison)
 }
 
-// Whether the free slots form a chain of length `free` from the first to the last, without repeats.
-// next(slot): its successor, or an invalid slot if it is not free.
+// Whether `free` slots form a chain from first to last without repeats. next(slot): the successor; an invalid slot if `slot` is not free.
 template <class Next> bool make_chain(uint32_t first, uint32_t last, uint32_t free, uint32_t slots, const Next& next) {
     uint32_t slot = first;
     for (uint32_t i = 0; i < free; ++i) {

@@ -1,5 +1,5 @@
-// Layout of a snapshot: the world's header, wind sources, colliders, pairs of batches, pairs of touching bodies, and for each batch a header and its pieces.
-// Everything is little-endian and a multiple of 8 bytes. docs/reference/snapshots.md
+// Layout of a snapshot: header, wind sources, colliders, pairs of batches, touching bodies; then for each batch a header and its pieces. All
+// little-endian and in multiples of 8 bytes. docs/reference/snapshots.md
 #pragma once
 
 #include "asset/asset.h"
@@ -20,7 +20,7 @@
 
 namespace lr {
 
-// The colliders in a snapshot: written, and restored in two steps, so that nothing changes before all of it is valid.
+// Colliders of a snapshot. Restoring takes two steps, so that nothing changes until all of it has been checked.
 class ColliderSnapshot {
 public:
     // Part of the snapshot's header.
@@ -29,7 +29,7 @@ public:
         uint32_t free_first, free_last;
     };
     static Head head(const Colliders& c) { return {c.used_, c.count_, c.free_first_, c.free_last_}; }
-    // Size of the slots and colliders after the header: a multiple of 8.
+    // Size of slots and colliders after the header, a multiple of 8.
     static uint64_t bytes(const Head& head) {
         return sizeof(Slot) * uint64_t{head.slots} + sizeof(ColliderRecord) * uint64_t{head.count};
     }
@@ -37,11 +37,10 @@ public:
 
     explicit ColliderSnapshot(Colliders& colliders) : to_(&colliders) {}
 
-    // from: the slots; at most `size` bytes remain in the snapshot. Kept for commit().
+    // Checks the part, of which at most `size` bytes remain, and keeps `from` for commit().
     lr_status read(const Head& head, const unsigned char* from, uint64_t size);
-    // After read(): whether there are colliders.
     bool any() const { return head_.count != 0; }
-    // Only after read(); cannot fail.
+    // After read(); cannot fail.
     void commit();
 
 private:
@@ -61,10 +60,10 @@ private:
     Colliders* to_;
     const unsigned char* slots_ = nullptr;
     Head head_{};
-    bool same_ = false; // they equal the world's present ones
+    bool same_ = false; // equal to the world's present colliders
 };
 
-// The same for the wind.
+// Wind sources of a snapshot, restored in the same two steps.
 class WindSnapshot {
 public:
     // Part of the snapshot's header.
@@ -88,7 +87,7 @@ public:
 
     // from: the sources, of at most `size` bytes. time, seed: of the saved world.
     lr_status read(const Head& head, const unsigned char* from, uint64_t size, double time, uint64_t seed);
-    // Only after read(). The uniform wind itself is restored elsewhere.
+    // After read(). The uniform wind is restored elsewhere.
     void commit();
 
 private:
@@ -96,7 +95,7 @@ private:
         uint32_t slot;
         uint32_t reserved;
         double since;
-        uint64_t samples; // their hash
+        uint64_t samples; // hash of the samples
         unsigned char desc[source_bytes];
     };
     static_assert(sizeof(Source) % 8 == 0);
@@ -105,20 +104,20 @@ private:
     WindField* field_;
     uint64_t world_seed_;
     WindSource* sources_[WindField::capacity] = {}; // new sources
-    bool kept_[WindField::capacity] = {};           // the field's source is equal and stays
+    bool kept_[WindField::capacity] = {};           // the field has an equal source, which stays
     Head head_{};
 };
 
 inline constexpr uint64_t snapshot_magic = 0x31304e53444c524cull; // "LRLDSN01"
-// After a release any change of the layout or of a record raises it. Other versions are refused.
+// Raised after a release by any change of the layout or a record. Other versions are refused.
 inline constexpr uint32_t snapshot_version = 2;
 
 struct SnapshotHeader {
     uint64_t magic;
     uint32_t version;
     uint32_t batch_slots;
-    uint64_t size; // of everything
-    uint64_t seal; // over everything but this field
+    uint64_t size; // of the whole snapshot
+    uint64_t seal; // over all other fields and bytes
     uint64_t seed;
     uint64_t step_count, substep_count;
     double time;
@@ -133,10 +132,10 @@ struct SnapshotHeader {
     Water::Record surface;
 };
 
-// Fields of absent parts are 0.
+// Fields of parts that are absent are 0.
 struct SnapshotBatch {
     uint64_t content_hash; // of the asset
-    uint32_t capacity;     // 0 for a slot without a batch
+    uint32_t capacity;     // 0: a slot without batch
     uint32_t count, awake;
     uint32_t generation, body_generation; // of the slot
     uint32_t first_generation, last_generation;
@@ -159,8 +158,7 @@ static_assert(std::is_trivially_copyable_v<SnapshotHeader> && std::is_trivially_
 static_assert(sizeof(SnapshotHeader) >= 64);
 static_assert(sizeof(SnapshotHeader) % 8 == 0 && sizeof(SnapshotBatch) % 8 == 0);
 
-// Pieces of a batch: its columns; then dense indices and generations, by slot; then the samples of its table; then, by slot, what
-// ContactEvents has yet to tell.
+// Pieces of a batch: its columns; dense indices and generations, by slot; samples of its table; events still to be reported, by slot.
 enum BatchPiece : uint32_t {
     piece_dense = column_count,
     piece_generations,
@@ -171,7 +169,7 @@ enum BatchPiece : uint32_t {
     batch_pieces
 };
 
-// Bytes of a piece, without padding.
+// Size without padding.
 constexpr uint64_t piece_bytes(const SnapshotBatch& h, uint32_t piece) {
     if (piece >= piece_noted)
         return h.events != 0 ? uint64_t{piece == piece_noted ? 1 : ContactEvents::held_bytes} * h.capacity : 0;
@@ -180,7 +178,6 @@ constexpr uint64_t piece_bytes(const SnapshotBatch& h, uint32_t piece) {
     return column.saved && (h.parts >> column.part & 1u) != 0 ? uint64_t{column.width} * h.count : 0;
 }
 
-// A batch in a snapshot of any alignment.
 class SavedBatch {
 public:
     explicit SavedBatch(const unsigned char* from)

@@ -14,7 +14,7 @@ void copy_row(const FieldBlock* blocks, Vectors rows, size_t axis, uint32_t coun
     for (uint32_t i = 0; i < count; ++i) out[i] = (blocks[i / lane_block].*rows)[axis][i % lane_block];
 }
 
-// Calls the caller's own field and adds its valid results to the block.
+// Calls the caller's wind callback and adds its valid answers.
 void ask(WindField& field, double time, lr_batch batch, uint32_t count, FieldBlock* blocks) {
     alignas(64) float position[3][field_block], answer[15][field_block]; // velocity, rate, gradient
     for (size_t k = 0; k < 3; ++k) copy_row(blocks, &FieldBlock::position, k, count, position[k]);
@@ -52,7 +52,7 @@ void ask(WindField& field, double time, lr_batch batch, uint32_t count, FieldBlo
     }
 }
 
-// Everything that moves with the wind, for bodies that feel only a share of it.
+// Scales all that moves with the wind for bodies that feel a share of it.
 void weaken(const float* felt, uint32_t count, FieldBlock* blocks) {
     for (uint32_t i = 0; i < count; ++i) {
         FieldBlock& block = blocks[i / lane_block];
@@ -116,7 +116,7 @@ void step_in_field(const FieldSlice& slice, const StepInput& in, const ContactRu
         step();
         pass.resolve(submerged);
     };
-    // All substeps of a block, while it is in the cache.
+    // Runs all substeps of a block while it is in the cache.
     for (uint32_t at = begin, last; at < end; at = last) {
         last = std::min(at + static_cast<uint32_t>(field_block), end);
         for (uint32_t i = 0; i < slice.count; ++i) step_block(at, last, i);

@@ -16,7 +16,7 @@ uint32_t bodies_from(const States& states, uint32_t first) {
     return std::min(lanes, states.count - first);
 }
 
-// After substep `substep` of the step: resolves the contacts of a group, and updates how long its bodies have lain still.
+// After substep `substep`: solves a group's contacts and updates how long its bodies have been still.
 void touch(const ContactRun& run, ContactGroup& group, const States& states, const NearContacts& near,
            const BatchArrays& arrays, const LaneRow* before, const float* submerged, uint32_t first, uint32_t substep,
            uint32_t* faults) {
@@ -37,10 +37,10 @@ void touch(const ContactRun& run, ContactGroup& group, const States& states, con
     }
 }
 
-// Bodies that were far throughout the step touch nothing.
+// Bodies that were far throughout the step touch nothing any more.
 void leave(const ContactCache& book, uint32_t* floor, const NearContacts& near, uint32_t begin, uint32_t end) {
     if (!book.still_time) return;
-    // Most bodies have been far before.
+    // Quick test, since most of them have nothing to clear.
     const auto blank = [&](uint32_t from, uint32_t to) {
         uint32_t any = 0;
         for (uint32_t i = from; i < to; ++i)
@@ -54,15 +54,15 @@ void leave(const ContactCache& book, uint32_t* floor, const NearContacts& near, 
             continue;
         }
         if (near.holds(i)) continue;
-        floor[i] = 0; // it can come back from the other side
+        floor[i] = 0; // it may come back from the other side
         if (book.touching[0][i] == touching_water) continue;
         if (book.notes.noted && book.touching[0][i] != 0) book.notes.noted[book.notes.slot(i)] |= noted_touch;
         book.forget(i);
     }
 }
 
-// Sorts bodies: in the air; moving on grounds, moving on others; nearly still on others, on grounds. A vector has as many contacts as its
-// body with most, more on others than on grounds, and is swept until its last body is done: similar bodies share vectors.
+// Sorts bodies: in the air; moving on grounds, moving on other things; nearly still on others, on grounds. A vector has the contacts of its body with
+// most, more on other things than on grounds, and is swept until its last body is done.
 void arrange(const ContactCache& book, const Colliders& colliders, NearContacts& near) {
     if (!book.still_time) return;
     const auto on_others = [&](uint32_t i) {
@@ -94,7 +94,7 @@ void step_group(const ContactRun& run, const StepInput& in, lr_batch batch, Stat
     }
 }
 
-// Steps the bodies of [begin, end) that are not near, of which there are some in all blocks: in copies, so that near ones are not stepped twice.
+// Steps far bodies in copies. If some are in nearly every block, stepping the blocks in place would step near bodies twice.
 void step_far(const ContactRun& run, const StepInput& in, const BatchArrays& arrays, lr_batch batch,
               const NearContacts& near, States& states, uint32_t begin, uint32_t end) {
     uint32_t far[field_block];
@@ -130,7 +130,7 @@ void step_near_colliders(const ContactRun& run, const StepInput& in, const Batch
         arrange(run.book, *run.step.colliders, near);
         States states;
         const auto index = [&](uint32_t i) { return near.index(i); };
-        // A copy costs about a quarter of a step.
+        // Copying costs about a quarter of a step.
         const bool copies = 4 * near.count() > last - at;
         if (copies) step_far(run, in, arrays, batch, near, states, at, std::min(last, live));
         states.take(arrays, near.count(), index);

@@ -1,4 +1,4 @@
-// Steps bodies near colliders: copies them out of a block, steps them, resolves their contacts, and puts them back.
+// Steps bodies near colliders: copies them out of their block, steps them, solves their contacts, puts them back.
 #pragma once
 
 #include "collision/collider_contact_group.h"
@@ -14,17 +14,17 @@ struct ContactRun {
     const WaterStep* surface; // null without water
     StepTime time;
     ContactCache book;
-    float still;           // m/s over sqrt(reach in m): bodies in contact that are slower lie still
-    float* fall = nullptr; // by body: receives ContactGroup::fall() after one substep. Null: not asked.
+    float still;           // m/s over sqrt(m): limit of still bodies in contact
+    float* fall = nullptr; // by body: receives ContactGroup::fall() after one substep. Null: not wanted.
 };
 
-// Substep `substep` of the step, at whose beginning bodies were as in `before`.
+// Times of substep `substep`. before: the bodies at its beginning.
 inline ContactSubstep contact_substep(const StepTime& time, uint32_t substep, const LaneRow* before) {
     const auto n = static_cast<float>(time.substeps), first = static_cast<float>(substep);
     return {before, first / n, static_cast<float>(substep + 1) / n, static_cast<float>(time.h)};
 }
 
-// rows, at: the body after the substep; before: the body before it.
+// rows, at: the body after the substep; before: at its beginning.
 template <class Rows>
 BodyAfter body_after(const ContactRun& run, const ContactGroup& group, uint32_t lane, uint32_t index, const Rows& rows,
                      uint32_t at, const LaneRow* before) {
@@ -34,17 +34,17 @@ BodyAfter body_after(const ContactRun& run, const ContactGroup& group, uint32_t 
     return body;
 }
 
-// Steps [begin, end) through all substeps of a step in a uniform wind.
+// Steps bodies [begin, end) through a step in uniform wind.
 void step_near_colliders(const ContactRun& run, const StepInput& in, const BatchArrays& arrays, lr_batch batch,
                          uint32_t live, uint32_t begin, uint32_t end);
 
-// In a wind field: the bodies of [begin, end), at most field_block, that can touch something within a substep.
+// In a wind field: the bodies among [begin, end), at most field_block, that can touch something within a substep.
 class ContactPass {
 public:
-    // Before substep `substep` of the step.
+    // Finds them, before substep `substep`.
     ContactPass(const ContactRun& run, const StepInput& in, const BatchArrays& arrays, uint32_t live, uint32_t begin,
                 uint32_t end, uint32_t substep);
-    // After it. submerged: the bodies' parts in water, from `begin` on; null without water.
+    // After the substep. submerged: shares in water, from `begin` on; null without water.
     void resolve(const float* submerged);
 
 private:

@@ -7,7 +7,7 @@ namespace {
 
 constexpr auto most = static_cast<uint32_t>(field_block);
 
-// m, besides the way at their velocity, that wind and forces can carry bodies in all substeps but the first.
+// m: bound of the displacement by wind and forces, beyond that by velocity, in all substeps but the first.
 double carried(const StepInput& in, const StepTime& time) {
     const float wind = std::max(length(vector_of(in.wind_begin)), length(vector_of(in.wind)));
     const float forced = in.external.any ? 50.0f : 0.0f; // m/s, as for contact

@@ -1,4 +1,4 @@
-// Bodies that can touch the water: copied out of a block, stepped separately, and put back.
+// Steps bodies near water: copies them out of their block, steps them apart from the others, puts them back.
 #pragma once
 
 #include "environment/water.h"
@@ -17,19 +17,19 @@ struct WaterStep {
 
 class NearBodies {
 public:
-    // The bodies of [begin, end), at most field_block, that can touch the water within `dt`. live: the batch's bodies.
-    // reach: m, how much farther than at their velocity and by gravity they can get in that time. forget: their forces apply to the following substeps only.
+    // Bodies among [begin, end), at most field_block, that can touch water within `dt`. live: bodies of the batch. reach: m, allowance beyond their
+    // displacement by velocity and gravity. forget: forces on single bodies act only in the substeps that follow.
     NearBodies(const WaterStep& step, const StepInput& in, const BatchArrays& from, uint32_t live, uint32_t begin,
                uint32_t end, double dt, double reach, bool forget);
 
     bool any() const { return count_ != 0; }
-    const uint32_t* marks() const { return near_; } // of each body from `begin` on: 0 if it is not among them
+    const uint32_t* marks() const { return near_; } // for each body from `begin` on: 0 if it is far
 
-    // Sets the wind of the upper fluid at all of [begin, end).
+    // Sets the upper fluid's wind at bodies [begin, end).
     void set_wind(const float (&wind)[3][field_block]);
-    // Runs substeps first to first + count of the step, in uniform wind unless set_wind() was called.
+    // Runs `count` substeps from `first` on, in uniform wind unless set_wind() was called.
     void run(const StepInput& in, lr_batch batch, uint32_t first, uint32_t count);
-    // submerged: receives the parts in water of those of [begin, end) that are here, by body from `begin` on; or null.
+    // submerged: receives the shares in water, by body from `begin` on; null: not wanted.
     void put_back(const BatchArrays& to, float* submerged) const;
 
 private:
@@ -45,8 +45,8 @@ private:
     alignas(64) float fraction_[field_block];
 };
 
-// Steps [begin, end) through all substeps of a step in a uniform wind. surface: null without water; its time is not read. submerged: receives each
-// body's part in water at the end, by body from `begin` on, if there is water; or null.
+// Steps bodies [begin, end) through a step in uniform wind. surface: null without water; its time is not read. submerged: receives shares in water at
+// the end, by body from `begin` on; null: not wanted.
 void step_lanes(const KernelTarget& target, const WaterStep* surface, const StepTime& time, const StepInput& in,
                 const BatchArrays& arrays, lr_batch batch, uint32_t live, uint32_t begin, uint32_t end,
                 float* submerged = nullptr);
