@@ -1,4 +1,4 @@
-// Contact with colliders as the kernel sees it: which bodies can touch a collider within a step, and how contact moves them.
+// Contact with colliders as the kernel sees it: the broad phase for bodies, contact slots, and the solver's interface.
 #pragma once
 
 #include "base/lane_arrays.h"
@@ -9,17 +9,18 @@
 
 namespace lr {
 
-// A uniform grid without bounds: cells near finite colliders, hashed into bits. A body centred in an unmarked cell touches nothing within `dilation`.
+// One level of the broad phase: an unbounded grid, with a bit for the hash of each cell near finite colliders. A body whose centre's cell has no bit
+// is farther than `dilation` from all of them.
 struct OccupancyLevel {
     float inverse_cell; // 1/m
-    float dilation;     // m, margin around colliders
+    float dilation;     // m: largest reach that the bits cover
     const uint32_t* bits;
-    uint32_t mask; // words - 1, a power of two less one
+    uint32_t mask; // words - 1; the number of words is a power of two
 };
 inline constexpr uint32_t most_occupancy_levels = 8;
-inline constexpr float most_cells = 1e9f; // cell numbers beyond are clamped to this
+inline constexpr float most_cells = 1e9f; // cell numbers are clamped to +- this
 
-// Bit h & 31 of word (h >> 5) & mask. The kernel's vectors compute the same hash.
+// The bit is h & 31 of word (h >> 5) & mask. The kernel computes the same hash in vectors.
 constexpr uint32_t cell_hash(int32_t x, int32_t y, int32_t z) {
     uint32_t h = static_cast<uint32_t>(x) * 0x9e3779b1u ^ static_cast<uint32_t>(y) * 0x85ebca77u ^
                  static_cast<uint32_t>(z) * 0xc2b2ae3du;
@@ -28,22 +29,22 @@ constexpr uint32_t cell_hash(int32_t x, int32_t y, int32_t z) {
 }
 
 struct NearPlane {
-    float point[3], normal[3]; // at its nearest to bodies in the step
+    float point[3], normal[3]; // where it is nearest to bodies in the step
     float travel;              // m, displacement of the plane in the step
 };
-// Samples of a heightfield in its own frame. heights: null for a plane.
+// A heightfield's samples in its own frame. heights: null for a plane.
 struct HeightGrid {
     const float* heights;
     uint32_t counts[2];
     float inverse_spacing[2]; // 1/m
-    float secant;             // of its steepest slope
+    float secant;             // of the steepest triangle's angle
 };
-// A heightfield. Bodies above `coarse`, or farther above it than its slopes can rise, are far.
+// A heightfield. Bodies above `coarse`, or farther above it than the slopes can rise within their reach, are far.
 struct NearHeightfield {
     float position[3], axes[9]; // rows: its own axes in the world
     float travel;               // m, largest displacement of its points in the step
     float inverse_coarse[2];    // 1/m
-    float coarse_size;          // m, the smaller side of a square
+    float coarse_size;          // m, shorter side of a square
     uint32_t counts[2];
     const float* coarse;
     float highest, extent[2];
@@ -51,26 +52,26 @@ struct NearHeightfield {
 };
 inline constexpr uint32_t most_near_planes = 16, most_near_heightfields = 16;
 
-// All colliders of a world in a step. Colliders without room here set `everywhere`.
+// The colliders of a world in a step. If there is no room for one, `everywhere` is set.
 struct NearColliders {
     uint32_t level_count, plane_count, heightfield_count;
-    bool everywhere; // every body can be near
+    bool everywhere; // any body may be near
     OccupancyLevel levels[most_occupancy_levels];
     NearPlane planes[most_near_planes];
     NearHeightfield heightfields[most_near_heightfields];
 };
 
-// The contact shape of a body at scale 1 (collision/body_shape.h).
+// A body's contact shape at scale 1 (collision/body_shape.h).
 struct ShapeConstants {
-    uint32_t count, sample_count; // number of points, 0: an ellipsoid; of samples against heightfields, points first
+    uint32_t count, sample_count; // points, 0: an ellipsoid; samples against heightfields, points first
     const float *x, *y, *z;
     float radius;
     float center[3], semi_axes[3];
     float reach;
 };
 
-// Marks in `near` the bodies of [begin, end) that can touch a collider within `dt`: near_bits by the grids (this depends on when they were built),
-// near_ground by planes and heightfields; others get 0. speed: m/s that a body can gain in the step.
+// Marks the bodies of [begin, end) that can touch a collider within `dt`: near_bits by the grids, which depend on when these were built; near_ground
+// by planes and heightfields; 0: far. speed: m/s, allowance for speed gained in the step.
 inline constexpr uint32_t near_bits = 1, near_ground = 2;
 using NearCollidersFunction = void (*)(const NearColliders&, float reach, float dt, float speed, const BatchArrays&,
                                        size_t begin, size_t end, uint32_t* near);
@@ -82,18 +83,18 @@ inline constexpr float no_contact = 1e30f; // m, gap of an empty slot
 
 using LaneRow = float[contact_lanes];
 
-// Contacts of contact_lanes bodies, one slot per body and contact. A body's slots can have gaps between them.
+// Contacts of contact_lanes bodies. A body's contacts need not be in successive slots.
 struct ContactSlots {
-    uint32_t used; // slots that any body uses
+    uint32_t used; // slots that some body uses
     struct Slot {
         alignas(64) LaneRow arm[3]; // m, body frame, from the centre of mass
         LaneRow normal[3];          // world, unit, from the collider to the body
         LaneRow gap;                // m, at the end of the substep
         LaneRow surface[3];         // m/s, velocity of the collider at the contact
-        LaneRow lag[3];             // m, its displacement in the substep less h times `surface`
+        LaneRow lag[3];             // m, displacement of the collider's point less h times `surface`
         LaneRow friction, restitution;
-        LaneRow impulse;                  // out: normal impulse over the body's mass unit, m/s; negative: no contact
-        uint32_t collider[contact_lanes]; // its slot
+        LaneRow impulse;                  // out: normal impulse over the mass unit, m/s; negative: no contact
+        uint32_t collider[contact_lanes]; // slot of the collider
     } slot[contact_slots];
 };
 
@@ -106,24 +107,24 @@ struct GroundSurface {
     HeightGrid grid;
 };
 
-// Bodies [0, count) of `arrays` after a substep, and their state before it.
+// Bodies [0, count) of `arrays` after a substep, with their state before it.
 struct ContactBodies {
     const BodyConstants* body;
     ShapeConstants shape;
-    float h;       // s, the substep
+    float h;       // s, of the substep
     float gravity; // m/s^2, its magnitude
-    float rolling; // resistance to rolling and spinning: moment over normal force and reach
+    float rolling; // rolling resistance: couple over normal force and reach
     BatchArrays arrays;
-    const LaneRow* before; // state before: position, orientation, velocity, spin: 13 rows, fields from field_x on
-    size_t count;          // of lanes, padded
+    const LaneRow* before; // position, orientation, velocity and spin before: 13 rows, from field_x on
+    size_t count;          // lanes, padded
 };
 inline constexpr size_t pose_fields = field_scale;
 
-// Writes up to manifold_slots contacts of each body with the surface; returns false, and writes nothing, if there are none. rough: 1 for bodies on
-// more than one slope of a heightfield, which need exact contacts.
+// Writes up to manifold_slots contacts of each body with the surface. Returns false and writes nothing if there are none. rough: receives 1 for a
+// body over slopes that differ too much, which needs the narrow phase.
 using GroundFunction = bool (*)(const ContactBodies&, const GroundSurface&, ContactSlots::Slot (&out)[manifold_slots],
                                 uint32_t* rough);
-// Moves bodies out of overlaps, and applies contact to their velocities.
+// Solves for positions, then for velocities.
 using ContactFunction = void (*)(const ContactBodies&, ContactSlots&);
 
 struct ContactTarget {

@@ -1,4 +1,4 @@
-// Contact with colliders: Gauss-Seidel over each body's contacts, first for displacement, then for velocity (docs/maintainers/contact.md).
+// Solver for contact with colliders: Gauss-Seidel over each body's contacts, first for positions, then for velocities. contact.md, section 4.
 #if defined(LR_KERNEL_CONTACT_COLLIDER_SOLVER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_CONTACT_COLLIDER_SOLVER_INL_H_
 #undef LR_KERNEL_CONTACT_COLLIDER_SOLVER_INL_H_
@@ -12,21 +12,21 @@
 HWY_BEFORE_NAMESPACE();
 namespace lr::LR_KERNEL_NAMESPACE {
 
-// All bodies; those at rest, which would creep with less. On a slope near the angle of friction convergence is slow.
+// Sweeps, for all bodies and for resting ones: near the angle of friction convergence is slow, and with fewer these would creep.
 constexpr uint32_t contact_sweeps = 16, resting_sweeps = 28;
 
-// A contact in the body frame, in kernel units. An impulse p at the arm r is the twist impulse (p, r x p/(d s)). Directions: normal, two tangents.
+// A contact in the body frame, in kernel units. An impulse p at the arm r is the twist impulse (p, r x p/(d s)). Directions: normal and two tangents.
 struct Row {
-    Twist along[3];         // unit impulse along a direction; its product with a twist: the point's velocity along it
-    Twist response[3];      // of the body to that impulse
-    VF inverse;             // 1 over the gain of normal velocity by a unit normal impulse; 0 for an empty slot
-    VF to_first, to_second; // gains of the tangential velocities by a unit normal impulse
-    VF hold[3];             // inverse of the tangential response, upper triangle
-    VF least;               // 1 over the largest tangential gain
-    VF target;              // least normal velocity (or displacement)
-    VF surface[2];          // tangential velocity (or displacement) of the surface
+    Twist along[3];         // unit impulse along each direction; times a twist: the point's velocity along it
+    Twist response[3];      // the body's response to it
+    VF inverse;             // 1 over the normal response to a unit normal impulse; 0 for an empty slot
+    VF to_first, to_second; // tangential responses to a unit normal impulse
+    VF hold[3];             // inverse of the 2x2 tangential response, upper triangle
+    VF least;               // 1 over the larger tangential response
+    VF target;              // least normal velocity, or displacement
+    VF surface[2];          // of the surface along the tangents: velocity, or displacement
     VF friction;
-    VF pressed, dragged[2]; // impulses
+    VF pressed, dragged[2]; // normal and friction impulses so far
 };
 
 HWY_INLINE Vec3 velocity_at(Twist t, Vec3 arm) {
@@ -36,7 +36,7 @@ HWY_INLINE VF product(const Twist& a, const Twist& b) {
     return dot(a.v, b.v) + dot(a.u, b.u);
 }
 
-// The twist by a couple alone.
+// The body's response to a couple.
 template <bool kFull, class C> HWY_INLINE Twist turned_by(const C& c, Vec3 couple) {
     const Vec3 none = zero3();
     if constexpr (!kFull) return {none, scaled_by(c.inverse_spin_mass, couple)};
@@ -52,23 +52,23 @@ template <bool kFull, class C> HWY_INLINE float most_turned(const C& c) {
     const auto size = [](float x) { return x < 0.0f ? -x : x; };
     if constexpr (!kFull)
         return HWY_MAX(c.inverse_spin_mass[0], HWY_MAX(c.inverse_spin_mass[1], c.inverse_spin_mass[2]));
-    const float* const m = c.full_inverse; // rows of its block of spins
+    const float* const m = c.full_inverse; // from here the block of spins
     return HWY_MAX(m[15] + size(m[16]) + size(m[17]),
                    HWY_MAX(size(m[16]) + m[18] + size(m[19]), size(m[17]) + size(m[19]) + m[20]));
 }
 
-// Updates a slot's normal impulse and returns its change.
+// Updates the normal impulse of a slot; returns its change.
 HWY_INLINE VF press(Row& r, VF normal, VF dust, VF relaxed = constant(1.3f)) {
     const VF wanted = (r.target - normal) * r.inverse;
     const auto change = [&](VF by) { return hn::Max(r.pressed + by, hn::Zero(DF())) - r.pressed; };
-    // Per lane: changes under the dust are dropped in every later sweep too, whatever the relaxation.
+    // Decided for each lane, and before relaxation: a change below the dust is then dropped in all later sweeps too.
     const auto counts = hn::Abs(change(wanted)) > dust * r.inverse;
     const VF counted = hn::IfThenElseZero(counts, change(relaxed * wanted));
     r.pressed += counted;
     return counted;
 }
 
-// Friction against the slip (x, y). Inside the friction cone the point sticks; on the cone the impulse opposes the slip.
+// Friction against the slip (x, y). Inside the cone the point sticks, else the impulse on the cone opposes the slip.
 HWY_INLINE void drag(Row& r, VF x, VF y, VF dust, VF& step_x, VF& step_y) {
     const VF slip = hn::Abs(x) + hn::Abs(y);
     const auto slides = slip > dust;
@@ -77,7 +77,7 @@ HWY_INLINE void drag(Row& r, VF x, VF y, VF dust, VF& step_x, VF& step_y) {
     VF to_y = r.dragged[1] - (r.hold[1] * x + r.hold[2] * y);
     to_x = hn::IfThenElse(slides, to_x, r.dragged[0]);
     to_y = hn::IfThenElse(slides, to_y, r.dragged[1]);
-    // A tiny excess is not worth a root, and the sweeps would never end.
+    // For a tiny excess the root is not worth its time, and sweeps would never end.
     const VF beyond = constant(1.000001f) * most_squared;
     const auto outside = to_x * to_x + to_y * to_y > beyond;
     if (!hn::AllFalse(DF(), outside)) {
@@ -97,7 +97,7 @@ HWY_INLINE void drag(Row& r, VF x, VF y, VF dust, VF& step_x, VF& step_y) {
     r.dragged[1] = to_y;
 }
 
-// Updates the couple against rolling and spinning, at most `most`, and returns its change.
+// Updates the couple against rolling and spinning, at most `most`; returns its change.
 HWY_INLINE Vec3 hold_spin(Vec3& rolled, Vec3 spin, VF spin_hold, VF most, VF dust) {
     const Vec3 wanted = rolled - spin_hold * spin;
     Vec3 couple = select(greatest(spin) > dust, wanted, rolled);
@@ -110,35 +110,35 @@ HWY_INLINE Vec3 hold_spin(Vec3& rolled, Vec3 spin, VF spin_hold, VF most, VF dus
     return step;
 }
 
-// Largest speed of a point as far out as the reach; reach: over d s.
+// Bound of the speed of a point at the reach. reach: over d s.
 HWY_INLINE VF speed_of(const Twist& t, VF reach) {
     return hn::Sqrt(dot(t.v, t.v)) + reach * hn::Sqrt(dot(t.u, t.u));
 }
 
-// Which bodies are swept on after contact_sweeps: those that were still and would now be faster than `creep` against the floor, whose static lock
-// would otherwise open for a residual of the sweeps.
+// Bodies that are swept beyond contact_sweeps: still ones that would now exceed `creep` against the floor. The residual of the sweeps would open
+// their static lock.
 struct Patience {
     hn::Mask<DF> still;
-    Vec3 floor; // velocity (or displacement) of the surface
+    Vec3 floor; // velocity, or displacement, of the surface
     VF lever, creep;
 };
 
-// Sweeps forward and backward over the contacts until none changes the twist by more than `dust`.
+// Sweeps over the contacts in alternating directions until none changes its point's velocity by more than `dust`.
 template <bool kFull, class C>
 HWY_INLINE void project(const C& c, Row* rows, uint32_t count, VF rolling, VF spin_hold, VF dust,
                         const Patience& patience, Twist& t) {
     const VF zero = hn::Zero(DF());
     const bool rolls = !hn::AllTrue(DF(), hn::Eq(rolling, zero));
-    Vec3 rolled = zero3(); // impulse couple against rolling and spinning
+    Vec3 rolled = zero3(); // couple against rolling and spinning
     for (uint32_t sweep = 0; sweep < resting_sweeps; ++sweep) {
         if (sweep == contact_sweeps) {
             const VF speed = speed_of({t.v - patience.floor, t.u}, patience.lever);
             const auto creeps = hn::And(patience.still, speed > patience.creep);
             if (hn::AllFalse(DF(), creeps)) break;
-            dust = hn::IfThenElse(creeps, dust, constant(1e30f)); // nothing changes the others
+            dust = hn::IfThenElse(creeps, dust, constant(1e30f)); // stops the others
         }
         VF change = zero, load = zero;
-        // Over-relaxed from the second sweep on: the first solves a single contact exactly.
+        // Over-relaxed after the first sweep, which solves a single contact exactly.
         const VF relaxed = constant(sweep == 0 ? 1.0f : 1.3f);
         for (uint32_t i = 0; i < count; ++i) {
             Row& r = rows[(sweep & 1) == 0 ? i : count - 1 - i];
@@ -151,7 +151,7 @@ HWY_INLINE void project(const C& c, Row* rows, uint32_t count, VF rolling, VF sp
             change = hn::Max(hn::Max(change, hn::Abs(more)), hn::Max(hn::Abs(step_x), hn::Abs(step_y)));
         }
         if (rolls) {
-            // In the same order in each sweep: a sum that changes by rounding would move bodies that are done.
+            // The same order in each sweep, since rounding of the sum would move bodies that are done.
             for (uint32_t i = 0; i < count; ++i) load += rows[i].pressed;
             const Vec3 step = hold_spin(rolled, t.u, spin_hold, rolling * load, dust);
             t += turned_by<kFull>(c, step);
@@ -170,7 +170,7 @@ HWY_INLINE void tangents(Vec3 n, Vec3& first, Vec3& second) {
     second = {b, n.y * n.y * a + sign, -n.y};
 }
 
-// The inverse of a contact's 2x2 response to unit impulses along its tangents: a and e on the diagonal, b off it.
+// Inverse of a contact's 2x2 tangential response: a and e on the diagonal, b off it.
 HWY_INLINE void set_hold(VF a, VF b, VF e, VF (&hold)[3], VF& least) {
     const VF one = constant(1.0f), over = one / (a * e - b * b); // positive definite
     hold[0] = e * over;
@@ -200,19 +200,19 @@ HWY_INLINE void set_surface(Row& r, Vec3 velocity) {
     r.surface[1] = dot(r.along[2].v, velocity);
 }
 
-// The displacement of a substep as a twist in body axes at its end; rotation by its chord.
+// Displacement in a substep as a twist in the body axes at its end; the rotation as a chord.
 HWY_INLINE Twist way_of(Quaternion q0, Quaternion q, Vec3 moved, VF length) {
     const VF zero = hn::Zero(DF());
     const Quaternion back{-q0.x, -q0.y, -q0.z, q0.w};
     const Quaternion turned = turn({zero, zero, zero, zero}, back, constant(1.0f), {q.x, q.y, q.z});
-    // turn() gives back (q, 0); the part of q.w is added here.
+    // turn() gives back * (q.xyz, 0); the part of q.w follows.
     const VF w = turned.w + back.w * q.w;
     const Vec3 angle{back.x * q.w + turned.x, back.y * q.w + turned.y, back.z * q.w + turned.z};
     const VF twice = hn::IfThenElse(w < zero, constant(-2.0f), constant(2.0f));
     return {to_body(q, moved), length * (twice * angle)};
 }
 
-// A twist stands for a small rotation: a large one is scaled down as a whole. If no contact opposes it, none opposes a part of it.
+// A twist stands for a small rotation, so a larger one is scaled down as a whole: contacts that do not oppose it do not oppose a part of it.
 HWY_INLINE VF small_part(Vec3 u, VF inverse) {
     const VF half = constant(0.5f), large = greatest(u) * inverse;
     return hn::Min(half / hn::Max(large, half), constant(1.0f));
@@ -244,11 +244,11 @@ template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, C
 
         const Twist way = way_of(q0, q, x - x0, length);
 
-        Vec3 over[contact_slots]; // arms over d s
+        Vec3 over[contact_slots]; // over d s
         VF gap[contact_slots], before[contact_slots], bounce[contact_slots], depth = zero;
         Vec3 floor = zero3(); // velocity of the first surface
         auto above_any = reach < zero;
-        VF left[contact_slots]; // overlap left for later substeps
+        VF left[contact_slots]; // overlap that later substeps undo
         for (uint32_t k = 0; k < count; ++k) {
             const ContactSlots::Slot& s = slots.slot[used[k]];
             const Vec3 normal = load3(s.normal, at), arm = load3(s.arm, at), surface = load3(s.surface, at);
@@ -265,10 +265,10 @@ template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, C
             const Vec3 path = load3(s.lag, at) + h * surface;
             set_surface(r, to_body(q, path));
             r.friction = hn::IfThenElse(empty_slot, zero, load1(s.friction, at));
-            // Gap at the beginning, and the approach speed when the gap closed, interpolated between the speeds at both ends.
+            // Gap at the beginning, and the approach speed when it closed, interpolated between both ends.
             const Vec3 moved = x - x0 + to_world(q, arm) - to_world(q0, arm);
             before[k] = gap[k] + dot(normal, path - moved);
-            // Deep overlap at the beginning, as after a collider was put on a body, is undone over a few substeps.
+            // Deep overlap at the beginning, as when a collider was placed on a body, is undone over several substeps.
             const VF gained = gap[k] - hn::Min(before[k], zero);
             const VF push = hn::Max(gap[k], hn::Min(constant(-0.5f) * reach + gained, zero));
             r.target = product(r.along[0], way) - push;
@@ -300,7 +300,7 @@ template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, C
             touching[k] = hn::IfThenElseZero(touches, one);
         }
         if (!hn::AllTrue(DF(), hn::Eq(less, one))) {
-            // If the displacement was scaled down, undo the deepest remaining overlap along its normal, if that opens all others.
+            // If the correction was scaled down, undoes the deepest remaining overlap along its normal, provided that this closes no other contact.
             VF deepest = zero;
             Vec3 up = zero3();
             for (uint32_t k = 0; k < count; ++k) {
@@ -323,11 +323,11 @@ template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, C
         const Twist met{load3(b.arrays, field_vx, at), length * load3(b.arrays, field_wx, at)};
         Twist t = met;
         const VF slow = constant(2.0f * b.gravity * b.h);
-        VF shallow = zero;      // least gap at the beginning of the substep
-        VF apart = zero;        // m/s, between the surfaces' velocities
-        Vec3 carried = zero3(); // velocity of the surface, if all contacts share it
+        VF shallow = zero;      // least gap at the beginning
+        VF apart = zero;        // m/s, difference of the surfaces' velocities
+        Vec3 carried = zero3(); // velocity of the first touching surface
         auto any_touch = reach < zero;
-        // A resting body falls g h^2/2 in a substep and gains g h: the impulses that undo the fall are a good guess of those that undo the gain.
+        // A resting body falls by g h^2/2 in a substep and gains g h. So the impulses of positions times 2/h are a good start.
         const auto rests = depth < constant(2.0f) * slop + constant(b.gravity * (b.h * b.h));
         const VF guess = hn::IfThenElseZero(rests, constant(2.0f / b.h));
         for (uint32_t k = 0; k < count; ++k) {
@@ -347,7 +347,7 @@ template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, C
             const auto present = load1(s.gap, at) < empty;
             r.inverse = hn::IfThenElseZero(hn::And(present, any_touch), r.inverse);
             const VF back_off = hn::IfThenElseZero(bounce[k] < -slow, -(load1(s.restitution, at) * bounce[k]));
-            // If another point touches, an open contact can close within a substep, but not faster: the body must not rock by each substep's fall.
+            // While some point touches, an open contact may close within the substep but no faster, or the body would rock from side to side.
             const VF closing = -(hn::Max(gap[k], zero) * inverse_h);
             r.target = dot(r.along[0].v, surface) + hn::IfThenElse(touches, back_off, closing);
             set_surface(r, surface);
@@ -358,7 +358,7 @@ template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, C
             shallow = hn::Min(shallow, hn::IfThenElse(touches, before[k], zero));
         }
         project<kFull>(c, rows, count, rolling, spin_hold, constant(1e-3f) * slow, {still, under, lever, creep}, t);
-        // In the frame of the surface, which has no energy to give: restitution and friction together could add some (Kane 1984).
+        // Energy guard in the frame of the surface, which does no work there: restitution with friction can add energy (Kane 1984).
         const Vec3 base = to_body(q, carried);
         const Twist came{met.v - base, met.u};
         Twist goes{t.v - base, t.u};
@@ -372,13 +372,13 @@ template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, C
         const VF factor = hn::IfThenElse(gained, hn::Sqrt(had / hn::Max(has, constant(1e-30f))), one);
         goes = factor * goes;
 
-        // The sweeps' residual would make still bodies creep. A body that was and is still keeps its pose to the bit: less than 1/100 of gravity,
-        // half a degree of slope, does not move it.
+        // Static lock: a body that was still and is still keeps its pose to the bit, since the sweeps' residual would make it creep. Less than 1/100
+        // of gravity, half a degree of slope, does not move it.
         const Twist first{began.v - to_body(q0, carried), began.u};
         auto stays = hn::And(speed_of(first, lever) < creep, speed_of(goes, lever) < creep);
         stays = hn::And(hn::And(stays, any_touch), hn::And(one_surface, shallow > -(slop + slop)));
-        // Nothing holds a body that presses against nothing: thin leaves under water rise with a few thousandths of gravity. Nor one that the substep's
-        // fall has brought to the ground: it would hang there by that fall.
+        // A contact must press the body: thin leaves under water rise with a few thousandths of gravity. And it must have begun within the slop: a
+        // body that its fall has just brought to the ground would hang there.
         auto held = reach < zero;
         for (uint32_t k = 0; k < count; ++k) held = hn::Or(held, hn::And(rows[k].pressed > zero, before[k] <= slop));
         stays = hn::And(stays, held);
@@ -395,7 +395,7 @@ template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, C
             const auto touches = hn::And(touching[k] > zero, present);
             store1(s.impulse, at, hn::IfThenElse(touches, rows[k].pressed, -one));
         }
-        // A body without contacts keeps its bits, whatever other lanes touch.
+        // Bodies without contacts keep their bits, whatever the other lanes touch.
         const auto put = [&](VF value, size_t field) LR_LAMBDA {
             store1(b.arrays, field, at, hn::IfThenElse(any_contact, value, load1(b.arrays, field, at)));
         };

@@ -1,4 +1,4 @@
-// Closest points of two convex cores (Gilbert, Johnson and Keerthi 1988), bounded. L: the number type, of one pair or of a vector of pairs.
+// Nearest points of two cores by GJK (Gilbert, Johnson and Keerthi 1988), with bounded rounds. L: the number type, of one pair or many.
 #if defined(LR_KERNEL_CONTACT_GJK_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_CONTACT_GJK_INL_H_
 #undef LR_KERNEL_CONTACT_GJK_INL_H_
@@ -14,7 +14,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace lr::HWY_NAMESPACE {
 
-// The number type of one pair. relative: tolerances are fractions of the distance and of the cores' size.
+// Number type of a single pair. relative: tolerances are shares of the distance and of the cores' size.
 template <class Number, class Vector3, bool kRelative, uint32_t kRounds> struct OnePair {
     using V = Number;
     using Vec = Vector3;
@@ -33,13 +33,13 @@ template <class Number, class Vector3, bool kRelative, uint32_t kRounds> struct 
     static Vec choose(M m, const Vec& yes, const Vec& no) { return m ? yes : no; }
 };
 
-// A vertex of the Minkowski difference of both cores, and its point on the first.
+// A vertex of the Minkowski difference, and the point of the first core in it.
 template <class L> struct Corner { typename L::Vec w, on_a; };
 template <class L> HWY_INLINE Corner<L> choose(typename L::M m, const Corner<L>& yes, const Corner<L>& no) {
     return {L::choose(m, yes.w, no.w), L::choose(m, yes.on_a, no.on_a)};
 }
 
-// The point of a triangle nearest to the origin. The newest vertex, c, always supports it (without c it was farther); the masks name the others.
+// The triangle's point nearest to the origin. The newest vertex c always supports it, since without c it was farther; the masks tell which others do.
 template <class L> struct Nearby {
     typename L::Vec point, on_a;
     typename L::V square;
@@ -52,7 +52,7 @@ template <class L> HWY_INLINE Nearby<L> nearest_of(const Corner<L>& a, const Cor
     const V zero = L::number(0.0f), one = L::number(1.0f);
     const Vec ca = a.w - c.w, cb = b.w - c.w, n = cross(ca, cb);
     const V along_a = zero - dot(ca, c.w), along_b = zero - dot(cb, c.w);
-    // Parts of the triangle that the origin spans with the sides at c.
+    // Areas that the origin spans with the sides at c.
     const V of_a = zero - dot(n, cross(c.w, cb)), of_b = zero - dot(n, cross(ca, c.w));
     const M in_a = of_a > zero, in_b = of_b > zero, inside = L::both(in_a, in_b);
     const M edge_a = L::without(along_a > zero, in_b);
@@ -71,14 +71,14 @@ template <class L> HWY_INLINE Nearby<L> nearest_of(const Corner<L>& a, const Cor
 }
 
 template <class L> struct Closest {
-    typename L::M beyond, overlap; // neither: apart. beyond: farther than `enough`, only `lower` and `normal` are valid
-    typename L::V distance, lower; // lower: a lower bound, along `normal`
+    typename L::M beyond, overlap; // neither: apart. beyond: over `enough`, only `lower` and `normal` are valid
+    typename L::V distance, lower; // lower: a lower bound, the separation along `normal`
     typename L::Vec normal;        // unit, towards the first
-    typename L::Vec v, on_a;       // from the second's nearest point to the first's; the first's
+    typename L::Vec v, on_a;       // v: from the second's nearest point to the first's, which is on_a
 };
 
-// support(direction): the vertex farthest against it. start: unit, a guess of the normal. Cores farther apart than `enough` are not refined; nearer
-// than `near` they overlap. The newest vertex of a simplex is last; missing vertices repeat others.
+// support(direction): the vertex farthest against it. start: first guess of the normal, unit. Cores farther apart than `enough` are not refined,
+// nearer than `near` they overlap. The newest vertex is last; missing vertices repeat others.
 template <class L, class Support>
 HWY_INLINE Closest<L> closest(const Support& support, const typename L::Vec& start, typename L::V enough,
                               typename L::V near, typename L::V tolerance) {
@@ -116,7 +116,7 @@ HWY_INLINE Closest<L> closest(const Support& support, const typename L::Vec& sta
             const Vec da = first.w - newest.w, db = second.w - newest.w, dc = third.w - newest.w;
             const Vec ab = cross(da, db), bc = cross(db, dc), ca = cross(dc, da);
             const V volume = dot(ab, dc);
-            // The faces of a tetrahedron that have the origin on their outer side.
+            // Faces of the tetrahedron with the origin on their outer side.
             const V out_ab = dot(ab, newest.w) * volume, out_bc = dot(bc, newest.w) * volume;
             const V out_ca = dot(ca, newest.w) * volume;
             M found = L::inverse(out_ab < zero);
@@ -137,7 +137,7 @@ HWY_INLINE Closest<L> closest(const Support& support, const typename L::Vec& sta
                 found = L::either(found, side);
             }
             const M inside = L::without(four, found);
-            // Flat simplices seem to contain the origin; a separating plane disproves it.
+            // By rounding a flat simplex seems to contain the origin; a separating plane disproves that.
             overlap = L::either(overlap, L::without(inside, lower > (L::relative ? zero : near)));
             live = L::without(live, inside);
         }

@@ -1,4 +1,4 @@
-// Contact of bodies with a plane or a heightfield: the few points of each body that hold it best.
+// Contact with a plane or a heightfield: the few points of a body that hold it best. docs/maintainers/contact.md, section 3.
 #if defined(LR_KERNEL_CONTACT_GROUND_CONTACT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_CONTACT_GROUND_CONTACT_INL_H_
 #undef LR_KERNEL_CONTACT_GROUND_CONTACT_INL_H_
@@ -12,7 +12,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace lr::LR_KERNEL_NAMESPACE {
 
-// The first sample of a cell along an axis. place: in cells.
+// First sample of the cell at a place along an axis. place: in cells.
 HWY_INLINE VF cell_at(const HeightGrid& grid, VF place, int axis) {
     const VF last = constant(static_cast<float>(grid.counts[axis] - 2));
     return hn::Max(hn::Min(hn::Floor(place), last), hn::Zero(DF()));
@@ -22,7 +22,7 @@ HWY_INLINE VF height_of(const HeightGrid& grid, VF i, VF k) {
     const VI row = hn::Set(di, static_cast<int32_t>(grid.counts[0]));
     return hn::GatherIndex(DF(), grid.heights, hn::ConvertTo(di, i) + hn::ConvertTo(di, k) * row);
 }
-// The triangle of a cell at a place: `upper`, with the corner (i, k + 1), or the one with (i + 1, k).
+// The triangle of a cell below a place: `upper` has the corner (i, k + 1), the other one (i + 1, k).
 struct HeightTriangle {
     VF h00, h11, corner;
 
@@ -38,7 +38,7 @@ template <class Mask> HWY_INLINE HeightTriangle triangle_of(const HeightGrid& gr
             height_of(grid, hn::IfThenElse(upper, i, next_i), hn::IfThenElse(upper, next_k, k))};
 }
 
-// The height below points in the heightfield's frame; beyond its outline, the height at the outline.
+// Height of the ground below points, in the heightfield's frame; outside, that of its border.
 HWY_INLINE VF height_within(const HeightGrid& grid, Vec3 p) {
     const auto within = [&](VF at, int axis) LR_LAMBDA {
         const VF last = constant(static_cast<float>(grid.counts[axis] - 1));
@@ -50,21 +50,21 @@ HWY_INLINE VF height_within(const HeightGrid& grid, Vec3 p) {
     VF along_u, along_w;
     return triangle_of(grid, i, k, upper).height(upper, fu, fw, along_u, along_w);
 }
-// How far above that height a body of this reach can still touch; heights are rounded.
+// Greatest height above that ground at which a body of this reach can touch it; includes rounding.
 HWY_INLINE VF most_above(VF reach, float secant, VF height) {
     return reach * constant(secant) + constant(1e-6f) * hn::Abs(height);
 }
 
-// The surface below a point, in the surface's own frame.
+// The ground below a point, in its own frame.
 struct GroundSample {
-    VF gap;               // height above it along its normal
-    VF slope[2], inverse; // its normal is (slope[0], 1, slope[1]) inverse
+    VF gap;               // height above the ground along its normal
+    VF slope[2], inverse; // the normal is (slope[0], 1, slope[1]) inverse
 };
 
 HWY_INLINE Vec3 columns(const Matrix& m, Vec3 a) {
     return a.z * m.row[2] + a.y * m.row[1] + a.x * m.row[0];
 }
-// A row-major matrix, transposed, times a vector.
+// Transpose of a row-major matrix times a vector.
 HWY_INLINE Vec3 columns(const float* m, Vec3 a) {
     return a.x * broadcast(m) + a.y * broadcast(m + 3) + a.z * broadcast(m + 6);
 }
@@ -108,7 +108,7 @@ public:
         VF inverse;
         if (few_) {
             const auto next_i = i > first_[0], next_k = k > first_[1];
-            const auto pick = [&](VF a, VF b, VF c, VF e) LR_LAMBDA { // of the cells (0, 0), (1, 0), (0, 1), (1, 1)
+            const auto pick = [&](VF a, VF b, VF c, VF e) LR_LAMBDA { // of cells (0, 0), (1, 0), (0, 1), (1, 1)
                 return hn::IfThenElse(next_k, hn::IfThenElse(next_i, e, c), hn::IfThenElse(next_i, b, a));
             };
             const auto& h = height_;
@@ -142,12 +142,12 @@ private:
 
     const HeightGrid& grid_;
     bool few_;
-    VF first_[2];         // cell, of each axis
-    VF height_[3][3];     // along x, along z, from that cell on
-    VF inverse_[2][2][2]; // of the upper and the lower triangle of each
+    VF first_[2];         // first cell, by axis
+    VF height_[3][3];     // by x, then z, from that cell on
+    VF inverse_[2][2][2]; // by cell; of its upper and its lower triangle
 };
 
-// Thick ellipsoids roll on a single point, and lie in a valley on several.
+// Thick ellipsoids roll on a single point, but in a valley they rest on several.
 inline bool is_flat(const ShapeConstants& s) {
     const float(&a)[3] = s.semi_axes;
     const float most = HWY_MAX(a[0], HWY_MAX(a[1], a[2])), least = HWY_MIN(a[0], HWY_MIN(a[1], a[2]));
@@ -157,13 +157,13 @@ inline uint32_t ellipsoid_points(const ShapeConstants& s, const GroundSurface& g
     return is_flat(s) ? 8 : g.grid.heights ? 5 : 1;
 }
 
-// A point of the shape's core, m in the surface's frame from the centre of mass, and its gap.
+// A core point, m from the centre of mass in the surface's frame, and its gap.
 struct GroundPoint {
     Vec3 at;
     VF gap;
 };
 
-// In the frame of the surface.
+// A body's points, in the frame of the surface.
 class GroundPoints {
 public:
     HWY_INLINE GroundPoints(const ContactBodies& b, const GroundSurface& g, size_t at, VF radius)
@@ -181,8 +181,8 @@ public:
         const Vec3 p{constant(x), constant(y), constant(z)};
         return point(scaled_ * p, sample);
     }
-    // Points of an ellipsoid. The first is nearest to the surface. A flat ellipsoid that lies touches at a point that jumps from rim to rim with the
-    // least tilt: four more are its contacts if tilted a little more, and three those of mirrored normals. A thick one has four for slopes around it.
+    // Points of an ellipsoid; the first is the nearest. The nearest point of a flat one jumps from rim to rim at the slightest tilt, so four more are
+    // contacts at a small tilt, and three are for mirrored normals. A thick one has four for slopes around it.
     HWY_INLINE GroundPoint of_ellipsoid(uint32_t k, GroundSample& sample) const {
         const ShapeConstants& s = shape_;
         const Vec3 axes = scale_ * broadcast(s.semi_axes), center = scale_ * broadcast(s.center);
@@ -190,7 +190,7 @@ public:
         const float(&a)[3] = s.semi_axes;
         const float most = HWY_MAX(a[0], HWY_MAX(a[1], a[2])), least = HWY_MIN(a[0], HWY_MIN(a[1], a[2]));
         Vec3 from = turned_ * center;
-        if (k != 0 && !flat) { // within the reach: cells are fetched no farther
+        if (k != 0 && !flat) { // within the reach, since no cells beyond are fetched
             const VF beside = scale_ * constant((k & 1) != 0 ? most : -most);
             VF& along = k <= 2 ? from.x : from.z;
             along += beside;
@@ -202,7 +202,7 @@ public:
             const Vec3 arm = center - inverse * times(axes, stretched);
             return point(turned_ * arm, sample);
         };
-        // On a slope the support point is above another part of the surface: one more sample is enough below a cell's size, and exact on planes.
+        // On a slope another part of the surface is below the support point. One iteration suffices for bodies below a cell's size; planes need none.
         Vec3 n = columns(turned_, normal(sample));
         p = support(n);
         n = columns(turned_, normal(sample));
@@ -223,11 +223,11 @@ public:
     }
     HWY_INLINE GroundSample sample_at(Vec3 at) const { return below_.at(local_ + at); }
     HWY_INLINE VF gap_of(const GroundSample& sample) const { return sample.gap - radius_; }
-    // The point on the body's surface, body frame.
+    // The point on the surface of the body, body frame.
     HWY_INLINE Vec3 arm(Vec3 at, Vec3 n) const { return columns(turned_, at - radius_ * n); }
-    // Pushes the body out along n until no point is below the surface by more than a hundredth of `deep`, by impulses on at most four of them: the
-    // lowest that is left takes the place of the one with the least impulse, and Gauss-Seidel on the motion along n and about the tangents follows.
-    // Points then have their gaps after the push; loaded: 1 for those that are held. A body's result does not depend on its neighbours in a vector.
+    // Pushes the body out along n until no point is deeper than a hundredth of `deep`. Impulses act on at most four points: the lowest that remains
+    // replaces the one with the least impulse, then Gauss-Seidel solves for the shift and both tilts. Sets the gaps after the push, and loaded to 1
+    // for points that hold. Independent of other lanes.
     HWY_INLINE void push_out(const ContactBodies& b, Vec3 n, VF deep, uint32_t count, GroundPoint* points,
                              VF* loaded) const {
         constexpr int rounds = 8, sweeps = 10;
@@ -241,7 +241,7 @@ public:
             return Vec3{dot(own, t.v), dot(about[0], t.u), dot(about[1], t.u)};
         };
         const Vec3 gains[3] = {gain({own, none}), gain({none, about[0]}), gain({none, about[1]})};
-        VF seen[most_ground_points][2]; // of a turn about the tangents; of a shift it is 1
+        VF seen[most_ground_points][2]; // rise of a point by each unit tilt; by a unit shift it is 1
         for (uint32_t k = 0; k < count; ++k) {
             seen[k][0] = inverse * dot(second, points[k].at);
             seen[k][1] = -(inverse * dot(first, points[k].at));
@@ -268,7 +268,7 @@ public:
             if (hn::AllFalse(DF(), active)) break;
             VF light = held[0].pressed;
             for (const Pushed& h : held) light = hn::Min(light, h.pressed);
-            auto free = active; // not held already, and not placed yet
+            auto free = active; // where the lowest point is not held yet
             for (const Pushed& h : held)
                 free = hn::AndNot(hn::And(hn::And(h.seen[0] == turn[0], h.seen[1] == turn[1]), h.gap == gap), free);
             const Vec3 response = gains[0] + turn[0] * gains[1] + turn[1] * gains[2];
@@ -317,7 +317,7 @@ private:
     GroundBelow below_;
 };
 
-// True if the surface is farther than `radius` from all centres: over a heightfield, points within `radius` are at most radius * secant lower.
+// Whether the surface is farther than `radius` from all centres. Over a heightfield, points within `radius` are at most radius * secant lower.
 HWY_INLINE bool far_above(const GroundSurface& g, Vec3 x, VF radius) {
     const Vec3 p = lr::HWY_NAMESPACE::rows(g.axes, x - broadcast(g.position));
     if (!g.grid.heights) return hn::AllFalse(DF(), p.y <= radius);
@@ -325,15 +325,15 @@ HWY_INLINE bool far_above(const GroundSurface& g, Vec3 x, VF radius) {
     return hn::AllFalse(DF(), p.y - height <= most_above(radius, g.grid.secant, height));
 }
 
-// Points nearer than this count: half a hundredth of the body, its fall in a substep, and the rounding of its position.
+// Margin below which a point is a contact: 0.005 of the reach, the fall in a substep, and the rounding of the position.
 HWY_INLINE VF contact_margin(const ContactBodies& b, VF reach, Vec3 x) {
     return constant(0.005f) * reach + (constant(1e-6f) * greatest(x) + constant(b.gravity * (b.h * b.h)));
 }
 
-// Slopes whose normals differ by more than this length form an edge between the points.
+// Normals that differ by more than this (length of the difference) form an edge that the points could miss.
 constexpr float sharp = 0.2f;
 
-// The deepest point and up to three that make about the largest quadrilateral with it, loaded ones first.
+// The deepest point, and up to three that span about the largest quadrilateral with it, loaded ones first.
 bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::Slot (&out)[manifold_slots],
                   uint32_t* rough) {
     const DU du;
@@ -343,7 +343,7 @@ bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::
     bool any = false;
     const VF empty = constant(no_contact), zero = hn::Zero(DF()), one = constant(1.0f);
     GroundPoint points[most_ground_points];
-    // As in SurfaceMotion::lag_at.
+    // As in SurfaceMotion::lag_at().
     const float half = 0.5f * b.h;
     const float turned = half * half * (g.spin[0] * g.spin[0] + g.spin[1] * g.spin[1] + g.spin[2] * g.spin[2]);
     const VF less = hn::Sqrt(hn::Max(one - constant(turned), zero)) - one;
@@ -356,7 +356,7 @@ bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::
 
         const GroundPoints all(b, g, at, reach + margin);
         Vec3 deepest = zero3();
-        VF least = empty, alike = one; // the cosine of the greatest angle to the first point's normal
+        VF least = empty, alike = one; // least cosine between the first point's normal and another's
         Vec3 first_normal = deepest;
         for (uint32_t k = 0; k < count; ++k) {
             GroundSample sample;
@@ -396,9 +396,8 @@ bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::
         const Vec3 normal = put(0, deepest, touching);
         if (count < 2) continue;
 
-        // Points that are loaded once the body is pushed out hold it: those beyond the keel of a boat too, and those below the middle of a curved body,
-        // whose rim can be as low within a fall in a substep. Others count a fifth at most, for the error of that push. Points nearer to each other
-        // than `apart` hold no better than one.
+        // Loaded points hold the body once it is pushed out: also beyond a boat's keel, and below the middle of a curved body whose rim is as low
+        // within a substep's fall. Others count a fifth at most, as the push is approximate. Points closer than `apart` count as one.
         const VF deep = hn::Max(-least, zero), per_wide = one / (constant(0.1f) * reach + margin + (deep + deep));
         const VF apart = constant(0.02f) * reach;
         VF weight[most_ground_points];
@@ -418,9 +417,9 @@ bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::
         }
         put(1, second, found);
         if (count < 3 || hn::AllFalse(DF(), found)) continue;
-        // Then the one farthest from that line, and the one that adds most to the triangle.
+        // Then the point farthest from that line, and the point that adds most to the triangle.
         Vec3 corner[manifold_slots] = {deepest, second, deepest, deepest};
-        VF turn = one; // -1: the triangle's corners go around clockwise
+        VF turn = one; // -1: corners go clockwise
         for (uint32_t next = 2; next < manifold_slots && next < count; ++next) {
             VF most = zero, side = one;
             for (uint32_t edge = 0; edge < (next == 2 ? 1u : 3u); ++edge) {
