@@ -1,5 +1,5 @@
-// The generalised Kirchhoff equations with turbulent loads, for one vector of bodies.
-// Equations: docs/maintainers/physics.md, "Equations of motion" (paper Eqs. 4-6 and 11-12, corrected). Kernel units: body_constants.h.
+// Generalised Kirchhoff equations with turbulent loads, for a vector of bodies: docs/maintainers/physics.md, section 3 (paper Eqs. 4-6, 11 and 12,
+// corrected). Kernel units: body_constants.h.
 #if defined(LR_KERNEL_INTEGRATOR_EQUATIONS_OF_MOTION_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_INTEGRATOR_EQUATIONS_OF_MOTION_INL_H_
 #undef LR_KERNEL_INTEGRATOR_EQUATIONS_OF_MOTION_INL_H_
@@ -64,7 +64,7 @@ HWY_INLINE VF norm_squared(Quaternion q) {
     return q.x * q.x + (q.y * q.y + (q.z * q.z + q.w * q.w));
 }
 
-// R(q) a and R(q)^T a. For stages of Runge-Kutta, off the unit sphere, a smooth extension of the rotation: the scheme keeps its order.
+// R(q) a and R(q)^T a. Runge-Kutta's stages leave the unit sphere; there this is a smooth extension, so the scheme keeps its order.
 HWY_INLINE Vec3 to_world(Quaternion q, Vec3 a) {
     const Vec3 axis{q.x, q.y, q.z};
     Vec3 t = cross(axis, a);
@@ -84,7 +84,7 @@ HWY_INLINE Vec3 to_world_scaled(Quaternion q, Vec3 a) {
     return a + q.w * t + cross(axis, t);
 }
 
-// q + s q (w, 0): with s = h/2, an Euler step of the kinematics q' = 1/2 q (w, 0).
+// q + s q (w, 0). With s = h/2 this is an Euler step of q' = 1/2 q (w, 0).
 HWY_INLINE Quaternion turn(Quaternion from, Quaternion q, VF s, Vec3 w) {
     const Vec3 v = s * w;
     return {from.x + (q.w * v.x + q.y * v.z - q.z * v.y), from.y + (q.w * v.y + q.z * v.x - q.x * v.z),
@@ -104,7 +104,7 @@ HWY_INLINE VF inverse_length(VF length) {
     return hn::IfThenElseZero(length > least, constant(1.0f) / hn::Max(length, least));
 }
 
-// Magnitudes under 1e-15 become zero: their squares would be denormal, which is slow, and they have no visible effect.
+// Sets magnitudes below 1e-15 to zero: their squares would be denormal, which is slow, and nobody can see them.
 HWY_INLINE VF without_dust(VF v) {
     return hn::IfThenElseZero(hn::Abs(v) >= constant(1e-15f), v);
 }
@@ -143,7 +143,7 @@ template <class F, class... T> HWY_INLINE Twist each_axis6(const F& f, const T&.
     return {each_axis(f, t.v...), each_axis(f, t.u...)};
 }
 
-// Rows of a 3x3 matrix that differs from body to body.
+// A 3x3 matrix by rows, different for each body.
 struct Matrix {
     Vec3 row[3];
 };
@@ -178,7 +178,7 @@ HWY_INLINE Matrix outer(Vec3 a, Vec3 b) {
 template <class T> HWY_INLINE VF weighted(const T* k, Vec3 w) {
     return constant(k[0]) * w.x + (constant(k[1]) * w.y + constant(k[2]) * w.z);
 }
-// Row-major 3x3 matrix, and its transpose.
+// A row-major 3x3 matrix times a vector, and its transpose times a vector.
 template <class T> HWY_INLINE Vec3 rows(const T* m, Vec3 a) {
     return {weighted(m, a), weighted(m + 3, a), weighted(m + 6, a)};
 }
@@ -225,12 +225,12 @@ struct Body {
     VF age, age_remainder;
     // AERODYNAMIC loads
     Vec3 gust;      // m/s, world
-    Vec3 lag;       // m/s, along the load axes: the stream as it left the wake
-    VF shedding[4]; // the wake's oscillator along two axes, and its rate
+    Vec3 lag;       // m/s, load axes: the stream in which the wake was left (physics.md 5.1)
+    VF shedding[4]; // the wake's oscillator along two axes, then its rates
 };
 
-// Beyond this age the sum is compensated (Kahan 1965): a plain sum of 4 ms stops growing after 18 hours. Below, it errs by less than 1e-3 for
-// substeps of 0.1 ms and more.
+// From this age on the sum is compensated (Kahan 1965), since a plain sum of 4 ms substeps stops growing after 18 hours. Before, it errs by less than
+// 1e-3 for substeps of 0.1 ms and more.
 inline constexpr float plain_age = 2.0f; // s
 HWY_INLINE void grow_older(Body& b, VF h) {
     const VF growth = h - b.age_remainder;
@@ -239,7 +239,7 @@ HWY_INLINE void grow_older(Body& b, VF h) {
     b.age = age;
 }
 
-// alpha and beta^2 at an age, linear between samples (docs/maintainers/physics.md, "AGE clock"). Not inlined: few batches have this clock.
+// alpha and beta^2 at an age, linear between samples (physics.md, section 4, AGE clock). Not inlined, since few batches use this clock.
 [[maybe_unused, gnu::cold]] static HWY_NOINLINE void sample_table(const TableConstants& t, VF age, VF& alpha,
                                                                   VF& beta_squared) {
     const DI di;
@@ -261,23 +261,23 @@ HWY_INLINE void grow_older(Body& b, VF h) {
 
 // External forces in kernel units: force/(U s^3), torque/(U s^3 d s), and accelerations v', u'.
 struct External {
-    Twist force[2], rate[2]; // in the world's and in the body's frame
+    Twist force[2], rate[2]; // in the world's frame, in the body's
 };
 
-// Constant over the stages of one substep.
+// Values that stay constant over the stages of a substep.
 struct Held {
     VF inverse_length; // 1/(d s)
-    VF drag, lift;     // AERODYNAMIC: inverse_length times the body's own factors of its loads (vary)
-    VF alpha, beta;    // 1/s and m/s^(3/2), AGE clock
-    VF shed;           // AERODYNAMIC: the added mass along the plate's normal that does not move with the body
+    VF drag, lift;     // AERODYNAMIC: inverse_length times the body's own factors, from vary()
+    VF alpha, beta;    // AGE clock: 1/s, m/s^(3/2)
+    VF shed;           // AERODYNAMIC: added mass along the normal that stays in the wake
     Twist noise;       // weighted turbulent force and torque per unit mass
-    // The fluid at the body, world axes, in the middle of the substep (docs/reference/wind_and_water.md).
+    // The fluid at the body in the middle of the substep, world axes (docs/reference/wind_and_water.md).
     Vec3 wind;       // m/s
-    Vec3 weight;     // force per mass unit: gravity, buoyancy, acceleration of the fluid and of the frame of t
-    Vec3 gravity;    // m/s^2, effective for buoyancy: less the fluid's own acceleration
-    Vec3 fluid_spin; // d s times half the vorticity; read only if `sheared`
+    Vec3 weight;     // force over the mass unit: gravity, buoyancy, acceleration of the fluid and of the frame of t
+    Vec3 gravity;    // m/s^2, as buoyancy sees it: less the fluid's acceleration
+    Vec3 fluid_spin; // d s times half the vorticity; valid if `sheared`
     bool sheared;
-    bool uniform;                       // weight is (m - rho V)/U gravity
+    bool uniform;                       // weight is (m - rho V)/U times gravity
     const External* external = nullptr; // null without external forces
 };
 
@@ -285,8 +285,8 @@ template <bool kFull, class C> HWY_INLINE Twist momentum(const C& c, Twist t) {
     if constexpr (kFull) return symmetric6(c.full_mass, t);
     return {scaled_by(c.mass, t.v), scaled_by(c.spin_mass, t.u)};
 }
-// The momentum that moves with the body. A plate leaves a part of its added momentum, of the mass `shed` along the normal, in the wake. Kirchhoff's
-// equations keep the energy for any momentum in their products with velocity and spin.
+// Momentum that moves with the body: a plate leaves a part of its added momentum, that of the mass `shed` along the normal, in the wake. Kirchhoff's
+// products conserve energy for any momentum.
 template <bool kFull, bool kShed, class C>
 HWY_INLINE Twist moving_momentum(const C& c, VF shed, const Twist& momentum, const Twist& t) {
     static_assert(kFull || !kShed);
@@ -303,21 +303,20 @@ HWY_INLINE Twist to_body(Quaternion q, Twist t) {
     return {to_body(q, t.v), to_body(q, t.u)};
 }
 
-// External force and torque at an orientation. Not inlined: few batches have any, and each variant of the kernel would contain it four times.
+// External force and torque at an orientation. Not inlined: few batches have any, and each variant would contain it four times.
 template <bool kFull, class C> static HWY_NOINLINE Twist external_force(const C& c, const External& e, Quaternion q) {
     const Twist rate = e.rate[1] + to_body(q, e.rate[0]);
     return e.force[1] + to_body(q, e.force[0]) + momentum<kFull>(c, rate);
 }
 
-// rho (V I + A) on velocity, rho D on spin: the fluid that turbulence acts on (docs/maintainers/physics.md section 3).
+// rho (V I + A) times velocity, rho D' times spin: the fluid on which turbulence acts (physics.md, section 4).
 template <bool kFull, class C> HWY_INLINE Twist dragged(const C& c, Twist t) {
     if constexpr (kFull) return {symmetric3(c.full_damping, t.v), symmetric3(c.full_spin_damping, t.u)};
     return {scaled_by(c.damping, t.v), scaled_by(c.spin_damping, t.u)};
 }
 
-// Loads and stores of a vector's bodies, in a batch's arrays or in rows of a block. Diverged bodies are not stored (kernel/divergence.h).
+// Loads and stores of a vector of bodies, in a batch's arrays or in rows of a block. Diverged bodies are not stored (kernel/divergence.h).
 
-// A vector from a row of numbers, or from a field.
 HWY_INLINE VF load1(const float* row, size_t at) {
     return hn::Load(DF(), row + at);
 }
@@ -337,7 +336,7 @@ HWY_INLINE void store1(const BatchArrays& a, size_t field, size_t at, VF v) {
     store1(a.field[field], at, v);
 }
 
-// Rows, or successive fields, of x, y, z (and w).
+// x, y, z (and w) from successive rows or fields.
 template <class Row> HWY_INLINE Vec3 load3(const Row* rows, size_t at) {
     return {load1(rows[0], at), load1(rows[1], at), load1(rows[2], at)};
 }
@@ -369,7 +368,7 @@ HWY_INLINE Quaternion load4(const BatchArrays& a, size_t at) {
     return load4(a.field + field_qx, at);
 }
 
-// A number that is not finite counts as 0: it must not reach other bodies through the bounds of the block.
+// Numbers that are not finite become 0, or they would reach other bodies through the bounds of their block.
 HWY_INLINE Vec3 within(Vec3 v, float limit) {
     const VF most = constant(limit);
     return each_axis([&](VF x) LR_LAMBDA { return hn::IfThenElseZero(hn::Abs(x) <= most, x); }, v);
@@ -389,7 +388,7 @@ template <bool kGust> HWY_INLINE Body load_body(const BatchArrays& a, size_t at)
     return b;
 }
 
-// NaN fails every comparison.
+// False for NaN, which fails every comparison.
 HWY_INLINE hn::Mask<DF> sane_pose(Vec3 x, Quaternion q) {
     const VF far = constant(farthest_place);
     const VF turn = norm_squared(q);
@@ -403,7 +402,7 @@ HWY_INLINE hn::Mask<DF> not_held(const BatchArrays& a, size_t at) {
     return load1(a, field_age_remainder, at) > constant(least_age_remainder);
 }
 
-// Stores bodies after `seconds`. Diverged and held bodies keep their former state.
+// Stores bodies after `seconds`; diverged and held ones keep their state.
 template <class Store>
 HWY_INLINE void store_sane(const BatchArrays& a, size_t at, hn::Mask<DF> sane, float seconds, bool gusts,
                            uint32_t* faults, const Store& store) {
@@ -413,7 +412,7 @@ HWY_INLINE void store_sane(const BatchArrays& a, size_t at, hn::Mask<DF> sane, f
     store();
     if (HWY_UNLIKELY(!all_sane)) before.hold(a, at, hn::Lanes(DF()), seconds, gusts, faults);
 }
-// v, w: in the body's frame, m/s and rad/s.
+// v, w: body frame, m/s and rad/s.
 HWY_INLINE void store_velocities(const BatchArrays& a, size_t at, Vec3 v, Vec3 w, uint32_t* faults) {
     store_sane(a, at, sane_motion(v, w), 0.0f, false, faults, [&]() LR_LAMBDA {
         store3(a, field_vx, at, without_dust(v));

@@ -1,4 +1,4 @@
-// Free motion, Kirchhoff's equations without loads: the implicit midpoint keeps the energy at any step (docs/maintainers/numerics.md).
+// Free motion by the implicit midpoint: Kirchhoff's equations without loads, with energy conserved at any step. docs/maintainers/numerics.md.
 #if defined(LR_KERNEL_INTEGRATOR_FREE_MOTION_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_INTEGRATOR_FREE_MOTION_INL_H_
 #undef LR_KERNEL_INTEGRATOR_FREE_MOTION_INL_H_
@@ -15,7 +15,7 @@ struct Columns {
     Vec3 x, y, z;
 };
 
-// Cramer's rule. Positive definite plus skew is never singular; the matrix of a Newton step can be, and is then rejected.
+// Cramer's rule. Positive definite plus skew is never singular. A Newton matrix can be; its result is then rejected.
 HWY_INLINE Vec3 solve(Columns m, Vec3 r) {
     const Vec3 yz = cross(m.y, m.z);
     const VF inverse = constant(1.0f) / dot(m.x, yz);
@@ -27,9 +27,9 @@ template <bool kFull, class C> HWY_INLINE Vec3 mobility(const C& c, Vec3 y) {
     if constexpr (kFull) return symmetric3(c.inverse_translation, y);
     return scaled_by(c.inverse_mass, y);
 }
-// rows(c.slip, x) and columns(c.slip, x) are C x and C^T x, C = M12^T M11^-1, full path only.
+// rows(c.slip, x) and columns(c.slip, x) are C x and C^T x with C = M12^T M11^-1; full path only.
 
-// The columns of [a]x.
+// Columns of the cross product matrix [a]x.
 HWY_INLINE Columns cross_columns(Vec3 a) {
     const VF zero = hn::Zero(DF());
     return {{zero, a.z, -a.y}, {-a.z, zero, a.x}, {a.y, -a.x, zero}};
@@ -47,10 +47,10 @@ template <bool kFull, class C> HWY_INLINE Columns reduced_rotation(const C& c) {
             {constant(m[2]), constant(m[4]), constant(m[5])}};
 }
 
-// From the start of a step of M z' = S(mu) z, S skew, to its middle: (M - h/2 S) dz = h/2 S z0. Energy is kept for any mu. p, l: the momenta mu.
-// g: h/2 over the length d s. With dv = M11^-1 p x u - C^T du
+// Half of a step of M z' = S(mu) z with S skew, so energy is conserved for any momenta mu = (p, l): (M - h/2 S) dz = h/2 S z0. g is h/2 over the
+// length d s. With dv = M11^-1 p x u - C^T du
 //   (S - [l]x - [p]x M11^-1 [p]x + C [p]x + [p]x C^T) du = l x u0 + p x (v0 + M11^-1 p x u0) - C p x u0.
-// An increment, because the rounding of the middle itself would accumulate into a drift of energy.
+// The increment is solved for, since the rounding of the middle itself would accumulate as a drift of energy.
 template <bool kFull, class C> HWY_INLINE Twist middle_increment(const C& c, Twist start, Twist mu, VF g) {
     const Vec3 p = g * mu.v, l = g * mu.u;
     const Vec3 pu = cross(p, start.u);
@@ -78,9 +78,8 @@ template <bool kFull, class C> HWY_INLINE Twist middle_increment(const C& c, Twi
     }
 }
 
-// One Newton step for the implicit midpoint M (z - z0) = g f(z), f = (P x u, L x u + P x v), from the estimate z. With y = dP unknown and
-// N = (1 + [g u]x)^-1: y = N (r_v + g P x du), dv = M11^-1 y - C^T du, dL = C y + S du, where C = M12^T M11^-1 and S = M22 - C M12; three equations
-// for du remain.
+// A Newton step from z for the implicit midpoint M (z - z0) = g f(z), f = (P x u, L x u + P x v). With y = dP and N = (1 + [g u]x)^-1: y = N (r_v + g
+// P x du), dv = M11^-1 y - C^T du, dL = C y + S du, where C = M12^T M11^-1 and S = M22 - C M12. Three equations for du remain.
 template <bool kFull, class C>
 static HWY_NOINLINE Twist newton_step(const C& c, VF shed, Twist start_momentum, Twist z, VF g) {
     const Twist mu = momentum<kFull>(c, z), moving = moving_momentum<kFull, kFull>(c, shed, mu, z);
@@ -90,14 +89,14 @@ static HWY_NOINLINE Twist newton_step(const C& c, VF shed, Twist start_momentum,
 
     const VF inverse = constant(1.0f) / (constant(1.0f) + dot(a, a));
     const auto n = [&](Vec3 x) LR_LAMBDA { return inverse * (x + dot(a, x) * a - cross(a, x)); };
-    // The contribution of momentum y to the three equations.
+    // Share of a momentum y in these equations.
     const auto contribution = [&](Vec3 y) LR_LAMBDA {
         const Vec3 sum = cross(b, y) - cross(p, mobility<kFull>(c, y));
         if constexpr (!kFull) return sum;
         const Vec3 cy = rows(c.slip, y);
         return sum + (cy + cross(a, cy));
     };
-    // A column of the matrix for du: S e + a x S e - l x e + p x C^T e + contribution(N (p x e)).
+    // A column of their matrix: S e + a x S e - l x e + p x C^T e + contribution(N (p x e)).
     const auto column = [&](Vec3 se, Vec3 le, Vec3 pe, const auto* ct) LR_LAMBDA {
         const Vec3 sum = se + cross(a, se) - le + contribution(n(pe));
         if constexpr (kFull) return sum + cross(p, broadcast(ct));
@@ -113,29 +112,30 @@ static HWY_NOINLINE Twist newton_step(const C& c, VF shed, Twist start_momentum,
     return {z.v + dv, z.u + du};
 }
 
-// A body that moves more lengths than this in half a step is unresolved: it turns less, with the same energy. Beyond 100, energy would suffer too.
+// Limit of lengths moved in half a step. A faster body is not resolved; its step is shortened, so it turns less with the same energy. Beyond 100
+// energy would suffer too.
 inline constexpr float most_lengths = 8.0f;
 
-// The implicit midpoint turns a steady spin through 2 atan(w h/2) instead of w h, and the moment in the middle of the chord is too small by
-// (w h)^2/12: a step longer by that share, x^2/3 with x = w h/2, makes both right to fourth order.
+// The implicit midpoint turns a steady spin by 2 atan(w h/2) instead of w h, and the moment in the middle of the chord is too small by (w h)^2/12. A
+// step longer by that share, x^2/3 with x = w h/2, makes both right to fourth order.
 HWY_INLINE VF stretched(Vec3 u, VF g) {
     const VF x2 = hn::Min(g * g * dot(u, u), constant(1.0f));
     return g * (x2 * constant(1.0f / 3.0f) + constant(1.0f));
 }
 
-// The increment from the start of a step to its middle, and the step taken.
+// The increment from the start of a step to its middle, and g of the step taken.
 struct Solved {
     Twist increment;
     VF g;
 };
 template <bool kFull, class C> HWY_INLINE Solved solve_middle(const C& c, VF shed, const Twist& from, VF full_g) {
     const Twist start = momentum<kFull>(c, from);
-    const VF energy = dot(from.v, start.v) + dot(from.u, start.u); // twice it, over the mass unit
+    const VF energy = dot(from.v, start.v) + dot(from.u, start.u); // twice the energy, over the mass unit
     const VF lengths = full_g * hn::Sqrt(energy);
     const VF g = full_g / hn::Max(lengths * constant(1.0f / most_lengths), constant(1.0f));
     const Twist first = newton_step<kFull>(c, shed, start, from, g);
     const Twist second = newton_step<kFull>(c, shed, start, first, g);
-    // The true middle has no more energy than the ends. Newton's step can miss it by far if the time step is too long: take the momenta at the start.
+    // The exact middle has no more energy than the ends. Newton can miss it by far if the step is too long; then the start's momenta are used.
     const Twist second_mu = momentum<kFull>(c, second);
     const auto sound = dot(second.v, second_mu.v) + dot(second.u, second_mu.u) <= energy * constant(1.5f);
     const Twist mu =
@@ -145,10 +145,10 @@ template <bool kFull, class C> HWY_INLINE Solved solve_middle(const C& c, VF she
 
 struct Motion {
     Twist middle, end;
-    VF g; // half the step that was taken over the length d s
+    VF g; // half of the step taken, over the length d s
 };
 
-// Two Newton steps, for bodies that one does not solve, and a middle that keeps the energy whatever they give.
+// For bodies that one Newton step does not solve: two of them, then a middle step that conserves energy whatever they give.
 template <bool kFull, class C>
 static HWY_NOINLINE void resolve_motion(const C& c, VF shed, const Twist& start, VF g, hn::Mask<DF> where, Motion& m) {
     const auto energy = [&](const Twist& t) LR_LAMBDA {
@@ -157,7 +157,7 @@ static HWY_NOINLINE void resolve_motion(const C& c, VF shed, const Twist& start,
     };
     const Solved s = solve_middle<kFull>(c, shed, start, g);
     Twist end = start + (s.increment + s.increment);
-    // Energy added by rounding: much if a needle turns many times in a step. A body lost in it keeps its state.
+    // Rounding can add energy, much if a needle turns many times in a step. If the result is lost in it the body keeps its state.
     const VF before = energy(start), after = energy(end), zero = hn::Zero(DF());
     const auto sound = hn::And(after > zero, after <= before * constant(4.0f));
     const VF factor = hn::Min(hn::Sqrt(before / hn::IfThenElse(sound, after, constant(1.0f))), constant(1.0f));
@@ -167,14 +167,14 @@ static HWY_NOINLINE void resolve_motion(const C& c, VF shed, const Twist& start,
     m.g = hn::IfThenElse(where, s.g, m.g);
 }
 
-// The implicit midpoint u1 = u0 + 2 g J^-1 (J u x u + P x v), P1 - P0 = 2 g P x u at the middle, where P = (1 + [g u]x)^-1 P0: only u is unknown.
-// One Newton step finds it, with P = P0 + g P0 x u. Its residual would show as energy: the spin at the end is scaled to remove it. A body that needs
-// more than `most_scaling` is solved by resolve_motion.
+// Implicit midpoint, diagonal path: u1 = u0 + 2 g J^-1 (J u x u + P x v) and P1 - P0 = 2 g P x u at the middle. Since P = (1 + [g u]x)^-1 P0 only u
+// is unknown; one Newton step with P = P0 + g P0 x u finds it. Its residual would show as energy, so the spin at the end is scaled. A body that needs
+// more than most_scaling goes to resolve_motion().
 inline constexpr float most_scaling = 0.05f;
-// Squares of the lengths moved and of the tangent of half the angle turned in half a step: beyond them resolve_motion, too.
+// Squares of lengths moved and of the tangent of half the angle turned, in half a step. Beyond them a body goes to resolve_motion() too.
 inline constexpr float most_moved = 64.0f, most_turned = 4.0f;
 
-// (1 + [a]x)^-1 P less P, for the spin in the middle, and for that at the start, a.(P x a) being 0.
+// (1 + [a]x)^-1 P less P, for the spin in the middle and, as a.(P x a) = 0, for that at the start.
 HWY_INLINE Vec3 turned_by(Vec3 a, VF squared, Vec3 momentum) {
     const Vec3 lag = cross(a, momentum);
     return constant(1.0f) / (constant(1.0f) + squared) * (cross(a, lag) - lag);
@@ -182,7 +182,7 @@ HWY_INLINE Vec3 turned_by(Vec3 a, VF squared, Vec3 momentum) {
 HWY_INLINE Vec3 first_turn(Vec3 a, Vec3 pa) {
     return constant(1.0f) / (constant(1.0f) + dot(a, a)) * (pa - cross(a, pa));
 }
-// The factor on the spin that removes the energy gained.
+// Factor on the spin that removes energy gained.
 HWY_INLINE VF spin_factor(VF gained, VF spin_energy) {
     const VF share = gained / hn::Max(spin_energy, constant(1e-30f));
     return hn::Sqrt(hn::Max(constant(1.0f) - share, hn::Zero(DF())));
@@ -224,7 +224,7 @@ template <class C> HWY_INLINE Motion free_motion(const C& c, VF shed, Twist star
     const Vec3 dp = turned_by(am, turned, momentum);
     const Vec3 dv = scaled_by(c.inverse_mass, dp), vm = v + dv;
     const Vec3 du = (g + g) * turning(um, vm), u1 = u + du;
-    // Kinetic energies at the end less those at the start: 4 P.dv and (l0 + l1).du.
+    // Change of kinetic energy: 4 P.dv and (l0 + l1).du.
     const VF gained = constant(4.0f) * dot(momentum + dp, dv) + dot(scaled_by(c.spin_mass, u + u1), du);
     const VF factor = spin_factor(gained, dot(scaled_by(c.spin_mass, u1), u1));
     Motion out{{vm, um}, {vm + dv, factor * u1}, g};
@@ -233,10 +233,10 @@ template <class C> HWY_INLINE Motion free_motion(const C& c, VF shed, Twist star
     return out;
 }
 
-// The same for any mass matrix: v = M11^-1 P - C^T u and L = C P + S u with C = M12^T M11^-1 and S = M22 - C M12. A sheet's have 12 numbers, in its frame.
+// The same on the full path: v = M11^-1 P - C^T u, L = C P + S u, C = M12^T M11^-1, S = M22 - C M12. In a sheet's frame these have 12 numbers.
 
-// Products with matrices that keep motion in a sheet's plane, v_x, v_y and u_z, apart from that across it: symmetric ones from v or from u to the same,
-// those from one to the other, and their transposes.
+// Products with a sheet's matrices, which keep motion in its plane (v_x, v_y, u_z) apart from the rest: symmetric ones from v to v or u to u, those
+// between v and u, and their transposes.
 template <bool kSheet, class T> HWY_INLINE Vec3 block(const T* m, Vec3 a) {
     if constexpr (!kSheet) return symmetric3(m, a);
     return {constant(m[0]) * a.x + constant(m[1]) * a.y, constant(m[1]) * a.x + constant(m[3]) * a.y,
@@ -295,7 +295,7 @@ template <bool kSheet, class C> HWY_INLINE Columns turning_columns(const C& c, V
     return {column(s[0], s[1], s[2], k), column(s[1], s[3], s[4], k + 3), column(s[2], s[4], s[5], k + 6)};
 }
 
-// kShed: with AERODYNAMIC loads.
+// kShed: AERODYNAMIC loads, which leave momentum in the wake.
 template <bool kShed, bool kSheet, class C> HWY_INLINE Motion free_motion_full(const C& c, VF shed, Twist start, VF g) {
     const Vec3 v = start.v, u = start.u;
     const auto* const s = c.reduced_rotation;
@@ -308,7 +308,7 @@ template <bool kShed, bool kSheet, class C> HWY_INLINE Motion free_motion_full(c
     else
         moving = moving_momentum<true, kShed>(c, shed, moving, start);
     const Vec3 a = g * u, b = g * v, p = g * moving.v, l = g * moving.u;
-    // Columns of H = (1 + [a]x) C + [b]x - [p]x M11^-1, and of 1 - g (derivative): (1 + [a]x) S - [l]x + [p]x C^T + H [p]x.
+    // Columns of H = (1 + [a]x) C + [b]x - [p]x M11^-1, and of 1 - g (derivative) = (1 + [a]x) S - [l]x + [p]x C^T + H [p]x.
     Columns h = slip_columns<kSheet>(c, a, p);
     h.x.y = h.x.y + b.z, h.x.z = h.x.z - b.y;
     h.y.x = h.y.x - b.z, h.y.z = h.y.z + b.x;
@@ -368,7 +368,7 @@ template <bool kShed, bool kSheet, class C> HWY_INLINE Motion free_motion_full(c
         dl -= f * (cross(arm, um) + cross(axis, vm));
     dl = (g + g) * dl;
     const Vec3 spun = dl - (dragged_along + dragged_along); // S du
-    // S^-1 is the lower block of M^-1, the last six of its upper triangle.
+    // S^-1 is the lower block of M^-1: the last six of its upper triangle.
     const Vec3 du = block<kSheet>(c.full_inverse + 15, spun), u1 = u + du;
     const VF gained = constant(4.0f) * dot(pm, moved_by) + dot(u + u1, spun);
     const VF factor = spin_factor(gained, dot(spin_momentum + spun, u1));

@@ -1,5 +1,5 @@
-// The default scheme (docs/maintainers/numerics.md): half a step of damping, weight and noise, solved exactly; a step of free motion; the other half.
-// Stable at any step: the loads contract towards their equilibrium, free motion neither gains nor loses energy.
+// The default integrator: half a step of damping, weight and noise, a step of free motion, the other half. docs/maintainers/numerics.md. Stable at
+// any step, since the loads contract towards their equilibrium and free motion conserves energy.
 #if defined(LR_KERNEL_INTEGRATOR_SPLITTING_SCHEME_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_INTEGRATOR_SPLITTING_SCHEME_INL_H_
 #undef LR_KERNEL_INTEGRATOR_SPLITTING_SCHEME_INL_H_
@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace lr::LR_KERNEL_NAMESPACE {
 
-// Modes in which mass is the unit matrix and damping diagonal.
+// To modes, in which the mass matrix is 1 and damping diagonal.
 template <class C> HWY_INLINE Twist to_modes(const C& c, Twist t) {
     return general6<false>(c.to_modes, t);
 }
@@ -24,8 +24,8 @@ template <class C> HWY_INLINE Twist force_to_modes(const C& c, Twist f) {
     return general6<true>(c.from_modes, f);
 }
 
-// 1 + x + x^2/2 + x^3/6 and (1 + x/2 + x^2/6): exp(-x) = 1/D and (1 - exp(-x))/x = C/D to third order, both with the
-// right limits as x grows, so that a stiff body settles at its terminal velocity instead of ringing.
+// D = 1 + x + x^2/2 + x^3/6 and C = 1 + x/2 + x^2/6. To third order exp(-x) = 1/D and (1 - exp(-x))/x = C/D. Both have the right limits for large x,
+// so a stiff body settles at its terminal velocity instead of ringing.
 struct Relaxation {
     VF c, d;
 };
@@ -36,13 +36,13 @@ HWY_INLINE Relaxation relaxation(VF x) {
     return {c, x * c + constant(1.0f)};
 }
 
-// The noise that keeps a mode's stationary variance, over h/4. With exp(-2x) = 1/D^2: variance (1 - 1/D^4)/(4x), D - 1 = x C against cancellation.
+// Variance of the noise over h/4 that keeps a mode's stationary variance: (1 - 1/D^4)/(4 x), as exp(-2 x) = 1/D^2. D - 1 = x C avoids cancellation.
 HWY_INLINE VF quadruple_variance(const Relaxation& r, VF inverse) {
     const VF one = constant(1.0f);
     return r.c * inverse * ((one + inverse) * (inverse * inverse + one));
 }
 
-// One mode: y' = -x/tau y + f over tau, and the noise that leaves its stationary variance exact. kick: the noise force times sqrt(2 tau).
+// Relaxation of a mode, y' = -x/tau y + f over tau, with noise that keeps its stationary variance. kick: noise force times sqrt(2 tau).
 template <bool kNoise> HWY_INLINE VF relax(VF y, VF x, VF tau_f, VF kick) {
     const Relaxation r = relaxation(x);
     const VF inverse = constant(1.0f) / r.d;
@@ -51,7 +51,7 @@ template <bool kNoise> HWY_INLINE VF relax(VF y, VF x, VF tau_f, VF kick) {
     return kick * hn::Sqrt(constant(0.25f) * quadruple_variance(r, inverse)) + still;
 }
 
-// kUsual: LANGEVIN loads by speed, known at compile time.
+// kUsual: LANGEVIN loads with the SPEED clock, at compile time.
 template <bool kUsual> HWY_INLINE bool without_loads(const StepInput& in) {
     return !kUsual && in.loads == Loads::none;
 }
@@ -59,7 +59,7 @@ template <bool kUsual> HWY_INLINE bool by_speed(const StepInput& in) {
     return kUsual || in.clock == Clock::speed;
 }
 
-// A body whose axes are its modes. gauss is read only with noise.
+// For a body whose axes are its modes. gauss: read only if kNoise.
 template <bool kNoise, bool kUsual, class C>
 HWY_INLINE void load_half_diagonal(const StepInput& in, const C& c, const Held& held, VF beta_unit, const VF gauss[6],
                                    Body& b) {
@@ -76,7 +76,7 @@ HWY_INLINE void load_half_diagonal(const StepInput& in, const C& c, const Held& 
         if (held.external) b.t.u += couple;
         return;
     }
-    // Damping is towards the fluid's own rotation: relax the spin relative to it.
+    // Damping is towards the fluid's rotation, so the relative spin relaxes.
     Vec3 fluid_spin{};
     if (held.sheared) {
         fluid_spin = to_body(b.q, held.fluid_spin);
@@ -85,7 +85,7 @@ HWY_INLINE void load_half_diagonal(const StepInput& in, const C& c, const Held& 
     const Vec3 rate = broadcast(c.rate), spin_rate = broadcast(c.rate + 3);
     VF share, beta = held.beta; // alpha tau
     if (HWY_LIKELY(by_speed<kUsual>(in))) {
-        // Speed in the middle of the half step, estimated implicitly: it makes the damping of second order.
+        // The speed in the middle of the half step, from an implicit estimate, gives damping of second order.
         const VF unit = constant(c.speed_alpha) * held.inverse_length * tau;
         const VF guess = unit * half * hn::Sqrt(dot(b.t.v, b.t.v));
         const auto middle = [&](VF v, VF push, VF lambda)
@@ -126,7 +126,7 @@ HWY_INLINE void load_half_diagonal(const StepInput& in, const C& c, const Held& 
     if (held.sheared) b.t.u += fluid_spin;
 }
 
-// Weight, buoyancy and external forces, along the modes.
+// Weight, buoyancy and external forces along the modes.
 template <class C> HWY_INLINE Twist applied_to_modes(const C& c, const Held& held, Quaternion q) {
     const Vec3 gravity = to_body(q, held.gravity);
     if (held.uniform) {
@@ -138,12 +138,12 @@ template <class C> HWY_INLINE Twist applied_to_modes(const C& c, const Held& hel
     return force_to_modes(c, f);
 }
 
-// Damping, weight, and at the end of a step noise, for half a substep at a fixed orientation.
+// Half a substep of damping and weight at a fixed orientation, with noise at the end of a step.
 template <bool kNoise, bool kUsual, class C>
 HWY_INLINE void load_half_full(const StepInput& in, const C& c, const Held& held, VF beta_unit, const VF gauss[6],
                                Body& b) {
     const VF tau = constant(0.5f * in.h);
-    // Damping is towards the fluid's own rotation: relax the spin relative to it.
+    // Damping is towards the fluid's rotation, so the relative spin relaxes.
     const bool sheared = !without_loads<kUsual>(in) && held.sheared;
     const auto fluid_spin = [&]() LR_LAMBDA { return to_body(b.q, held.fluid_spin); };
     if (sheared) b.t.u -= fluid_spin();
@@ -157,7 +157,7 @@ HWY_INLINE void load_half_full(const StepInput& in, const C& c, const Held& held
     VF alpha = held.alpha;
     VF beta = held.beta;
     if (HWY_LIKELY(by_speed<kUsual>(in))) {
-        // Speed in the middle of the half step, estimated implicitly: it makes the damping of second order.
+        // The speed in the middle of the half step, from an implicit estimate, gives damping of second order.
         const VF unit = constant(c.speed_alpha) * held.inverse_length;
         const VF half_tau = constant(0.25f * in.h);
         const VF guess = unit * hn::Sqrt(dot(b.t.v, b.t.v)) * half_tau;
@@ -178,19 +178,19 @@ HWY_INLINE void load_half_full(const StepInput& in, const C& c, const Held& held
     const auto relax_mode = [&](VF value, VF decay, VF push, VF by)
                                 LR_LAMBDA { return relax<kNoise>(value, decay, push, by); };
     const Twist relaxed = each_axis6(relax_mode, y, x, tau_f, kick);
-    // Only the change: a round trip through the modes would round the whole.
+    // Adds the change alone: to modes and back would round the whole.
     b.t += from_modes(c, {relaxed.v - y.v, relaxed.u - y.u});
     if (sheared) b.t.u += fluid_spin();
 }
 
-// The velocity of a sheet's load centre by a spin about its centre of mass, in its plane.
+// Velocity of a sheet's load centre, in its plane, by spin about its centre of mass.
 template <class C> HWY_INLINE Vec3 arm_velocity(const C& c, Vec3 u) {
     const VF x = constant(c.aerodynamics.arm[0]), y = constant(c.aerodynamics.arm[1]);
     return {-(u.z * y), u.z * x, u.x * y - u.y * x};
 }
 
-// A step of free motion. kStretched: with AERODYNAMIC loads. It corrects the turning, and moves along the mean of the end velocities: the chord is too
-// short by (w h)^2/8.
+// A step of free motion. kStretched (AERODYNAMIC loads): the turn is corrected, and the body moves by the mean of its end velocities, since the chord
+// is too short by (w h)^2/8.
 template <bool kFull, bool kStretched = false, class C>
 HWY_INLINE void free_step(float h, const C& c, const Held& held, Body& b) {
     VF g = constant(0.5f * h) * held.inverse_length;
@@ -200,7 +200,7 @@ HWY_INLINE void free_step(float h, const C& c, const Held& held, Body& b) {
         m = free_motion_full<kStretched, !kFull>(c, held.shed, b.t, g);
     else
         m = free_motion(c, held.shed, b.t, g);
-    // Orientation by Cayley's map of h w, on the group; half of it is the middle orientation.
+    // Orientation by Cayley's map of h w, which stays on the group. Half of the map gives the middle.
     const Quaternion q1 = normalised(turn(b.q, b.q, constant(1.0f), m.g * m.middle.u));
     if constexpr (kStretched) {
         const auto velocity = [&](const Twist& t) LR_LAMBDA { return kFull ? t.v : t.v - arm_velocity(c, t.u); };
@@ -213,7 +213,7 @@ HWY_INLINE void free_step(float h, const C& c, const Held& held, Body& b) {
     b.t = m.end;
 }
 
-// Loads::none or langevin.
+// For Loads::none and Loads::langevin.
 template <bool kFull, bool kUsual, class C>
 HWY_INLINE void splitting_substep(const StepInput& in, const C& c, Held& held, VF beta_unit, const VF gauss[6],
                                   Body& b) {

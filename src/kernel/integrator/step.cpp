@@ -1,4 +1,4 @@
-// Steps blocks of bodies through the substeps of a step, and finds bodies that end, compiled once for each instruction set.
+// Steps blocks of bodies, and finds bodies that end. Compiled once for each instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernel/integrator/step.cpp"
 #include "hwy/foreach_target.h" // IWYU pragma: keep
@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace lr::HWY_NAMESPACE {
 
-// Bodies without loads, or with LANGEVIN loads.
+// Without loads, or with LANGEVIN loads.
 void step_range(const StepInput& in, const BatchArrays& a, size_t begin, size_t end) {
     constexpr Integrator splitting = Integrator::splitting;
     if (!in.body.diagonal) return step_bodies<true, false, splitting>(in, a, begin, end);
@@ -35,14 +35,14 @@ HWY_INLINE hn::Mask<DF> inside(const lr_kill_volume& volume, Vec3 x) {
     }
 }
 
-// Marks bodies that end by a batch's rules.
+// Finds bodies that end by the batch's rules.
 bool ended_range(const lr_batch_rules& rules, const BatchArrays& a, size_t begin, size_t end, uint32_t* cause) {
     const DU du;
     const VF zero = hn::Zero(DF());
     VU any = hn::Zero(DU());
     for (size_t at = begin; at < end; at += hn::Lanes(DF())) {
         const Vec3 x = load3(a, field_x, at);
-        // The first cause counts: they are written in reverse order.
+        // Causes are written from last to first, so that the first one counts.
         VU out = hn::Zero(DU());
         const auto put = [&](hn::Mask<DF> where, uint32_t code)
                              LR_LAMBDA { out = hn::IfThenElse(hn::RebindMask(du, where), hn::Set(du, code), out); };
@@ -51,7 +51,7 @@ bool ended_range(const lr_batch_rules& rules, const BatchArrays& a, size_t begin
             put(rules.volumes[k].side == LR_KILL_OUTSIDE ? hn::Not(in) : in, cause_volume + k);
         }
         if (rules.max_age > 0.0f) put(load1(a, field_age, at) >= constant(rules.max_age), cause_age);
-        // 0 for finite x only.
+        // x - x is 0 only if x is finite.
         const Vec3 nothing = x - x;
         const VF sum = nothing.x + (nothing.y + nothing.z);
         put(hn::Not(hn::Eq(sum, zero)), cause_not_finite);

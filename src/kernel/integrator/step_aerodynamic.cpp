@@ -1,5 +1,5 @@
-// Steps bodies with AERODYNAMIC loads by the splitting scheme, compiled once for each instruction set. One vector at a time: two side by side have too
-// many numbers for the registers (docs/maintainers/performance.md).
+// Steps bodies with AERODYNAMIC loads by the splitting scheme. Compiled once for each instruction set. One vector at a time, since two side by side
+// need too many registers (docs/maintainers/performance.md).
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernel/integrator/step_aerodynamic.cpp"
 #include "hwy/foreach_target.h" // IWYU pragma: keep

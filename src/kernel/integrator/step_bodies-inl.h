@@ -1,4 +1,4 @@
-// Steps bodies through the substeps of a step, one vector of them after the other.
+// Steps bodies through the substeps of a step, a vector at a time.
 #if defined(LR_KERNEL_INTEGRATOR_STEP_BODIES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_INTEGRATOR_STEP_BODIES_INL_H_
 #undef LR_KERNEL_INTEGRATOR_STEP_BODIES_INL_H_
@@ -21,7 +21,7 @@ namespace lr::LR_KERNEL_NAMESPACE {
 
 constexpr size_t line = 64 / sizeof(float);
 
-// Prefetches the next bodies: large worlds have too many arrays for the hardware prefetcher. `at` can be past the last body.
+// Prefetches the next bodies: a large world has too many arrays for the hardware prefetcher. `at` may be past the last body.
 template <bool kAerodynamic> HWY_INLINE void prefetch(const BatchArrays& a, size_t at, size_t count) {
     constexpr size_t fields = kAerodynamic ? field_count : size_t{field_gust_x};
     for (size_t i = 0; i < count; i += line) {
@@ -30,7 +30,7 @@ template <bool kAerodynamic> HWY_INLINE void prefetch(const BatchArrays& a, size
     }
 }
 
-// To a sheet's frame and its load centre, and back.
+// Into a sheet's frame with its load centre, and back.
 template <class C> HWY_INLINE void enter_frame(const C& c, Quaternion frame, Body& b) {
     b.q = product(b.q, frame);
     b.t.u = rows(c.aerodynamics.axes, b.t.u);
@@ -41,7 +41,7 @@ template <class C> HWY_INLINE void leave_frame(const C& c, Quaternion frame, Bod
     b.t = {columns(c.aerodynamics.axes, b.t.v - arm_velocity(c, b.t.u)), columns(c.aerodynamics.axes, b.t.u)};
 }
 
-// AERODYNAMIC loads without kFull: a sheet, which moves in its own frame.
+// AERODYNAMIC loads without kFull: a sheet, in its own frame.
 template <bool kFull, bool kAerodynamic, Integrator kIntegrator, bool kUsual = false>
 HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t begin, size_t end) {
     constexpr bool kSheet = kAerodynamic && !kFull;
@@ -70,7 +70,7 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
         held.fluid_spin = zero3();
         held.sheared = false;
         held.uniform = true;
-        // In a uniform wind, step the velocity relative to the wind, as if the fluid were still.
+        // In uniform wind the velocity relative to the wind is stepped, as in fluid at rest.
         b.t = {load3(a, field_vx, at), length * load3(a, field_wx, at)};
         if (!wind) b.t.v -= to_body(b.q, broadcast(in.wind_begin));
         External external;
@@ -87,7 +87,7 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
         for (uint32_t i = 0; i < in.substeps; ++i) {
             if (in.wind_changes) held.wind = wind_of_substep(in, i);
             if (wind) {
-                // As from memory, so that the division of time into calls changes no bit.
+                // Rounded as if stored and loaded, so that results do not depend on how a step is divided into calls.
                 if (i != 0) b.t.u = length * without_dust(held.inverse_length * b.t.u);
                 store3(moving.x, 0, b.x);
                 store4(moving.q, 0, b.q);
@@ -105,7 +105,7 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
             for (uint32_t motion = 0; motion < motions; ++motion)
                 one_motion<kFull, kAerodynamic, kIntegrator, kUsual>(in, c, held, noise_seed, i, motion, beta_unit, b);
             if constexpr (kSheet)
-                leave_frame(c, frame, b); // in each substep: the division of time into calls changes no bit
+                leave_frame(c, frame, b); // in each substep: results must not depend on how a step is divided
             if (wind) {
                 store4(moving.q, 0, b.q);
                 store3(moving.v, 0, b.t.v);

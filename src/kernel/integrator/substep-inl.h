@@ -1,4 +1,4 @@
-// One substep of one vector of bodies, for all loads and schemes.
+// One substep of a vector of bodies, for all loads and integrators.
 #if defined(LR_KERNEL_INTEGRATOR_SUBSTEP_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_INTEGRATOR_SUBSTEP_INL_H_
 #undef LR_KERNEL_INTEGRATOR_SUBSTEP_INL_H_
@@ -16,10 +16,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace lr::LR_KERNEL_NAMESPACE {
 
-// Time derivative of the twist. P, L: momenta over mass unit; with w = u/(d s)
-//   P' = P x w + weight vector - alpha rho(V + A) v + noise
-//   L' = L x w + P x v/(d s) + b x R^T g - alpha rho D (u - fluid spin) + noise
-// The Munk moment P x v carries the body's own momentum too, which is parallel to v and drops out.
+// Time derivative of the twist (physics.md, section 3). P, L: momenta over the mass unit, w = u/(d s).
+//   P' = P x w + weight vector - alpha rho (V + A) v + noise
+//   L' = L x w + P x v/(d s) + b x R^T g - alpha rho D' (u - fluid spin) + noise
+// In Munk's moment P x v the body's own momentum is parallel to v and drops out.
 template <bool kFull, bool kAerodynamic, class C>
 HWY_INLINE Twist twist_rate(const StepInput& in, const C& c, const Held& held, Quaternion q, Twist t) {
     const Twist p = moving_momentum<kFull, kAerodynamic>(c, held.shed, momentum<kFull>(c, t), t);
@@ -31,7 +31,7 @@ HWY_INLINE Twist twist_rate(const StepInput& in, const C& c, const Held& held, Q
     if (!kAerodynamic && in.loads == Loads::langevin) {
         VF alpha = held.alpha;
         if (in.clock == Clock::speed) alpha = constant(c.speed_alpha) * held.inverse_length * hn::Sqrt(dot(t.v, t.v));
-        if (held.sheared) t.u -= to_body(q, held.fluid_spin); // drag acts on the spin through the fluid
+        if (held.sheared) t.u -= to_body(q, held.fluid_spin); // the drag of spin acts on the spin relative to the fluid
         const Twist d = dragged<kFull>(c, t);
         f.v = f.v + held.noise.v - alpha * d.v;
         f.u = f.u + held.noise.u - alpha * d.u;
@@ -39,7 +39,7 @@ HWY_INLINE Twist twist_rate(const StepInput& in, const C& c, const Held& held, Q
     return acceleration<kFull>(c, f);
 }
 
-// The paper's scheme: classical Runge-Kutta, with the noise fixed over its stages (docs/maintainers/physics.md section 4, numerics.md).
+// The paper's scheme: classical Runge-Kutta with the noise fixed over the stages (physics.md, section 4; numerics.md).
 template <bool kFull, bool kAerodynamic, class C>
 HWY_INLINE void rk4_substep(const StepInput& in, const C& c, Held& held, VF beta_unit, const VF gauss[6], Body& b) {
     const VF h = constant(in.h), half = constant(0.5f * in.h), quarter = constant(0.25f * in.h);
@@ -109,7 +109,7 @@ HWY_INLINE void rk4_substep(const StepInput& in, const C& c, Held& held, VF beta
     grow_older(b, h);
 }
 
-// External forces over a step in kernel units (body_constants.h). Forces on single bodies are consumed: zeros remain for the next step.
+// External forces over a step, in kernel units. Clears those on single bodies for the next step.
 template <class C>
 static HWY_NOINLINE External take_external(const ExternalInput& in, const C& c, VF body_scale, size_t at) {
     VF sum[force_components];
@@ -136,7 +136,7 @@ static HWY_NOINLINE External take_external(const ExternalInput& in, const C& c, 
     return out;
 }
 
-// The uniform wind in the middle of a substep.
+// Uniform wind in the middle of a substep.
 HWY_INLINE Vec3 wind_of_substep(const StepInput& in, uint32_t i) {
     const float part = (static_cast<float>(i) + 0.5f) / static_cast<float>(in.substeps);
     float wind[3];
@@ -144,7 +144,7 @@ HWY_INLINE Vec3 wind_of_substep(const StepInput& in, uint32_t i) {
     return broadcast(wind);
 }
 
-// Rate and variance of gusts.
+// Rate and stationary variance of gusts.
 struct Gusts {
     VF alpha, variance;
 };
@@ -159,8 +159,8 @@ template <class A> HWY_INLINE Gusts gusts_at(const StepInput& in, const A& a, co
     return {alpha, constant(a.gust_gain) * beta_squared / (alpha + alpha + constant(1e-20f))};
 }
 
-// One motion of a substep. A body is in its own patch of moving air: quasi-steady motion through the patch, and at the end of the substep the patch's
-// next velocity; the body's world velocity stays. The wake advances once in a substep, before its first motion.
+// One motion of a substep. The body is in a patch of air with its own gust: it moves through the patch, and after the last motion the patch takes its
+// next velocity while the body keeps its velocity in the world. The wake advances once a substep, before the first motion.
 template <bool kFull, Integrator kIntegrator, class C>
 HWY_INLINE void aerodynamic_motion(const StepInput& in, const C& c, Held& held, VU noise_seed, uint32_t substep,
                                    uint32_t motion, Body& b) {
@@ -194,7 +194,7 @@ HWY_INLINE void aerodynamic_motion(const StepInput& in, const C& c, Held& held, 
     b.gust = without_dust(next_gust(b.gust, gusts.alpha, gusts.variance, in.h, gauss));
 }
 
-// The motions of a substep: one, but for the splitting scheme with AERODYNAMIC loads.
+// Motions in a substep: one, except in the splitting scheme with AERODYNAMIC loads.
 template <bool kAerodynamic, Integrator kIntegrator> HWY_INLINE uint32_t motions_of(const StepInput& in) {
     return kAerodynamic && kIntegrator == Integrator::splitting ? in.motions : 1;
 }
@@ -216,7 +216,7 @@ HWY_INLINE void one_motion(const StepInput& in, const C& c, Held& held, VU noise
         rk4_substep<kFull, false>(in, c, held, beta_unit, gauss, b);
 }
 
-// Calls f<kFull, kAerodynamic>() for the batch, in the body's frame. Bodies without loads use the LANGEVIN variant.
+// Calls f<kFull, kAerodynamic>() for the batch, in the body's frame. Loads::none uses the LANGEVIN variant.
 template <class F> HWY_INLINE void for_variant(const StepInput& in, const F& f) {
     if (in.loads == Loads::aerodynamic)
         f.template operator()<true, true>();

@@ -1,5 +1,5 @@
-// Quasi-steady loads for one vector of bodies: docs/maintainers/physics.md, "AERODYNAMIC". Kernel units and constants: body_constants.h.
-// `b`: 1/(d s). `nu`: viscosity over d s, a velocity. v: of the load centre, along the load axes.
+// Quasi-steady loads for a vector of bodies: docs/maintainers/physics.md, section 5. Kernel units and constants: body_constants.h. `b`: 1/(d s).
+// `nu`: viscosity over d s, a velocity. v: of the load centre, along the load axes.
 #if defined(LR_KERNEL_LOADS_AERODYNAMIC_LOADS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_LOADS_AERODYNAMIC_LOADS_INL_H_
 #undef LR_KERNEL_LOADS_AERODYNAMIC_LOADS_INL_H_
@@ -19,27 +19,27 @@ template <class T> HWY_INLINE Twist rows6(const T* m, Vec3 a) {
     return {rows(m, a), rows(m + 9, a)};
 }
 
-// Above zero, so that directions exist; far below any visible speed.
+// Positive, so that the direction exists; far below any visible speed.
 HWY_INLINE VF speed_squared(Vec3 v) {
     return dot(v, v) + constant(1e-20f);
 }
 
-// Below the onset of shedding a plate's wake is closed: it is renewed slowly, and stalls late. 1 far above the onset.
+// Below the onset of shedding a plate's wake is closed, is renewed slowly and stalls late: 0.4. Far above the onset: 1.
 HWY_INLINE VF open_wake(VF calm) {
     const VF one = constant(1.0f);
     return one - constant(0.6f) * hn::Min(calm, one);
 }
 
-// The flow past a plate: the stream that its attached part follows, which is partly that of the wake, and the share that is attached.
+// Flow past a plate: the stream that its attached part follows, a mean of the present one and the wake's, and the attached share.
 struct PlateFlow {
-    VF across, x2, y2, along2, inverse_along2, attached; // x2, y2, along2: squares along the plate
+    VF across, x2, y2, along2, inverse_along2, attached; // x2, y2, along2: squares in the plate's plane
 };
 template <class T> HWY_INLINE VF along_plate(const T* k, const PlateFlow& flow) {
     return constant(k[0]) * flow.x2 + constant(k[1]) * flow.y2;
 }
 template <class A> HWY_INLINE PlateFlow plate_flow(const A& c, VF nu, VF inverse_s, Vec3 lag, Vec3 v) {
     const VF one = constant(1.0f);
-    // A stream exactly along the normal is as one along both other axes by turns.
+    // Keeps a direction in the plane for a stream exactly along the normal.
     const VF least = constant(1e-20f);
     const Vec3 u = v + constant(c.wake_share) * (lag - v);
     PlateFlow out;
@@ -50,7 +50,7 @@ template <class A> HWY_INLINE PlateFlow plate_flow(const A& c, VF nu, VF inverse
     out.along2 = out.x2 + out.y2;
     out.inverse_along2 = one / out.along2;
     const VF s2 = out.along2 + a2;
-    // (sin a)^2 over that of the stall angle, to the fourth power against (cos a)^2: half of each at the stall angle.
+    // attached = cos^2 a/(cos^2 a + cos^2 a_s (sin a/sin a_s)^8): half at the stall angle a_s, with `stall` = 1/sin^2 a_s.
     const VF critical = constant(c.shedding_reynolds) * nu * inverse_s, open = open_wake(critical * critical);
     const VF stall = open * hn::Max(along_plate(c.plate_stall, out) * out.inverse_along2 - one, hn::Zero(DF())) + one;
     VF x = a2 * stall / s2;
@@ -59,7 +59,7 @@ template <class A> HWY_INLINE PlateFlow plate_flow(const A& c, VF nu, VF inverse
     out.attached = kept / (kept + s2 * (stall - one) * (x * x) + constant(1e-30f));
     return out;
 }
-// The added mass along the normal that stays in the wake; a steady wake keeps none.
+// Added mass along the normal that stays in the wake; a steady wake keeps none.
 template <class A> HWY_INLINE VF shed_mass(const A& c, const PlateFlow& flow, VF nu, VF inverse_s) {
     VF x = constant(c.steady_reynolds) * nu * inverse_s;
     x *= x;
@@ -67,13 +67,13 @@ template <class A> HWY_INLINE VF shed_mass(const A& c, const PlateFlow& flow, VF
     return (constant(1.0f) - flow.attached) * share * constant(c.separated_shed);
 }
 
-// Loads of a stream: the force is -drag v + circulation x v, per mass unit.
+// Loads of a stream, per mass unit: the force is -drag v + circulation x v.
 struct Stream {
     VF drag, shed;
     Vec3 circulation;
 };
 
-// A plate's normal force -N n is drag N v_n/s^2 and circulation N/s^2 (n x v). The drag is never negative: a wake does not push.
+// The normal force -N n of a plate equals a drag N v_n/s^2 and a circulation N/s^2 (n x v). Drag is never negative, since a wake does not push.
 template <class A> HWY_INLINE Stream stream_loads(const A& c, const Held& held, VF nu, Vec3 lag, Vec3 v, Vec3 u) {
     const VF s2 = speed_squared(v), s = hn::Sqrt(s2), inverse_s2 = constant(1.0f) / s2, root = hn::Sqrt(s * nu);
     const PlateFlow flow = plate_flow(c, nu, s * inverse_s2, lag, v);
@@ -106,7 +106,7 @@ template <class A> HWY_INLINE Stream stream_loads(const A& c, const Held& held, 
     return out;
 }
 
-// Couple of the vortices that the wake sheds.
+// Couple of vortices shed into the wake.
 template <class A> HWY_INLINE Vec3 shedding_couple(const A& c, const Held& held, const VF q[4], Vec3 v) {
     const VF size = held.lift * (v.z * v.z);
     const auto moment = [&](int i) LR_LAMBDA {
@@ -115,8 +115,8 @@ template <class A> HWY_INLINE Vec3 shedding_couple(const A& c, const Held& held,
     return {-moment(1), moment(0), hn::Zero(DF())}; // normal x force
 }
 
-// The wake follows the stream for a substep: its memory by relaxation, its oscillator as Stuart and Landau's, a rotation of (q, r) and a change of
-// its size, both exact at any step but for exp(-x). Forces use the wake in the middle of a substep, so it is advanced from middle to middle.
+// The wake over a substep: its memory relaxes towards the stream, and its oscillator (q, r) is rotated and changes its size (Stuart-Landau). Both are
+// exact at any step but for exp(-x). Forces use the wake in the middle of a substep, so it advances from middle to middle.
 template <class A>
 HWY_INLINE void advance_wake(const StepInput& in, const A& c, const Held& held, VF nu, VF fluctuation, const VF gauss[],
                              Vec3 v, Vec3 u, Body& b) {
@@ -124,10 +124,10 @@ HWY_INLINE void advance_wake(const StepInput& in, const A& c, const Held& held, 
     const VF s = hn::Sqrt(speed_squared(v)), inverse_s = one / s;
     const VF travel = constant(in.h) * held.inverse_length * s;
 
-    // The body spins about its normal below its wake.
+    // The body spins about its normal while the wake stays behind.
     const VF t = constant(0.5f * in.h) * held.inverse_length * u.z, over = one / (t * t + one);
     const VF cosine = (one - t * t) * over, sine = (t + t) * over;
-    // A wake outlives the body's motion by its own time, not for ever.
+    // By the faster of body and wake, so that the wake of a body that stops fades too.
     const VF moved = constant(in.h) * held.inverse_length * hn::Sqrt(hn::Max(speed_squared(b.lag), s * s));
     const VF steady = constant(c.shedding_reynolds) * nu * inverse_s, calm = steady * steady;
     const VF rate_of_wake = constant(c.wake_rate) * (in.body.stations.count == 0 ? open_wake(calm) : one);
@@ -149,7 +149,7 @@ HWY_INLINE void advance_wake(const StepInput& in, const A& c, const Held& held, 
         q[i + 2] = cos_shed * r - sin_shed * turned_q[i];
         size2 = q[i] * q[i] + (q[i + 2] * q[i + 2] + size2);
     }
-    // size' = growth angle (limit - size) size, by its exact solution; size: half the square of (q, r).
+    // Exact solution of size' = growth angle (limit - size) size, where size is half the square of (q, r).
     const VF limit = hn::Max(hn::Abs(v.z) * inverse_s - calm, constant(-3.0f));
     const VF rate = constant(c.shedding_growth) * angle, y = rate * limit, yy = hn::Abs(y);
     const VF rise = half * yy + one, exponential = hn::Min(yy * rise + one, constant(1e15f));
@@ -179,8 +179,8 @@ template <bool kFull, class A> HWY_INLINE Vec3 load_spin(const A& c, Twist t) {
     return rows(c.axes, t.u);
 }
 
-// Real leaves differ. Thickness multiplies all loads, as they are per mass; curl the lift, unless stations have it. Both factors are uniform with the
-// same deviation, from a hash of the noise seed (finalizer of MurmurHash3).
+// Bodies of a batch differ by lr_batch_desc.variation: thickness scales all loads, since these are per mass, and curl scales the lift (not that of
+// stations). Both factors are uniform with that standard deviation, from a hash of the noise seed (MurmurHash3's finaliser).
 HWY_INLINE void vary(const StepInput& in, VU noise_seed, Held& held) {
     held.drag = held.lift = held.inverse_length;
     if (in.variation == 0.0f) return;
@@ -189,7 +189,7 @@ HWY_INLINE void vary(const StepInput& in, VU noise_seed, Held& held) {
     x = hn::Xor(x, hn::ShiftRight<16>(x)) * hn::Set(du, 0x85ebca6bu);
     x = hn::Xor(x, hn::ShiftRight<13>(x)) * hn::Set(du, 0xc2b2ae35u);
     x = hn::Xor(x, hn::ShiftRight<16>(x));
-    const float most = in.variation * 1.7320508f; // of a uniform distribution
+    const float most = in.variation * 1.7320508f; // half width of the uniform distribution
     const auto factor = [&](VU bits) LR_LAMBDA {
         return from_signed(bits) * constant(most / 32768.0f) + constant(1.0f - most * (65535.0f / 65536.0f));
     };
@@ -198,7 +198,7 @@ HWY_INLINE void vary(const StepInput& in, VU noise_seed, Held& held) {
     if (in.body.stations.count == 0) held.lift *= factor(hn::And(x, hn::Set(du, 0xffffu)));
 }
 
-// The sum of all loads as force and torque about the centre of mass, body axes, for Runge-Kutta. shed: as in Held.
+// All loads as force and torque about the centre of mass, body axes, for Runge-Kutta. shed: as in Held.
 template <class A>
 static HWY_NOINLINE Twist aerodynamic_loads(const A& c, const Held& held, const Body& b, Twist t, VF& shed) {
     const VF nu = constant(c.viscosity) * held.inverse_length;
@@ -212,9 +212,9 @@ static HWY_NOINLINE Twist aerodynamic_loads(const A& c, const Held& held, const 
     return {f, columns(c.axes, torque) + cross(broadcast(c.arm), f)};
 }
 
-// The gust after a substep (world frame): an Ornstein-Uhlenbeck process whose rate and variance, alpha and beta^2/(2 alpha), are fixed over it.
+// Gust after a substep (world frame): an exact Ornstein-Uhlenbeck step with fixed rate alpha and variance beta^2/(2 alpha).
 HWY_INLINE Vec3 next_gust(Vec3 gust, VF alpha, VF variance, float h, const VF gauss[3]) {
-    // exp(-x), to 1e-6 for x below 1, and towards zero beyond.
+    // exp(-x): error below 1e-6 for x < 1, tends to zero beyond.
     const VF x = hn::Min(alpha * constant(0.125f * h), constant(8.0f));
     VF e = constant(1.0f) / polynomial({1.0f / 24.0f, 1.0f / 6.0f, 0.5f, 1.0f, 1.0f}, x);
     e *= e;
@@ -224,11 +224,10 @@ HWY_INLINE Vec3 next_gust(Vec3 gust, VF alpha, VF variance, float h, const VF ga
     return e * gust + kick * broadcast(gauss);
 }
 
-// The motion of a substep with quasi-steady loads: half of the free motion, loads and weight, the other half (docs/maintainers/numerics.md,
-// "AERODYNAMIC loads").
+// Splitting of a motion: half of the free motion, loads and weight, the other half. docs/maintainers/numerics.md, "AERODYNAMIC loads".
 
-// The middle of y' = f - x/tau y over tau: m = r/(1 + e), r = y plus half of tau f, as if the rate grew with y: with x/tau the rate at r, m (1 + x m/(2 r)) = r. The rate at y
-// instead would leave y unchanged for large x, and a body at rest there for long.
+// The middle m of y' = f - x/tau y over tau, if the rate grows with y: with r = y + tau f/2 and x/tau the rate at r, m (1 + x m/(2 r)) = r, or
+// m = r/(1 + e). With the rate at y instead, a large x would leave y unchanged, and hold a body at rest for long.
 HWY_INLINE VF eased(VF x) {
     return x / (constant(1.0f) + hn::Sqrt(constant(2.0f) * x + constant(1.0f)));
 }
@@ -239,17 +238,17 @@ HWY_INLINE VF over_one_and(VF r, VF e) {
 HWY_INLINE Vec3 bounded(Vec3 v, VF most, VF least) {
     return each_axis([&](VF x) LR_LAMBDA { return hn::Max(hn::Min(x, most), least); }, v);
 }
-// A couple's push of the rim in half a motion, over the stream, is bounded: in truth the body would have turned away.
+// Bound of the rim's speed by a couple in half a motion, over the stream's: a real body would have turned away.
 inline constexpr float most_rim = 8.0f;
 HWY_INLINE Vec3 bounded_push(Vec3 push, VF s) {
     const VF most = constant(most_rim) * s;
     return bounded(push, most, -most);
 }
 
-// Of the L-stable pair of implicit stages (Alexander 1977): 1 - 1/sqrt(2), and the first stage's weight in the second.
+// For the L-stable pair of implicit stages (Alexander 1977): gamma = 1 - 1/sqrt(2), and the first stage's weight in the second.
 inline constexpr float stage_gamma = 0.29289322f, stage_rest = (1.0f - stage_gamma) / stage_gamma;
 
-// The loads of one moment: the force is circulation x v - drag v, the torque couple - spin u.
+// Loads at a moment: the force is circulation x v - drag v, the torque couple - spin u.
 struct Moment {
     VF drag, shed, s;
     Vec3 circulation, spin, couple;
@@ -265,8 +264,8 @@ template <class A> HWY_INLINE Moment moment_at(const A& c, const Held& held, VF 
             shedding_couple(c, held, b.shedding, t.v)};
 }
 
-// An implicit stage of M' v' = k x v - drag v, with k and drag times its length: v = r + M'^-1 (k x v - drag v) moves v from r by S^-1 (k x r - drag r),
-// S = T - [k]x, T = M' + drag, S^-1 = (adj T + k k^T + [T k]x)/(det T + k.T k).
+// An implicit stage of M' v' = k x v - drag v, k and drag times its length: v = r + M'^-1 (k x v - drag v). So
+// v - r = S^-1 (k x r - drag r) with S = T - [k]x, T = M' + drag, S^-1 = (adj T + k k^T + [T k]x)/(det T + k.T k).
 struct Stage {
     VF drag, inverse;
     Vec3 k, tk;
@@ -274,7 +273,7 @@ struct Stage {
 };
 template <bool kFull, class C> HWY_INLINE Stage stage_of(const C& c, VF drag, Vec3 k) {
     Stage out;
-    // Beyond this a velocity decays, or turns too far, in a motion to be resolved.
+    // Bounds: beyond them the velocity decays, or turns too far to be resolved in a motion.
     const VF most = constant(5e3f);
     out.drag = hn::Min(drag, constant(1e9f));
     out.k = bounded(k, most, -most);
@@ -317,7 +316,7 @@ template <bool kFull> HWY_INLINE Vec3 moved_from(const Stage& p, Vec3 r) {
     return p.inverse * (sum + dot(p.k, f) * p.k + cross(p.tk, f));
 }
 
-// The gain of a sheet's motion in its frame by external forces.
+// Change of a sheet's motion by external forces, in its frame.
 template <class C> static HWY_NOINLINE Twist external_answer(const C& c, const External& e, Quaternion q) {
     const auto* const axes = c.aerodynamics.axes;
     const Vec3 arm = broadcast(c.aerodynamics.arm);
@@ -328,7 +327,7 @@ template <class C> static HWY_NOINLINE Twist external_answer(const C& c, const E
     return symmetric6(c.full_inverse, {f.v, f.u - cross(arm, f.v)}) + Twist{rate.v + cross(rate.u, arm), rate.u};
 }
 
-// Responses of the twist of the load centre to a vector along body axes.
+// Response of the load centre's twist to a vector along body axes.
 template <bool kFull, class T> HWY_INLINE Twist answer_to(const T* m, Vec3 f) {
     if constexpr (kFull) return rows6(m, f);
     return {{constant(m[0]) * f.x + constant(m[1]) * f.y, constant(m[3]) * f.x + constant(m[4]) * f.y,
@@ -336,7 +335,7 @@ template <bool kFull, class T> HWY_INLINE Twist answer_to(const T* m, Vec3 f) {
             {constant(m[11]) * f.z, constant(m[14]) * f.z, constant(m[15]) * f.x + constant(m[16]) * f.y}};
 }
 
-// Twist of the body about the load centre, in load axes: its gain by weight, buoyancy and external forces in half a motion.
+// Change of the twist about the load centre, load axes, by weight, buoyancy and external forces in half a motion.
 template <bool kFull, class C> HWY_INLINE Twist pull_of(float h, const C& c, const Held& held, Quaternion q) {
     const auto& a = c.aerodynamics;
     const Vec3 gravity = to_body(q, held.gravity);
@@ -353,27 +352,28 @@ template <bool kFull, class C> HWY_INLINE Twist pull_of(float h, const C& c, con
     return constant(0.5f * h) * t;
 }
 
-// The mobility of the spin about each axis alone.
+// Mobility of the spin, for each axis by itself.
 template <class C> HWY_INLINE Vec3 spin_mobility(const C& c) {
     const auto* const n = c.aerodynamics.spin_mobility;
     return {constant(n[0]), constant(n[3]), constant(n[5])};
 }
 
-// Spin along one axis under couple and drag along it; all spin answers by N e, here over e.N e, N the mobility. Axis after axis, in reverse order in the
-// other half, is of second order, contracts in the norm of N^-1, and rests at any step if couple and drag agree along every axis.
+// Spin along one axis under couple and drag along it. The whole spin responds by N e/(e.N e), N the mobility. One axis after another, in reverse
+// order in the other half: of second order, contracts in the norm of N^-1, and stays at rest if couple and drag balance along every axis.
 template <bool kFull, int kAxis, class T> HWY_INLINE Vec3 answering(const T* n, VF change, Vec3 u) {
     const auto answer = [&](int i, VF x) LR_LAMBDA { return constant(n[i]) * change + x; };
     if constexpr (kAxis == 0) return {u.x + change, answer(0, u.y), kFull ? answer(1, u.z) : u.z};
     if constexpr (kAxis == 1) return {answer(2, u.x), u.y + change, kFull ? answer(3, u.z) : u.z};
     return {kFull ? answer(4, u.x) : u.x, kFull ? answer(5, u.y) : u.y, u.z + change};
 }
-// y' = f - x/tau y over tau changes y by (1 - E)/x (tau f - x y), where exp(-2 x) = E^2 = 1/(1 + 2 x + 2 x^2): two halves are as one step of second order.
+// y' = f - x/tau y over tau changes y by (1 - E)/x (tau f - x y). With exp(-2 x) = E^2 = 1/(1 + 2 x + 2 x^2) two halves equal one step of second
+// order.
 HWY_INLINE VF relaxing(VF x) {
     const VF one = constant(1.0f), c = x + one, inverse = one / (constant(2.0f) * x * c + one);
     return (c + c) * inverse / (one + hn::Sqrt(inverse));
 }
 
-// Spin drag and couple over half a motion. x: rates times time; part: relaxing(x). A couple moves a load centre that lies off the centre of mass.
+// Spin drag and couple over half a motion. x: rates times time; part: relaxing(x). A couple also moves a load centre that is off the centre of mass.
 template <bool kFull, class C>
 HWY_INLINE Twist spin_half(const C& c, Vec3 x, Vec3 part, Vec3 push, bool before_drag, Twist t) {
     const auto* const n = c.aerodynamics.spin_answer;
@@ -388,7 +388,7 @@ HWY_INLINE Twist spin_half(const C& c, Vec3 x, Vec3 part, Vec3 push, bool before
     return {t.v + coupled<!kFull>(c.aerodynamics.velocity_of_couple, u - t.u), u};
 }
 
-// The twist in the middle of the loads, by an implicit stage of half their length with the circulation and couple of `m`. drag, spin: times half of h.
+// Twist in the middle of the loads, by an implicit stage of half their length with circulation and couple of `m`. drag, spin: times h/2.
 template <bool kFull, class C>
 HWY_INLINE Twist middle_by(float h, const C& c, const Moment& m, VF drag, Vec3 spin, const Twist& pull,
                            const Twist& t) {
@@ -410,14 +410,14 @@ HWY_INLINE Twist middle_by(float h, const C& c, const Moment& m, VF drag, Vec3 s
     return out;
 }
 
-// In the middle of a motion: the velocity of the load centre, and the added mass along the normal that stays in the wake.
+// In the middle of a motion: velocity of the load centre, added mass along the normal that stays in the wake.
 struct Middle {
     Vec3 v;
     VF shed;
 };
 
-// Loads and weight at a fixed orientation. The twist in the middle is found twice: with the loads of the start, then with those of the middle so found.
-// Drag, circulation and weight then act together, by an L-stable pair of implicit stages (Alexander 1977) with the loads of the middle.
+// Loads and weight at a fixed orientation. The twist in the middle is found twice, from the loads at the start and from those of the first middle.
+// With the loads there, drag, circulation and weight act together in an L-stable pair of implicit stages (Alexander 1977).
 template <bool kFull, class C>
 HWY_INLINE Middle loads_in_middle(float h, const C& c, const Held& held, VF nu, Body& b) {
     const auto& a = c.aerodynamics;
@@ -435,7 +435,7 @@ HWY_INLINE Middle loads_in_middle(float h, const C& c, const Held& held, VF nu, 
     Moment m = moment_at(a, held, nu, b, before);
     const Vec3 r = before.v + pull.v, ur = before.u + pull.u + bounded_push(times(rate, m.couple), m.s);
     const VF r2 = speed_squared(r), mass = dot(r, block<!kFull>(a.centre_mass, r)) / r2;
-    // The drag of r, as if it grew with the speed.
+    // Drag at r if it grows with the speed.
     const VF x = constant(h) * m.drag * hn::Sqrt(r2) / (m.s * mass);
     const Vec3 spin = constant(2.0f) * times(rate, spin_drag_rate(a, held.drag, nu, m.s, ur));
     Twist middle = middle_by<kFull>(h, c, m, mass * eased(x), each_axis(eased, spin), pull, before);
@@ -456,7 +456,7 @@ HWY_INLINE Middle loads_in_middle(float h, const C& c, const Held& held, VF nu, 
     t.u += pull.u + pull.u + coupled<!kFull>(a.spin_of_force, gained - (pull.v + pull.v));
     t = spin_half<kFull>(c, rates, relax, push, false, t);
     if constexpr (kFull) {
-        // Only the change: a round trip through the load axes would round the whole.
+        // Adds the change alone: to load axes and back would round the whole.
         const Vec3 u = columns(a.axes, t.u - before.u);
         b.t += Twist{columns(a.axes, t.v - before.v) - cross(u, broadcast(a.arm)), u};
     } else {
@@ -466,8 +466,8 @@ HWY_INLINE Middle loads_in_middle(float h, const C& c, const Held& held, VF nu, 
     return {middle.v, m.shed};
 }
 
-// Free motion has the largest error, growing with the square of its step: it takes the two outer places, the loads the middle.
-// Returns the velocity of the load centre in the middle.
+// Free motion has the largest error, which grows with the square of its step: it takes the outer halves. Returns the load centre's velocity in the
+// middle.
 template <bool kFull, class C> HWY_INLINE Vec3 splitting_motion(float h, const C& c, Held& held, VF nu, Body& b) {
     const auto& a = c.aerodynamics;
     const Vec3 v = centre_velocity<kFull>(a, b.t);

@@ -1,4 +1,4 @@
-// The loads of the flow on one body, for those who look at it: lr_body_get_loads. Compiled once, with the scheme by Runge and Kutta, whose functions it shares.
+// The fluid's loads on one body, for lr_body_get_loads(). Compiled once, next to Runge-Kutta, whose functions it shares.
 #if defined(LR_KERNEL_LOADS_BODY_LOADS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_LOADS_BODY_LOADS_INL_H_
 #undef LR_KERNEL_LOADS_BODY_LOADS_INL_H_
@@ -15,7 +15,7 @@ namespace lr::LR_KERNEL_NAMESPACE {
 HWY_INLINE void body_loads(const StepInput& in, const BodyConstants& c, const BatchArrays& arrays,
                            const float (&fluid)[3], lr_body_loads& out) {
     const auto& a = c.aerodynamics;
-    const auto put = [](Vec3 v, float* to) LR_LAMBDA { // alike in all lanes
+    const auto put = [](Vec3 v, float* to) LR_LAMBDA { // all lanes are equal
         to[0] = least_lane(v.x), to[1] = least_lane(v.y), to[2] = least_lane(v.z);
     };
     const Body b = load_body<true>(arrays, 0);

@@ -1,6 +1,6 @@
-// Loads of bodies with stations, and their substep: docs/maintainers/physics.md, "Stations"; numerics.md, "Stations". Kernel units: body_constants.h.
-// The loads of all stations are -(S - W) (v, u), S symmetric and positive, W skew. So are Kirchhoff's products of momentum and velocity, W alone. One
-// linear system then solves all of motion at once, and gains no energy at any step.
+// Loads of bodies with stations, and their substep: docs/maintainers/physics.md, section 5.4; numerics.md, "Stations". Kernel units:
+// body_constants.h. The loads of all stations are -(S - W) (v, u) with S symmetric and positive, W skew. Kirchhoff's products have this form
+// with S = 0. So one linear system solves all motion at once, and no step gains energy.
 #if defined(LR_KERNEL_LOADS_STATION_LOADS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_LOADS_STATION_LOADS_INL_H_
 #undef LR_KERNEL_LOADS_STATION_LOADS_INL_H_
@@ -16,21 +16,21 @@
 HWY_BEFORE_NAMESPACE();
 namespace lr::LR_KERNEL_NAMESPACE {
 
-// S by blocks, upper triangles: drag on v, `mixed` from u to v and its transpose back, spin_drag on u.
+// S in blocks (upper triangles): drag on v, `mixed` from u to v and its transpose back, spin_drag on u.
 // W: [turn]x on v, `couple` from u to v and its negative transpose back, [spin]x on u.
 struct Resistance {
     VF drag[6], spin_drag[6];
     Matrix mixed;
     Vec3 turn, spin;
     Matrix couple;
-    Twist lost; // momentum that separated streams have shed
+    Twist lost; // momentum shed by separated streams
 };
 
 HWY_INLINE VF along6(const float* k, const Twist& t) {
     return weighted(k, t.v) + weighted(k + 3, t.u);
 }
 
-// behind_body: the stream that the wake remembers less the present one, body axes.
+// behind_body: the wake's stream less the present one, body axes.
 template <class A>
 HWY_INLINE void add_station(const StationConstants& k, const A& a, const Held& held, VF nu, Vec3 behind_body,
                             const Twist& t, Resistance& out) {
@@ -52,7 +52,7 @@ HWY_INLINE void add_station(const StationConstants& k, const A& a, const Held& h
 
     const VF s2 = speed_squared(u), s = hn::Sqrt(s2), inverse_s2 = one / s2, root = hn::Sqrt(s * nu);
     const Vec3 part = inverse_s2 * times(u, u);
-    // The normal force: `stiff` times the stream along the normal, which opposes it, and the lift of camber and wake, across the stream.
+    // The normal force: `stiff` times the stream's normal component, against it; and the lift of camber and wake, across the stream.
     const VF open = hn::Max(one - inverse_s2 * s * dot(broadcast(k.hollow), u), zero);
     const VF lift = open * fluid_lift * attached *
                     (by_direction(k.lift) * hn::Sqrt(along) + by_direction(k.vortex) * hn::Abs(across));
@@ -75,7 +75,8 @@ HWY_INLINE void add_station(const StationConstants& k, const A& a, const Held& h
     const Vec3 r = broadcast(k.place);
     const VF twist = dot(turn, r);
     const Vec3 n = broadcast(k.along[2]), arm = broadcast(k.along[2] + 3), by = drag * r;
-    // Munk's moment puts the attached lift ahead of the middle, more than the quarter chord of a short wing: it acts as far aft as is too much.
+    // Munk's moment puts the attached lift ahead of the middle; on a short wing this is more than a quarter chord. So the lift acts farther aft by
+    // the excess.
     const VF aft = hn::Min(lift / hn::Max(stiff, least), one) * hn::Sqrt(inverse);
     const Vec3 at = arm + constant(k.lift_arm[0]) * aft * f.x * broadcast(k.axes + 3) -
                     constant(k.lift_arm[1]) * aft * f.y * broadcast(k.axes);
@@ -119,7 +120,7 @@ static HWY_NOINLINE Resistance station_resistance(const StationSet& stations, co
     for (VF& x : out.spin_drag) x = zero;
     out.mixed = out.couple = {{none, none, none}};
     out.turn = out.spin = out.lost.v = out.lost.u = none;
-    // The wake remembers the body's fall. Where its ends outrun that, as a winged seed's do, their streams are other ones.
+    // The wake remembers the fall of the whole body. Ends that move faster, as a winged seed's do, meet streams of their own.
     const Vec3 v = centre_velocity<true>(a, t);
     const VF v2 = speed_squared(v);
     const Vec3 behind = columns(a.axes, v2 / (v2 + dot(t.u, t.u)) * (lag - v));
@@ -127,7 +128,7 @@ static HWY_NOINLINE Resistance station_resistance(const StationSet& stations, co
     return out;
 }
 
-// Adds the products of a momentum with velocity and spin. g: 1/(d s).
+// Adds Kirchhoff's products of a momentum with velocity and spin. g: 1/(d s).
 HWY_INLINE void add_momentum(VF g, const Twist& mu, Resistance& out) {
     const Vec3 p = g * mu.v;
     out.spin += g * mu.u;
@@ -143,7 +144,7 @@ HWY_INLINE Twist resisted(const Resistance& k, const Twist& t) {
     return {v, u};
 }
 
-// The block of a mass matrix from spin to momentum, from its upper triangle.
+// Block of a mass matrix from spin to momentum, by its upper triangle.
 template <class T> HWY_INLINE Matrix coupling(const T* m) {
     return {{broadcast(m + 3), broadcast(m + 8), broadcast(m + 12)}};
 }
@@ -153,7 +154,7 @@ HWY_INLINE Matrix symmetric(const T& xx, const T& xy, const T& xz, const T& yy, 
     return {{{constant(xx), y, z}, {y, constant(yy), w}, {z, w, constant(zz)}}};
 }
 
-// How the products of momentum with velocity and spin change with the momentum, near a motion: blocks from v and u.
+// Derivative of Kirchhoff's products by the momentum, near a motion: blocks from v and from u.
 struct Products {
     Matrix v_of_v, v_of_u, u_of_v, u_of_u;
 };
@@ -173,10 +174,10 @@ HWY_INLINE Twist operator*(const Products& p, const Twist& t) {
     return {p.v_of_v * t.v + p.v_of_u * t.u, p.u_of_v * t.v + p.u_of_u * t.u};
 }
 
-// (M + theta (S - W))^-1: the block of v inverted, the rest by its Schur complement. Positive definite plus skew needs no pivots.
+// (M + theta (S - W))^-1 by the inverse of the block of v and its Schur complement. Positive definite plus skew needs no pivots.
 struct Factors {
     Matrix inverse;      // of the block of v
-    Matrix right, below; // inverse times the block from u to v; the block back times inverse
+    Matrix right, below; // inverse times the block from u to v; the block from v to u times inverse
     Columns rest;
 };
 template <class C> HWY_INLINE Factors factors(const C& c, VF theta, const Resistance& k, const Products& p) {
@@ -190,7 +191,7 @@ template <class C> HWY_INLINE Factors factors(const C& c, VF theta, const Resist
     const Vec3 c0 = cross(a1, a2), c1 = cross(a2, a0), c2 = cross(a0, a1); // columns of the adjugate
     const VF over = constant(1.0f) / dot(a0, c0);
     const Matrix inverse{{over * Vec3{c0.x, c1.x, c2.x}, over * Vec3{c0.y, c1.y, c2.y}, over * Vec3{c0.z, c1.z, c2.z}}};
-    // Block from u to v: M12 + theta (mixed - couple); back: M12^T + theta (mixed + couple)^T.
+    // Block from u to v: M12 + theta (mixed - couple); from v to u: M12^T + theta (mixed + couple)^T.
     const Matrix couple = theta * k.couple, both = coupling(m) + theta * k.mixed, to = both - couple - theta * p.v_of_u;
     const Matrix back = transposed(both + couple) - theta * p.u_of_v;
     Factors out{inverse, inverse * to, back * inverse, {}};
@@ -212,14 +213,14 @@ HWY_INLINE Twist solve(const Factors& f, const Twist& r) {
     return {f.inverse * r.v - f.right * u, u};
 }
 
-// Weight, buoyancy, external forces and the couple of shed vortices.
+// Weight, buoyancy, external forces, and the couple of shed vortices.
 template <class C> HWY_INLINE Twist applied(const C& c, const Held& held, Quaternion q, Vec3 couple) {
     Twist f{to_body(q, held.weight), cross(broadcast(c.buoyancy), to_body(q, held.gravity)) + couple};
     if (held.external) f += external_force<true>(c, *held.external, q);
     return f;
 }
 
-// Of shed vortices, body axes, at most what spins the rim up to a few times the stream within the substep.
+// Couple of shed vortices, body axes, bounded so that in a substep it spins the rim up to most_rim times the stream at most.
 template <class C> HWY_INLINE Vec3 body_shedding_couple(float h, const C& c, const Held& held, const VF q[4], Vec3 v) {
     const Vec3 couple = columns(c.aerodynamics.axes, shedding_couple(c.aerodynamics, held, q, v));
     const VF rim = constant(most_rim / h) * hn::Sqrt(speed_squared(v));
@@ -231,8 +232,8 @@ template <class C> HWY_INLINE Vec3 body_shedding_couple(float h, const C& c, con
             bound(couple.z, c.inverse_spin_mass[2])};
 }
 
-// The resistance to a motion, of the stations and of Kirchhoff's products with the momentum that moves along. push: receives the stations' loads by the
-// fluid's own spin.
+// Resistance to a motion: of the stations, and Kirchhoff's products with the momentum that moves along. push: receives the stations' loads by the
+// fluid's spin.
 template <class C>
 HWY_INLINE Resistance resistance(const StepInput& in, const C& c, const Held& held, VF nu, const Body& b,
                                  const Twist& t, Vec3 fluid_spin, Twist& push) {
@@ -243,9 +244,9 @@ HWY_INLINE Resistance resistance(const StepInput& in, const C& c, const Held& he
     return k;
 }
 
-// An L-stable pair of implicit stages (Alexander 1977) with the resistance in the middle, which an implicit midpoint step by half leads to: of second
-// order, with the rest state as a fixed point. Loads and products of momentum cannot add energy: the scheme is A-stable and S positive.
-// Returns the velocity of the load centre in the middle.
+// An L-stable pair of implicit stages (Alexander 1977) with the resistance in the middle, which an implicit midpoint step over half the time finds:
+// of second order, with rest as a fixed point. It is A-stable and S positive, so loads and products cannot add energy. Returns the velocity of the
+// load centre in the middle.
 template <class C>
 HWY_INLINE Vec3 station_motion(const StepInput& in, float h, const C& c, const Held& held, VF nu, Body& b) {
     const auto& a = c.aerodynamics;
@@ -274,15 +275,15 @@ HWY_INLINE Vec3 station_motion(const StepInput& in, float h, const C& c, const H
     const Twist second = solve(f, r - constant(stage_rest) * (r - momentum<true>(c, first)));
     b.t = start + (constant(1.0f - stage_gamma) * first + constant(stage_gamma) * second);
 
-    // The change of the products is not skew: no step may gain more energy than its forces give. kept: the share k of the new twist z at which
-    // k^2 z.Mz = start.M start + h f.(start + k z).
+    // The derivative of the products is not skew, so the twist is scaled: no step may gain more energy than its forces give. The factor k of the new
+    // twist z solves k^2 z.Mz = start.M start + h f.(start + k z).
     const auto work = [&](const Twist& a, const Twist& t) LR_LAMBDA { return dot(a.v, t.v) + dot(a.u, t.u); };
     const auto energy = [&](const Twist& t) LR_LAMBDA { return work(momentum<true>(c, t), t); };
     const VF now = energy(b.t), over = constant(1.0f) / hn::Max(now, constant(1e-30f));
     const VF pushed = constant(0.5f * h) * over * work(force, b.t);
     const VF begun = over * hn::Max(energy(start) + constant(h) * work(force, start), hn::Zero(DF()));
     const VF kept = hn::Sqrt(pushed * pushed + begun) + pushed;
-    // Beyond single precision, or where the products leave no solution, a body is at rest in the fluid. NaN fails the comparison.
+    // Beyond single precision, or if the products leave no solution (NaN fails the comparison), the body is put to rest in the fluid.
     const Twist still{zero3(), zero3()};
     b.t = select(now <= constant(1e30f), hn::Min(kept, constant(1.0f)) * b.t, still);
 
@@ -290,10 +291,10 @@ HWY_INLINE Vec3 station_motion(const StepInput& in, float h, const C& c, const H
     const Quaternion q1 = normalised(turn(b.q, b.q, g, constant(0.5f) * (start.u + b.t.u)));
     b.x += constant(0.5f * h) * (to_world(b.q, start.v) + to_world(q1, b.t.v));
     b.q = q1;
-    return centre_velocity<true>(a, constant(0.5f) * (start + b.t)); // whose energy is bounded, unlike that of `middle`
+    return centre_velocity<true>(a, constant(0.5f) * (start + b.t)); // its energy is bounded, that of `middle` is not
 }
 
-// Force and torque for Runge-Kutta, with the products of the momentum shed.
+// Force and torque for Runge-Kutta, with the products of the shed momentum.
 template <class C>
 static HWY_NOINLINE Twist station_loads(const StepInput& in, const C& c, const Held& held, VF nu, const Body& b,
                                         Vec3 fluid_spin, const Twist& t) {

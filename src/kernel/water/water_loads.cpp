@@ -1,9 +1,9 @@
-// Bodies at the water's surface, compiled once for each instruction set.
+// Bodies at the water surface. Compiled once for each instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernel/water/water_loads.cpp"
 #include "hwy/foreach_target.h" // IWYU pragma: keep
 
-// One vector at a time: two side by side spill so much here that they are slower, with twice the code.
+// One vector at a time: two side by side spill so much that they are slower, with twice the code.
 #ifndef LR_NO_PAIRS
 #define LR_NO_PAIRS
 #endif
@@ -22,13 +22,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace lr::HWY_NAMESPACE {
 
-// The water's surface at a vector of points (docs/reference/wind_and_water.md).
+// The water surface at a vector of points (docs/reference/wind_and_water.md).
 struct SurfaceSample {
     VF height; // m above the plane
     Vec3 normal, velocity, rate;
 };
 
-// exp(-x) for x >= 0, to 1e-6, towards zero for large x.
+// exp(-x) for x >= 0: error below 1e-6, tends to zero for large x.
 HWY_INLINE VF decay(VF x) {
     const VF y = hn::Min(x, constant(64.0f)) * constant(1.0f / 16.0f);
     const VF d = polynomial({1.0f / 720.0f, 1.0f / 120.0f, 1.0f / 24.0f, 1.0f / 6.0f, 0.5f, 1.0f, 1.0f}, y);
@@ -51,7 +51,7 @@ HWY_INLINE SurfaceSample sample_surface(const SurfaceInstant& s, Vec3 x) {
         out.normal += constant(w.amplitude * w.number) * sine[i] * k;
     }
     out.normal = constant(1.0f) / hn::Sqrt(dot(out.normal, out.normal)) * out.normal;
-    // Motion fades with depth below the wavy surface (Wheeler's stretching): no wave on another's crest moves faster than on still water.
+    // Motion fades with depth below the wavy surface (Wheeler stretching): a wave on another one's crest moves no faster than on still water.
     const VF depth = hn::Max(out.height - dot(up, from), zero);
     for (uint32_t i = 0; i < s.wave_count; ++i) {
         const WaveInstant& w = s.waves[i];
@@ -64,16 +64,16 @@ HWY_INLINE SurfaceSample sample_surface(const SurfaceInstant& s, Vec3 x) {
     return out;
 }
 
-// Immersion of the equivalent ellipsoid: scaled to a sphere, a plane cuts a cap off it.
+// Immersion of the equivalent ellipsoid: scaled to a sphere, from which a plane cuts a cap.
 struct Immersion {
-    VF fraction;    // of the volume under the surface
-    Vec3 center;    // m, body frame: fraction times the submerged centre, from the centre of mass
-    VF half_height; // m, of the ellipsoid along the normal
+    VF fraction;    // of the volume in water
+    Vec3 center;    // m, body frame: fraction times the submerged part's centre, from the centre of mass
+    VF half_height; // m, of the ellipsoid along the surface's normal
     VF second;      // 3/16 (1 - s^2)^2
     Vec3 normal;    // body frame
 };
 
-// blur: m. A body thinner than its fall in a substep counts as that thick, or it would miss the surface.
+// blur: m. A body thinner than its fall in a substep counts as that thick; else it would jump over the surface.
 HWY_INLINE Immersion immersed(const WaterBody& w, const SurfaceInstant& plane, VF body_scale, Quaternion q, Vec3 x,
                               VF height, Vec3 normal, float blur) {
     const VF one = constant(1.0f);
@@ -95,11 +95,12 @@ HWY_INLINE Immersion immersed(const WaterBody& w, const SurfaceInstant& plane, V
     return out;
 }
 
-// Constants of bodies with a part f in water: rho(f) = rho_a + f (rho_w - rho_a) in all that scales with density (docs/reference/wind_and_water.md).
+// Constants of bodies with a share f in water. All that scales with density has rho(f) = rho_a + f (rho_w - rho_a)
+// (docs/reference/wind_and_water.md).
 
 using LaneConstants = BodyConstantsOf<VF>;
 
-// Eigenvalues on the diagonal of `a`, eigenvectors in columns of `v`: cyclic Jacobi. Seven sweeps, for all lanes, leave only rounding for six rows.
+// Eigenvalues to the diagonal of `a`, eigenvectors to columns of `v`: cyclic Jacobi. For six rows seven sweeps leave only rounding, in all lanes.
 template <int N> static HWY_NOINLINE void eigen(VF (&a)[N][N], VF (&v)[N][N]) {
     const VF zero = hn::Zero(DF()), one = constant(1.0f);
     for (int i = 0; i < N; ++i)
@@ -138,7 +139,7 @@ HWY_INLINE VF water_share(const WaterBody& w, VF f) {
     return wet / ((constant(1.0f) - f) * constant(w.air_density) + wet);
 }
 
-// Such structs contain numbers alone. Unrolled: a loop takes a hundredth of a wet body's step.
+// For structs of numbers alone. Unrolled, since a loop takes a hundredth of a wet body's step.
 template <template <class> class Numbers, class Function> HWY_INLINE void each_of(const Function& function) {
     [&]<size_t... kIndex>(std::index_sequence<kIndex...>) LR_LAMBDA {
         (function(kIndex), ...);
@@ -154,7 +155,7 @@ template <template <class> class Numbers> HWY_INLINE VF* numbers(Numbers<VF>& of
 
 HWY_INLINE void blend_aerodynamics(const AerodynamicConstants& a, const AerodynamicConstants& w, const Shares& mean,
                                    VF wet, AerodynamicConstantsOf<VF>& out) {
-    // The dynamic viscosity is linear in the fraction.
+    // The dynamic viscosity is linear in the share.
     out.viscosity = Shares{constant(1.0f) - wet, wet}(a.viscosity, w.viscosity);
     const float *const loads = numbers<FluidLoadsOf>(a), *const wet_loads = numbers<FluidLoadsOf>(w);
     each_of<FluidLoadsOf>([&](size_t i) LR_LAMBDA { numbers<FluidLoadsOf>(out)[i] = mean(loads[i], wet_loads[i]); });
@@ -167,7 +168,7 @@ static HWY_NOINLINE void aerodynamic_frame(LaneConstants& c) {
     set_frame(hn::Zero(DF()), constant(1.0f), c);
 }
 
-// Modes in which mass is 1 and the turbulent damping diagonal: with Z = X (1 + f lambda)^-1/2 mass is 1 already, and Jacobi makes Z^T W Z diagonal.
+// Modes with mass 1 and diagonal damping: with Z = X (1 + f lambda)^-1/2 mass is 1, and Jacobi makes Z^T W Z diagonal.
 static HWY_NOINLINE void langevin_modes(bool damped, const WaterBody& w, VF f, VF unit, LaneConstants& c) {
     const VF one = constant(1.0f), root = hn::Sqrt(unit);
     VF stretch[6], z[6][6], q[6][6];
@@ -313,14 +314,14 @@ HWY_NOINLINE Immersion immersed_at(const StepInput& in, const WetSubstep& s, con
     return immersed(*s.body, *s.plane, body_scale, q, x, load1(b.height, at), load3(b.normal, at), blur_of(in, s));
 }
 
-// The waves that a body makes take its motion along the surface's normal (docs/reference/wind_and_water.md, "Waves that bodies make"): minus the
-// share that half a substep takes, over the mobility along the normal, in mass units of the body in air.
+// Loss of motion along the surface's normal by the waves that the body makes (docs/reference/wind_and_water.md, "Waves that bodies make"): minus the
+// share lost in half a substep, over the mobility along the normal, in mass units of the body in air.
 HWY_NOINLINE VF radiated(const StepInput& in, const WetSubstep& s, const Immersion& at, VF body_scale, VF mobility) {
     const WaterBody& w = *s.body;
     const float *const a = w.semi_axes_squared, *const g = s.gravity;
     const VF one = constant(1.0f);
     const Vec3 along = rows(w.axes, at.normal), stretched = scaled_by(a, along);
-    // At scale 1. Not blurred: the waterplane of a thin body does not depend on the step.
+    // At scale 1. Without blur: a thin body's waterplane does not depend on the step.
     const VF squared = dot(stretched, along), per_height = one / hn::Sqrt(squared);
     const VF part = hn::Sqrt(constant(16.0f / 3.0f) * at.second); // of the section through the centre
     const VF waterplane = constant(0.75f) * part * per_height;    // over the volume
@@ -339,8 +340,8 @@ HWY_NOINLINE VF radiated(const StepInput& in, const WetSubstep& s, const Immersi
     return (one / relaxation(x).d - one) / mobility;
 }
 
-// Fluid that the body begins to move must be accelerated: momentum is kept. Fluid that it leaves keeps its own momentum, and the body its velocity.
-// Waves are made at the pose `at`, before or after it. None of these gains energy. v, u: relative to the water.
+// Change of added mass in a substep. Fluid that the body begins to move is accelerated, with momentum conserved. Fluid that it leaves keeps its
+// momentum, and the body its velocity. Waves are made at the pose `at`, before or after that. None of this adds energy. v, u: relative to the water.
 template <bool kFull>
 HWY_NOINLINE Twist struck(const StepInput& in, const WetSubstep& s, const Immersion& at, VF body_scale, bool ends,
                           VF before, VF after, Twist t) {
@@ -363,12 +364,12 @@ HWY_NOINLINE Twist struck(const StepInput& in, const WetSubstep& s, const Immers
                    lambda);
     if (ends) y += sum(along, y) * push;
     if constexpr (!kFull) return y;
-    // Only the change: a zero change must keep every bit.
+    // Adds the change alone: a zero change must keep every bit.
     return t + general6<false>(w.from, y - was);
 }
 
-// Weight and buoyancy of a body between the fluids, over the mass unit. Restoring loads are weakened by 1 + h^2/4 times their steepest rate: this
-// makes the scheme, position Verlet, stable for any substep.
+// Weight and buoyancy between the fluids, over the mass unit. Restoring loads are divided by 1 + h^2/4 times their steepest rate, which makes
+// position Verlet stable for any substep.
 struct Floating {
     Vec3 force;  // world
     Vec3 torque; // body frame, over d s
@@ -397,7 +398,7 @@ HWY_NOINLINE Floating floating(const StepInput& in, const WetSubstep& s, const L
     const VF less = one / (one + heave) - one;
     out.force += less * dot(normal, out.force) * normal;
 
-    // About each axis of the ellipsoid.
+    // For each axis of the ellipsoid.
     const VF area = body_scale * body_scale, gyration = inverse_length * inverse_length;
     const VF arm = pull * hn::Sqrt(dot(middle, middle));
     const Vec3 spin = broadcast(c.inverse_spin_mass);
@@ -413,7 +414,7 @@ HWY_NOINLINE Floating floating(const StepInput& in, const WetSubstep& s, const L
     return out;
 }
 
-// By the splitting scheme, whatever integrator the batch has in air.
+// Always by the splitting scheme, whatever integrator the batch uses in air.
 template <bool kFull, bool kAerodynamic>
 HWY_NOINLINE void step_wet_bodies(const StepInput& in, const WetSubstep& s, const BatchArrays& a, size_t count) {
     const VF zero = hn::Zero(DF()), half = constant(0.5f * in.h);
@@ -424,7 +425,7 @@ HWY_NOINLINE void step_wet_bodies(const StepInput& in, const WetSubstep& s, cons
         const VF length = body_scale * constant(in.body.length);
         const VF inverse_length = constant(1.0f) / length;
         const Vec3 spin = load3(a, field_wx, at);
-        Twist world{load3(a, field_vx, at), length * spin}; // of the body, body axes
+        Twist world{load3(a, field_vx, at), length * spin}; // the body's own, body axes
 
         const Quaternion q = normalised(turn(b.q, b.q, constant(0.25f * in.h), spin));
         const Immersion begin = immersed_at(in, s, *s.begin, at, body_scale, b.q, b.x);
@@ -454,11 +455,11 @@ HWY_NOINLINE void step_wet_bodies(const StepInput& in, const WetSubstep& s, cons
         External external{};
         for (Twist* t : {external.force, external.force + 1, external.rate, external.rate + 1}) *t = {none, none};
         if (in.external.any) external = take_external(in.external, c, body_scale, at);
-        // In the body's frame: in the world's, a step that turns the body unexpectedly would apply it about an axis without torque or inertia.
+        // As a torque in the body's frame: in the world's, a step that turns the body far would apply it about an axis without torque or inertia.
         external.force[1].u += loads.torque;
         held.external = &external;
 
-        // The frame accelerates with the fluid.
+        // The frame moves with the fluid, which accelerates.
         const Vec3 half_change = half * wet * rate;
         b.t = {world.v - to_body(b.q, held.wind - half_change), world.u};
         const VU noise_seed = load1(a.noise_seed, at);
