@@ -1,4 +1,4 @@
-// A caller's field function, and whether it has returned invalid values.
+// A caller's wind or water callback, and whether it has given invalid values.
 #pragma once
 
 #include "base/float_mode.h"
@@ -14,18 +14,18 @@ public:
         blamed_.store(false, std::memory_order_relaxed);
         told_ = false;
     }
-    // Replaces it by a function with the same results: earlier complaints still hold.
+    // For a function with the same results: a report made before is not repeated.
     void replace_callback(Function* function, void* user) { callback_ = function, user_ = user; }
     Function* callback() const { return callback_; }
     void* callback_user() const { return user_; }
 
     template <class Query> void ask_callback(const Query& query) const {
-        const FloatMode mode; // restores the mode after the callback
+        const FloatMode mode; // restores the caller's mode after the callback
         callback_(user_, &query);
     }
-    // Any worker.
+    // Any thread.
     void blame_callback() { blamed_.store(true, std::memory_order_relaxed); }
-    // True at most once for each callback.
+    // Whether to report an invalid value: true at most once per callback.
     bool take_blame() {
         if (told_ || !blamed_.load(std::memory_order_relaxed)) return false;
         return told_ = true;

@@ -21,7 +21,7 @@ bool normalise(Double3& v) {
     v = v / length(v);
     return true;
 }
-// The unit vector in the plane along a wave's direction; false if it is nearly normal to the plane.
+// Unit vector along a wave's direction in the plane; false if the direction is nearly normal to the plane.
 bool in_plane(const lr_wave& wave, Double3 up, Double3& out) {
     out = to_double(vector_of(wave.direction));
     if (!normalise(out)) return false;
@@ -29,7 +29,7 @@ bool in_plane(const lr_wave& wave, Double3 up, Double3& out) {
     return dot(out, out) > 1e-6 && normalise(out);
 }
 
-// rad/s, for deep water: omega^2 = g k.
+// rad/s. Dispersion in deep water: omega^2 = g k.
 double frequency_of(const lr_wave& wave, Double3 gravity) {
     return std::sqrt(turn * length(gravity) / wide(wave.length));
 }

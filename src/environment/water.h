@@ -1,4 +1,4 @@
-// The water surface: its description, its waves in time, and the caller's callback. docs/reference/wind_and_water.md.
+// The water surface: plane, waves in time, and the caller's callback. docs/reference/wind_and_water.md.
 #pragma once
 
 #include "base/pose.h"
@@ -28,17 +28,17 @@ public:
 
     bool present() const { return record_.present != 0; }
     const lr_water_desc& desc() const { return record_.desc; }
-    // The desc has been checked.
+    // The desc must be valid.
     void set(const lr_water_desc& desc, const float gravity[3]);
     void clear() { record_ = Record{}; }
 
     SurfaceInstant at(double time) const;
     float highest() const; // m above the plane
-    // Whether a body in this box, at rest until now, feels that the water is no longer as it was in `before`.
+    // Whether the change from `before` affects a body at rest in this box.
     bool changes(const Record& before, const Box& box) const;
     uint64_t hash() const; // 0 without water
 
-    // Calls the callback for the first `count` bodies of a block, which is preset to the values of plane and waves. Any worker.
+    // Calls the callback for the first `count` bodies of a block, which holds the values of plane and waves. Any thread.
     void ask(double time, lr_batch batch, uint32_t count, const SurfaceInstant& plane, SurfaceBlock& block);
 
 private:

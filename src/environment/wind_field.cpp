@@ -26,7 +26,7 @@ lr_status WindField::make(const SourceDesc& desc, double time, uint64_t seed, Gr
             grid->values[i] = desc.samples[i];
             grid->fastest = std::max(grid->fastest, std::abs(desc.samples[i]));
         }
-        grid->values[static_cast<size_t>(count)] = 0.0f; // the kernel reads samples as four floats
+        grid->values[static_cast<size_t>(count)] = 0.0f; // the kernel loads samples as four floats
         grid->hash = hash_samples(desc, desc.samples);
     }
     if (grid) ++grid->references;
@@ -117,7 +117,7 @@ lr_status WindField::update(lr_wind_source handle, const SourceDesc& desc, doubl
     const bool keep = desc.kind == SourceDesc::grid && !desc.samples;
     if (keep && (!std::equal(desc.counts, desc.counts + 3, old.counts) || desc.frames != old.frames))
         return LR_ERROR_NULL_ARGUMENT;
-    // Gusts continue: otherwise a caller that sets their speed in every frame would keep them at their beginning.
+    // Gusts keep their age: a caller that sets their speed in each frame would otherwise hold them at their start.
     if (desc.kind == SourceDesc::gusts) time = slot.source->since;
     return put(slot, desc, time, seed, keep ? slot.source->grid : nullptr);
 }
@@ -133,7 +133,7 @@ bool WindField::remove(lr_wind_source handle) {
     return true;
 }
 
-// part: share of the step, 0 to 1.
+// part: fraction of the step, 0 to 1.
 void WindField::uniform_at(const UniformWind& over, double part, double time, double (&wind)[3]) const {
     for (size_t k = 0; k < 3; ++k) {
         const auto from = static_cast<double>(over.before[k]), to = static_cast<double>(over.wind[k]);
@@ -144,7 +144,7 @@ void WindField::uniform_at(const UniformWind& over, double part, double time, do
             slot.source->gusts.add(time - slot.source->since, wind);
 }
 
-// Everything but the uniform wind and the gusts.
+// All but the uniform wind and the gusts.
 void WindField::fill(FieldInstant& to, SourceInstant* sources, double time, const Carried& carried,
                      uint64_t seed) const {
     to.sources = sources;
@@ -160,7 +160,7 @@ void WindField::fill(FieldInstant& to, SourceInstant* sources, double time, cons
         to.reference += slot.source->fastest();
         ground = ground || slot.source->desc.kind == SourceDesc::ground;
     }
-    // Over ground the uniform part also has a gradient.
+    // The wind profile over ground gives the uniform wind a gradient too.
     if (ground)
         for (float w : to.wind) to.reference += std::abs(w);
 }
@@ -176,7 +176,7 @@ void WindField::prepare(const StepTime& t, const UniformWind& over, uint32_t fir
         Carried carried{};
         const double part = middle / t.substeps, seconds = middle * t.h;
         for (size_t k = 0; k < 3; ++k) {
-            // + 0.0f: no zero is negative, so a source that adds nothing changes no bit.
+            // + 0.0f removes negative zeros, so that a source without wind changes no bit.
             to.wind[k] = static_cast<float>(0.5 * (begin[k] + end[k])) + 0.0f;
             to.change[k] = static_cast<float>(end[k] - begin[k]) + 0.0f;
             const auto before = static_cast<double>(over.before[k]), last = static_cast<double>(over.wind[k]);

@@ -1,4 +1,4 @@
-// All wind of a world: the uniform wind and its changes, sources, the caller's own field. docs/reference/wind_and_water.md.
+// The wind of a world: uniform wind and its changes, sources, the caller's callback. docs/reference/wind_and_water.md.
 #pragma once
 
 #include "environment/field_callback.h"
@@ -13,10 +13,10 @@ namespace lr {
 struct UniformWind {
     float wind[3] = {0.0f, 0.0f, 0.0f};   // m/s, at the end of the next step
     float before[3] = {0.0f, 0.0f, 0.0f}; // m/s, at the end of the last step
-    double drift[3] = {0.0, 0.0, 0.0};    // m, its way since the world began
+    double drift[3] = {0.0, 0.0, 0.0};    // m, displacement of the air since the world began
 };
 
-// Times of a step, of which a slice of substeps is prepared.
+// Times of a step. The field is prepared for slices of its substeps.
 struct StepTime {
     double begin; // s, world time at the beginning of the step
     double h;     // s, one substep
@@ -33,10 +33,10 @@ public:
     WindField(const WindField&) = delete;
     WindField& operator=(const WindField&) = delete;
 
-    // Whether there is more than the uniform wind.
+    // Whether there is any wind but the uniform one.
     bool active() const { return used_ != 0 || callback(); }
 
-    // The desc has been checked; a source to update exists and is of the same kind. A failed call changes nothing.
+    // The desc must be valid; a source to update must exist and have the same kind. A failed call changes nothing.
     lr_status add(const SourceDesc& desc, double time, uint64_t seed, lr_wind_source& out);
     lr_status update(lr_wind_source source, const SourceDesc& desc, double time, uint64_t seed);
     bool remove(lr_wind_source source);
@@ -51,14 +51,14 @@ public:
         }
     }
 
-    // Prepares substeps first to first + count of a step, count up to `slice`. over: the uniform wind in it.
+    // Prepares `count` substeps, up to `slice`, from substep `first` of a step on. over: the uniform wind during it.
     void prepare(const StepTime& time, const UniformWind& over, uint32_t first, uint32_t count, uint64_t seed);
     void prepare_now(double time, uint64_t seed);
     const FieldInstant& instant(uint32_t i) const { return instants_[i]; }
 
     void end_step(float dt);
 
-    // Hash of everything that affects motion except the uniform wind; 0 without sources.
+    // Hash of everything that affects motion but the uniform wind; 0 without sources.
     uint64_t hash(double time) const;
 
     UniformWind uniform;
@@ -66,18 +66,18 @@ public:
 private:
     friend class WindSnapshot;
     static constexpr uint32_t capacity = LR_MAX_WIND_SOURCES;
-    // A handle is slot + 1 in the low bits, so that 0 is never one, and the slot's generation above.
+    // A handle has slot + 1 in the low bits, so it is never 0, and the slot's generation above.
     static constexpr uint32_t slot_bits = 7, last_generation = (1u << (32 - slot_bits)) - 1;
     static_assert(capacity < 1u << slot_bits);
     static uint32_t slot_of(lr_wind_source source) { return (source.id & ((1u << slot_bits) - 1)) - 1; }
 
     struct Slot {
         WindSource* source;
-        uint32_t generation; // of the source in it, or of the next
+        uint32_t generation; // of its source, or of the next one
     };
     lr_status make(const SourceDesc& desc, double time, uint64_t seed, GridSamples* grid, WindSource*& out);
     lr_status put(Slot& slot, const SourceDesc& desc, double since, uint64_t seed, GridSamples* grid);
-    // Its memory is kept for the next source.
+    // Keeps the memory for later sources.
     void release(WindSource* source);
     void keep_spares(uint32_t most);
     void release(GridSamples* grid);
@@ -90,7 +90,7 @@ private:
     Allocator* allocator_;
     Slot slots_[capacity] = {};
     uint32_t used_ = 0;
-    void* spare_[capacity] = {}; // memory of released sources: updates and restores reuse it
+    void* spare_[capacity] = {}; // memory of released sources, for updates and restores
     uint32_t spares_ = 0;
     Buffer<SourceInstant> prepared_;
     FieldInstant instants_[slice] = {};

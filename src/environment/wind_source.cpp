@@ -12,19 +12,19 @@ static_assert(int{outside_zero} == LR_WIND_OUTSIDE_ZERO && int{outside_clamp} ==
               int{outside_repeat} == LR_WIND_OUTSIDE_REPEAT);
 namespace {
 
-// A sum of octaves with energies 1, e, e^2, e^3 of the first: Kolmogorov's spectrum, e = 2^(-2/3). Eddies of half the size live 2^(-2/3) as long.
+// Octaves of turbulence have energies 1, e, e^2, e^3, e = 2^(-2/3) (Kolmogorov's spectrum). Eddies of half the size live 2^(-2/3) as long.
 constexpr double octave_amplitude = 0.79370052598409973738; // 2^(-1/3)
 constexpr double octave_energy = 0.62996052494743658238;    // 2^(-2/3)
-// The lattice of eddies with components in [-1, 1], by numbers: rms of a component, mean longitudinal integral length in cells.
+// Eddies on the lattice have components in [-1, 1]. Measured: rms of a component, mean longitudinal integral length in cells.
 constexpr double eddy_rms = 0.0725003, eddy_length = 0.3218;
-// The velocity of turbulence hardly ever exceeds this many root mean squares.
+// Speed of turbulence over its root mean square, hardly ever exceeded.
 constexpr double turbulence_peak = 4.0;
-// Largest azimuthal speed of a Lamb-Oseen vortex, times 2 pi core / circulation.
+// Largest azimuthal speed of a Lamb-Oseen vortex, over circulation/(2 pi core).
 constexpr double lamb_oseen_peak = 0.6382;
-// s. An integral length of 5.67 z (IEC 61400-1: 8.1 times 0.7 z, below 60 m) at z = 2 m, in a wind of 3 m/s: 3.8 s.
+// s. IEC 61400-1 below 60 m: an integral length of 8.1 x 0.7 z = 5.67 z. At z = 2 m in a wind of 3 m/s: 3.8 s.
 constexpr double gust_period = 4.0;
-constexpr double slow_beats = 64.0; // kernel/wind/sample_wind.cpp
-// Each octave's lattice is turned against the one before, the first against the world, by 1.1 rad about (2, 3, 6)/7: no plane shows a common pattern.
+constexpr double slow_beats = 64.0; // as in kernel/wind/sample_wind.cpp
+// Rotates each octave's lattice against the one before, the first against the world: 1.1 rad about (2, 3, 6)/7. No plane shows a common pattern.
 constexpr double lattice_turn[9] = {0.49820051967655058,  -0.69698542553354191, 0.51575920620782070,
                                     0.83079862028626160,  0.55395601749026718,  -0.053910882173887482,
                                     -0.24813281670198104, 0.45535046643264703,  0.85503570568433681};
@@ -52,7 +52,7 @@ bool slot_of(const SourceDesc& d, Double3& out) {
     return std::abs(along) < 0.999 && normalise(across, out);
 }
 
-// A time below a nanosecond counts as one: its inverse must stay finite in single precision.
+// s, at least a nanosecond: its inverse must be finite in single precision.
 double duration(const SourceDesc& d) {
     if (d.period > 0.0f) return std::max(static_cast<double>(d.period), 1e-9);
     if (d.kind == SourceDesc::gusts) return gust_period;
@@ -61,7 +61,7 @@ double duration(const SourceDesc& d) {
     return 1.0;
 }
 
-// Null if valid, else the reason; each field alone is within its limits.
+// Null if valid, else the reason. Each field by itself must be within its limits.
 const char* wrong_in(const SourceDesc& d) {
     Double3 slot{};
     switch (d.kind) {
@@ -85,12 +85,12 @@ const char* wrong_in(const SourceDesc& d) {
     }
 }
 
-// Frequencies times the integral time. 2 % of the spectrum's energy lie below, 3 % above: the sum is scaled to the requested variance.
+// Frequencies times the integral time. 2 % of the spectrum's energy are below, 3 % above; the sum is scaled to the full variance.
 constexpr double lowest = 0.005, highest = 20.0;
-// Integral times after which all harmonics have full amplitude. Slow ones would otherwise take up to 1 / lowest.
+// Integral times after which all harmonics have full amplitude; slow ones would take up to 1/lowest.
 constexpr double youth = 4.0;
 
-// Sine and cosine in double that are the same with every C library, of a phase in turns; absolute error below 1e-14.
+// Sine and cosine of a phase in turns, the same with every C library; absolute error below 1e-14.
 void sin_cos_turns(double turns, double& sine, double& cosine) {
     const double quadrant = std::floor(4.0 * turns + 0.5);
     const double x = (4.0 * turns - quadrant) * 1.57079632679489661923, z = x * x; // |x| <= pi/4
@@ -116,7 +116,7 @@ void sin_cos_turns(double turns, double& sine, double& cosine) {
     }
 }
 
-// von Karman's longitudinal spectrum, times 1/(4 rms^2 period), of f times the period.
+// Longitudinal von Karman spectrum over 4 rms^2 period, of f times the period.
 double spectrum(double f) {
     return shape::portable_pow(1.0 + 70.8 * f * f, -5.0 / 6.0);
 }
@@ -143,7 +143,7 @@ Outcome check_wind_source(const SourceDesc& source) {
     }
     if (!numbers) return LR_ERROR_NOT_FINITE;
     if (!wrong) wrong = wrong_in(source);
-    // Only a modified snapshot can fail this.
+    // Fails only for snapshots that were modified.
     if (!wrong && (std::memcmp(&same, &source, source_bytes) != 0 || type->adjusted(source) != source.kind))
         wrong = "the source has fields of another kind";
     return invalid(wrong);
@@ -186,7 +186,7 @@ float WindSource::fastest() const {
 
 namespace {
 
-// Makes one instant per octave.
+// One instant for each octave.
 void turbulence_at(const SourceDesc& desc, double time, double age, uint64_t world_seed, const Carried& carried,
                    SourceInstant* out) {
     double energy = 0.0, length = 0.0, part = 1.0, cell = 1.0;
@@ -221,11 +221,11 @@ void turbulence_at(const SourceDesc& desc, double time, double age, uint64_t wor
                 s.lattice[3 * i + k] = narrow(coordinate);
                 s.basis[3 * k + i] = narrow(axes[3 * i + k] - diagonal / 6.0);
             }
-            // In (0, 1), so that no lattice point is at the world's origin.
+            // Offset in (0, 1), so that no lattice point lies at the world's origin.
             moved += (static_cast<double>(random_bits(s.seed, i) >> 11) + 0.5) / 9007199254740992.0;
             const double whole = std::floor(moved);
             s.offset[i] = narrow(moved - whole);
-            // Cells are counted modulo 2^32, which the hash tolerates.
+            // Cell numbers wrap modulo 2^32, as in the hash.
             const auto cells = static_cast<int64_t>(std::fmod(whole, 4294967296.0));
             s.cell[i] = static_cast<int32_t>(static_cast<uint32_t>(cells));
         }
@@ -250,14 +250,14 @@ void WindSource::at(double time, uint64_t world_seed, const Carried& carried, So
     put(to_float(side), s.side);
     s.core = desc.size;
     s.half_length = desc.half_length;
-    // A limit below a micrometre counts as one, likewise.
+    // Limits are at least a micrometre: their inverse squares must be finite.
     const auto limit = [](float length) {
         const float held = std::max(length, 1e-6f);
         return length > 0.0f ? 1.0f / (held * held) : 0.0f;
     };
     const auto square = [](float v) { return static_cast<double>(v) * static_cast<double>(v); };
     const double size = static_cast<double>(desc.size);
-    // Slightly above 1, so that rounding of the test cuts nothing off.
+    // Above 1, so that rounding of the test cuts nothing off.
     constexpr double margin = 1.001;
     switch (desc.kind) {
     case SourceDesc::rankine:
@@ -339,7 +339,7 @@ Gusts::Gusts(const SourceDesc& desc, uint64_t world_seed) {
     for (size_t i = 0; i < modes; ++i) {
         const double amplitude = rms * std::sqrt(2.0 * energy[i] / total);
         double along, across, first, second;
-        // This scale makes the energy-weighted mean square angle exactly that of the spread.
+        // With this scale the energy-weighted mean square angle is that of the spread.
         sin_cos_turns(spread * angle[i] / std::sqrt(angles / total) * turn, across, along);
         sin_cos_turns(random.uniform(), first, second);
         const Double3 aside = first * sides.first + second * sides.second;
@@ -348,7 +348,7 @@ Gusts::Gusts(const SourceDesc& desc, uint64_t world_seed) {
 }
 
 void Gusts::add(double age, double (&velocity)[3]) const {
-    if (!(age > 0.0)) return; // for example for a batch that catches up on time before the source was added
+    if (!(age > 0.0)) return; // before the gusts began, as for a batch that catches up
     for (const Mode& m : mode_) {
         const double part = std::min(m.growth * age, 1.0), grown = part * part * (3.0 - 2.0 * part);
         double sine, cosine;

@@ -1,4 +1,4 @@
-// A wind source: checks of its description, its state between steps, and the constants for the kernel.
+// A wind source: checks of its desc, its state between steps, and its constants for the kernel.
 #pragma once
 
 #include "base/allocator.h"
@@ -17,11 +17,11 @@
 
 namespace lr {
 
-// A wind source of any kind in one struct, for snapshots, recordings and hashes, and its conversion from and to each desc of the API.
-// Fields that a kind does not use keep their initial values.
+// Any kind of wind source in one struct, for snapshots, recordings and hashes, with conversions from and to the descs of the API. Unused fields keep
+// their initial values.
 struct SourceDesc {
     enum Kind : int32_t { gusts = 1, rankine, lamb_oseen, point_blower, line_blower, turbulence, grid, ground };
-    uint32_t struct_size = 144; // also with pointers of 32 bits
+    uint32_t struct_size = 144; // also where pointers have 32 bits
     int32_t kind = 0;
     float position[3] = {}, direction[3] = {1.0f, 0.0f, 0.0f}, side[3] = {0.0f, 0.0f, 1.0f}, velocity[3] = {};
     float speed = 1.0f, circulation = 1.0f, size = 1.0f, radius = 0.0f, half_length = 0.0f, range = 10.0f;
@@ -33,7 +33,7 @@ struct SourceDesc {
     uint32_t reserved = 0;
     const float* samples = nullptr; // of a caller's grid, not owned
 };
-// Bytes that say what a source is: everything but the pointer to samples that were copied.
+// Bytes that define a source: all but the pointer, since samples are copied.
 inline constexpr size_t source_bytes = offsetof(SourceDesc, samples);
 static_assert(source_bytes == 136);
 
@@ -43,15 +43,15 @@ struct Limits {
 namespace limits {
 inline constexpr Limits place{-1e9, 1e9}, wind{-1000.0, 1000.0}, speed{0.0, 1000.0};
 inline constexpr Limits length{0.0, 1e6},
-    some{static_cast<double>(1e-4f), 1e6}; // the float nearest to 1e-4, which is below it
+    some{static_cast<double>(1e-4f), 1e6}; // the lower limit is the float nearest to 1e-4, slightly less
 inline constexpr Limits part{0.0, 1.0}, time{0.0, 1e6}, turn{-1e6, 1e6}, octaves{1.0, 4.0};
 inline constexpr Limits outside{0.0, LR_WIND_OUTSIDE_REPEAT}, samples{1.0, LR_MAX_WIND_SAMPLES}, any{-1e18, 1e18};
 } // namespace limits
 
-// A field of a kind's desc, and its place in SourceDesc.
+// A field of a desc, and its place in SourceDesc.
 struct SourceField {
     uint8_t in_source, in_desc, words;
-    bool real, direction; // a float; of any length but 0
+    bool real, direction; // a float; a direction, of any length but 0
     Limits limits;
     const char* message;
 
@@ -69,13 +69,13 @@ struct SourceField {
     }
 };
 
-// A desc of the API. A vortex begins with its core, and a grid ends with its samples, which are no fields.
+// A desc of the API. A vortex desc begins with its core; a grid's samples at the end are not a field.
 struct SourceType {
     int32_t first, last;  // of SourceDesc::Kind
-    uint32_t size, bytes; // of the desc; before its samples
+    uint32_t size, bytes; // of the desc; of its part before the samples
     std::span<const SourceField> fields;
 
-    // The kind of a source, whose other fields are set.
+    // The kind, which for blowers follows from another field.
     int32_t adjusted(const SourceDesc& source) const {
         if (first == SourceDesc::point_blower) return first + (source.half_length > 0.0f);
         return source.kind;
@@ -151,7 +151,7 @@ inline const SourceType* type_of(const SourceDesc& source) {
     return nullptr;
 }
 
-// From a desc as large as its type says. The kind is 0 if the core is unknown.
+// From a desc of the size that its type states. Kind 0: an unknown core.
 inline SourceDesc source_of(const SourceType& type, const void* desc) {
     SourceDesc source;
     for (const SourceField& f : type.fields) f.copy(&source, f.in_source, desc, f.in_desc);
@@ -166,7 +166,7 @@ inline SourceDesc source_of(const SourceType& type, const void* desc) {
     if (&type == &source_type::wind_grid) source.samples = static_cast<const lr_wind_grid_desc*>(desc)->samples;
     return source;
 }
-// All but struct_size, which is left to the caller.
+// Sets all but struct_size, which is the caller's.
 inline void desc_of(const SourceType& type, const SourceDesc& source, void* desc) {
     std::memset(static_cast<unsigned char*>(desc) + 4, 0, type.size - 4);
     for (const SourceField& f : type.fields) f.copy(desc, f.in_desc, &source, f.in_source);
@@ -174,20 +174,20 @@ inline void desc_of(const SourceType& type, const SourceDesc& source, void* desc
     if (source.kind == SourceDesc::grid) static_cast<lr_wind_grid_desc*>(desc)->samples = source.samples;
 }
 
-// Random bits from a counter: SplitMix64.
+// Random bits by counter (SplitMix64).
 inline uint64_t random_bits(uint64_t seed, uint64_t counter) {
     return mix64(seed + (counter + 1) * 0x9e3779b97f4a7c15ull);
 }
 
-// Gusts: a velocity that depends on time alone, a sum of harmonics with von Karman's spectrum (docs/reference/wind_and_water.md). They
-// begin at 0: each harmonic grows over its own first cycle, slow ones within four integral times.
+// Gusts: a velocity that depends on time alone, a sum of harmonics with von Karman's spectrum (docs/reference/wind_and_water.md). They begin at 0;
+// each harmonic grows over its first cycle, slow ones within four integral times.
 class Gusts {
 public:
     static constexpr size_t modes = 48;
 
     Gusts() = default;
     Gusts(const SourceDesc& desc, uint64_t world_seed);
-    // Adds the velocity at an age in s: any age, without state between calls, and nothing before the beginning.
+    // Adds the velocity at an age in s. There is no state between calls, so ages may come in any order.
     void add(double age, double (&velocity)[3]) const;
 
 private:
@@ -200,7 +200,7 @@ private:
     std::array<Mode, modes> mode_{};
 };
 
-// Samples of a grid, shared by all sources that use them.
+// Samples of a grid, shared by the sources that use them.
 struct GridSamples {
     uint32_t references;
     uint64_t hash; // of counts, frames and samples
@@ -208,26 +208,26 @@ struct GridSamples {
     float fastest; // m/s
 };
 
-// Does not check samples.
+// Samples are not checked.
 Outcome check_wind_source(const SourceDesc& desc);
-// Floats of a grid.
+// Number of floats in a grid.
 uint64_t sample_count(const SourceDesc& desc);
 uint64_t hash_samples(const SourceDesc& desc, const float* samples);
 
-// Way and velocity of the uniform wind, which carries turbulence along.
+// Displacement and velocity of the uniform wind, which carries turbulence along.
 struct Carried {
     double way[3], velocity[3];
 };
 
 struct WindSource {
     SourceDesc desc;   // without samples
-    double since;      // s, world time at which it was at desc.position, or its gusts began
+    double since;      // s, world time when it was at desc.position, or its gusts began
     GridSamples* grid; // null for other kinds
     Gusts gusts;
 
     uint64_t hash() const { return grid ? grid->hash : 0; } // of its samples
     uint32_t instants() const;                              // how many SourceInstants it makes
-    float fastest() const;                                  // m/s, a bound of its velocities, or a typical speed
+    float fastest() const;                                  // m/s, bound of its velocities, or a typical speed
     void at(double time, uint64_t world_seed, const Carried& carried, SourceInstant* out) const; // instants() of them
 };
 } // namespace lr
