@@ -78,7 +78,7 @@ void mesh_mask(const uint8_t* values, std::size_t size, std::size_t choice) {
         mask.opacity.push_back(static_cast<uint16_t>(values[i] * 257));
     Outlines outlines;
     lr::Faults faults;
-    if (!trace_outlines(mask, 0.5, 0.0, "fuzz", outlines, faults)) return;
+    if (!trace_outlines(mask, 0.5, 0.0, true, "fuzz", outlines, faults)) return;
     double wanted = 0.0;
     std::vector<Loop> loops;
     for (const Piece& piece : outlines.pieces) {

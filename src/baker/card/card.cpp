@@ -32,6 +32,11 @@ constexpr double same_area = 0.05;  // change of the area by smoothing that stop
 constexpr double most_change = 0.1; // above it pinholes are better closed
 constexpr double short_edge = 0.25; // in edge lengths: see simplify_outlines
 
+// Whoever asks for more than the usual --speck wants pinholes closed.
+bool keeps_pinholes(const CardOptions& options) {
+    return options.speck <= CardOptions{}.speck;
+}
+
 std::string rounded(double value, double unit = 0.1) {
     return shortest(std::round(value / unit) / std::round(1.0 / unit));
 }
@@ -52,8 +57,10 @@ bool check_options(const CardOptions& o, Faults& faults) {
 
 class CardMesher {
 public:
-    CardMesher(const CardOptions& options, const std::string& where, Mesh& out, CardReport& report, Faults& faults)
-        : options_(options), where_(where), out_(out), report_(report), faults_(faults) {}
+    CardMesher(const CardOptions& options, bool keep_pinholes, const std::string& where, Mesh& out, CardReport& report,
+               Faults& faults)
+        : options_(options), keep_pinholes_(keep_pinholes), where_(where), out_(out), report_(report), faults_(faults) {
+    }
 
     bool run(const void* bytes, std::size_t size) {
         AlphaMask mask;
@@ -63,7 +70,8 @@ public:
         report_.image_width = mask.width;
         report_.image_height = mask.height;
         Outlines outlines;
-        if (!trace_outlines(mask, options_.alpha, options_.speck, where_, outlines, faults_)) return false;
+        if (!trace_outlines(mask, options_.alpha, options_.speck, keep_pinholes_, where_, outlines, faults_))
+            return false;
         report_specks(outlines);
         stairs_ = outlines.stairs;
         report_.pieces = outlines.pieces.size();
@@ -152,7 +160,8 @@ private:
             blur(blurred, reach);
             Outlines outlines;
             Faults ignored;
-            if (!trace_outlines(blurred, level_of_area(blurred, traced), options_.speck, where_, outlines, ignored))
+            if (!trace_outlines(blurred, level_of_area(blurred, traced), options_.speck, keep_pinholes_, where_,
+                                outlines, ignored))
                 break;
             loops_.clear();
             area_ = 0.0;
@@ -172,7 +181,7 @@ private:
             report_.holes = holes;
         }
         if (!frayed) return true;
-        if (smoothed_ == 0 || (options_.speck <= usual_speck && best > most_change))
+        if (smoothed_ == 0 || (keep_pinholes_ && best > most_change))
             return fail(faults_, FaultId::image_too_ragged, where_,
                         "The outline is too frayed for " + std::to_string(options_.triangles) + " triangles.",
                         "Smooth the mask, reduce the image, or give more --triangles.");
@@ -347,6 +356,7 @@ private:
     }
 
     const CardOptions& options_;
+    const bool keep_pinholes_;
     const std::string& where_;
     Mesh& out_;
     CardReport& report_;
@@ -366,7 +376,7 @@ std::size_t count_card_pieces(const void* bytes, std::size_t size, const CardOpt
     try {
         const MaskChannel channel = options.mask_path.empty() ? options.channel : MaskChannel::luminance;
         if (!read_alpha_mask(bytes, size, channel, options.key, where, mask, faults) ||
-            !trace_outlines(mask, options.alpha, options.speck, where, outlines, faults))
+            !trace_outlines(mask, options.alpha, options.speck, keeps_pinholes(options), where, outlines, faults))
             return 0;
     } catch (const std::bad_alloc&) {
         fail(faults, FaultId::image_unreadable, where, "The image does not fit into memory.", "Reduce its resolution.");
@@ -380,17 +390,20 @@ bool read_card_memory(const void* bytes, std::size_t size, const CardOptions& op
     out = Mesh{};
     report = CardReport{};
     if (!check_options(options, faults)) return false;
-    CardOptions how = options;
+    const bool keeps = keeps_pinholes(options);
     try {
-        for (;;) {
-            Faults found;
-            const bool good = CardMesher(how, where, out, report, found).run(bytes, size);
-            const bool frays = !good && how.speck <= usual_speck && found.back().id == FaultId::image_too_ragged;
-            if (!frays) faults.insert(faults.end(), found.begin(), found.end());
-            if (!frays) return good;
-            how.speck = std::nextafter(usual_speck, 1.0); // closes all pinholes
+        Faults found;
+        bool good = CardMesher(options, keeps, where, out, report, found).run(bytes, size);
+        if (!good && keeps && found.back().id == FaultId::image_too_ragged) {
+            // Small holes fray the outline: with all of them closed it may be simple enough.
+            CardOptions closing = options;
+            closing.speck = CardOptions{}.speck;
+            found.clear();
             report = CardReport{};
+            good = CardMesher(closing, false, where, out, report, found).run(bytes, size);
         }
+        faults.insert(faults.end(), found.begin(), found.end());
+        return good;
     } catch (const std::bad_alloc&) {
         return fail(faults, FaultId::image_unreadable, where, "The image does not fit into memory.",
                     "Reduce its resolution.");

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "baker/card/alpha_mask.h"
-#include "baker/card/outline.h"
 #include "baker/mesh/mesh.h"
 
 #include <cstddef>
@@ -20,8 +19,8 @@ struct CardOptions {
     std::string mask_path; // a PNG whose luminance replaces the channel; for callers, which read it. UTF-8
     // Which of several regions, by size; 1: the largest. Nothing: the largest, with a warning that lists the others.
     std::optional<std::size_t> piece;
-    bool all_pieces = false;    // bake all regions as one body
-    double speck = usual_speck; // ignore regions and holes smaller than this fraction of the largest region
+    bool all_pieces = false; // bake all regions as one body
+    double speck = 1e-3;     // ignore regions and holes smaller than this fraction of the largest region
 };
 
 struct CardReport {

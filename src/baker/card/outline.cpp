@@ -223,8 +223,8 @@ double perimeter(const Loop& loop) {
     return length;
 }
 
-bool trace_outlines(const AlphaMask& mask, double threshold, double speck, const std::string& where, Outlines& out,
-                    Faults& faults) {
+bool trace_outlines(const AlphaMask& mask, double threshold, double speck, bool keep_pinholes, const std::string& where,
+                    Outlines& out, Faults& faults) {
     out = Outlines{};
     const double level = threshold * 65535.0;
     const auto [low, high] = std::minmax_element(mask.opacity.begin(), mask.opacity.end());
@@ -242,7 +242,7 @@ bool trace_outlines(const AlphaMask& mask, double threshold, double speck, const
                     "--alpha; or cut the leaf out in an image editor.");
     std::optional<Tracer> tracer(std::in_place, mask, level, speck);
     bool good = tracer->run();
-    const double least = good && speck <= usual_speck ? least_hole_that_counts(*tracer) : HUGE_VAL;
+    const double least = good && keep_pinholes ? least_hole_that_counts(*tracer) : HUGE_VAL;
     if (least < HUGE_VAL) good = tracer.emplace(mask, level, speck, least).run();
     if (!good)
         return fail(faults, FaultId::image_too_ragged, where,

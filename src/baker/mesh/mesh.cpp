@@ -337,7 +337,7 @@ bool read_any(SceneFile file, const MeshReadOptions& options, Mesh& out, Faults&
         const std::string_view text(static_cast<const char*>(file.bytes), file.size);
         std::string storage;
         bool read = false;
-        if (text.substr(0, 23) == "version https://git-lfs") {
+        if (text.starts_with("version https://git-lfs")) {
             report(faults, FaultId::mesh_unreadable, Severity::error, file.where,
                    "This is a placeholder of Git LFS, not the model itself.", "Fetch the model: git lfs pull.");
         } else if (file.extension == "obj") {
