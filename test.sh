@@ -56,13 +56,13 @@ apart() { # samples or a binding: prints the output of its tests as one block
     cat "$log"
     $good
 }
-step_outside() { # samples and bindings
+step_outside() { # samples and bindings; the dear ones, Unreal and the web, are steps of scripts/verify.sh
     cmake --install build/release --prefix "$prefix" >/dev/null
     /usr/bin/python3 bindings/generator/test_api_model.py
     export -f apart samples configure
     export results prefix
     # Longest first.
-    printf '%s\n' bindings/{web,unreal}/test.sh /samples/ bindings/{[!uw]*,unity}/test.sh | cut -d/ -f2 |
+    printf '%s\n' /samples/ bindings/{csharp,python,godot,unity}/test.sh | cut -d/ -f2 |
         xargs -P "$jobs" -I{} bash -c 'apart "$@"' - {}
 }
 

@@ -3,7 +3,7 @@
 #
 # All tests that ./test.sh omits: other architectures and compilers, the other sanitizers, fuzzing, packages, long tests.
 #   scripts/verify.sh [STEP...]         these steps; default: all
-#   scripts/verify.sh --minutes N       steps that fit into N minutes by the estimates: short ones first, then long ones, rotated by the day
+#   scripts/verify.sh --minutes N       steps that fit into N minutes by the estimates: bindings and short ones first, then long ones, rotated by the day
 #   scripts/verify.sh --list            lists the steps with their minutes on two cores
 # A step without its tools is skipped and names the command that installs them: scripts/setup.sh test package arm64 windows.
 set -euo pipefail
@@ -18,7 +18,9 @@ steps=( # name, minutes on two cores, title
     "security      1 Hardening, imports and system calls of the library"
     "site          1 Documentation site with the API reference, without warnings"
     "bench         2 lr_bench: its columns, and equal hashes"
-    "long          5 Long tests, and load"
+    "unreal        3 Unreal plugin, against stand-ins for the engine"
+    "web           4 WebAssembly package: held hashes, wrapper, types; the page in a browser"
+    "long          7 Long tests, and load"
     "scorecard     5 Scorecard: every row"
     "valgrind      6 Valgrind over the API's tests"
     "tsan         16 ThreadSanitizer"
@@ -70,6 +72,13 @@ step_security() {
     tests/security/check_syscalls.sh build/release/src "$results/leaf.lrb"
 }
 step_site() { need mkdocs test; scripts/site.py; }
+binding() { # name
+    release
+    cmake --install build/release --prefix build/release/samples-prefix >/dev/null
+    "bindings/$1/test.sh" build/release/samples-prefix
+}
+step_unreal() { binding unreal; }
+step_web() { binding web; }
 step_bench() { release; run_ctest build/release -L bench; }
 step_long() { release; run_ctest build/release -L 'long|load'; }
 step_scorecard() { release; run_ctest build/release -L scorecard; }
@@ -162,9 +171,12 @@ for entry in "${steps[@]}"; do
 done
 for name in "${names[@]}"; do [ -n "${title[$name]:-}" ] || { echo "verify: unknown step $name; steps: ${all[*]}" >&2; exit 2; }; done
 [ ${#names[@]} -gt 0 ] || names=("${all[@]}")
-if [ -n "$minutes" ]; then # short steps, then long ones, starting at a different one each day
-    names=() dear=()
-    for name in "${all[@]}"; do if [ "${estimate[$name]}" -le 2 ]; then names+=("$name"); else dear+=("$name"); fi; done
+if [ -n "$minutes" ]; then # bindings and short steps, then long ones, starting at a different one each day
+    names=(unreal web) dear=()
+    for name in "${all[@]}"; do
+        case $name in unreal | web) continue ;; esac
+        if [ "${estimate[$name]}" -le 2 ]; then names+=("$name"); else dear+=("$name"); fi
+    done
     first=$((10#$(date +%j) % ${#dear[@]}))
     names+=("${dear[@]:first}" "${dear[@]:0:first}")
 fi

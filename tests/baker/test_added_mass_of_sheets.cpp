@@ -241,7 +241,8 @@ Mesh comb(int barbs, double width, double length) {
     return mesh;
 }
 
-TEST_CASE("narrow strips that join a shaft, and pleats: what is stated covers finer panels, and is small") {
+TEST_CASE("narrow strips that join a shaft, and pleats: what is stated covers finer panels, and is small" *
+          doctest::test_suite("long")) {
     const Mesh pleats =
         patch(60, 2, [](double u, double v) { return Vec(u, 0.5 * v, std::lround(60.0 * u) % 2 == 0 ? 0.0 : 0.03); });
     for (const Mesh& mesh : {comb(16, 0.8, 0.5), pleats}) {

@@ -196,7 +196,8 @@ struct Known {
 } // namespace
 
 // Diagonals by known_by_refinement, good to 0.3 %, those of the spin about the axis to 7 %. Each solid is solved as it is and with each face in four.
-TEST_CASE("what is stated as the error is a bound on solids of few flat faces" * doctest::skip(test::sanitized)) {
+TEST_CASE("what is stated as the error is a bound on solids of few flat faces" * doctest::skip(test::sanitized) *
+          doctest::test_suite("long")) {
     std::vector<double> ratios;
     std::size_t outside = 0;
     for (const Known& known : {

@@ -213,7 +213,8 @@ TEST_CASE("near integrals: their points are bounded before any is computed") {
     CHECK(assemble_boundary_operators(mesh, closed_basis(mesh), none, few).hypersingular.size() > 0);
 }
 
-TEST_CASE("a fan of needles: without patience it is refused, and its coarser surface has few faces") {
+TEST_CASE("a fan of needles: without patience it is refused, and its coarser surface has few faces" *
+          doctest::test_suite("long")) {
     constexpr uint32_t sides = 9000;
     BodyParts parts;
     Mesh& fan = parts.mesh;

@@ -60,7 +60,7 @@ double largest_gap(const Mesh& mesh) {
 } // namespace
 
 TEST_CASE("a coarse solid moves by no more than it states when its faces are subdivided" *
-          doctest::skip(test::sanitized)) {
+          doctest::skip(test::sanitized) * doctest::test_suite("long")) {
     struct Case {
         const char* name;
         Mesh mesh;

@@ -69,7 +69,8 @@ TEST_CASE("simplify: strips become few faces, and the surface, its rim and its f
     CHECK(compute_mass_properties(few).volume == doctest::Approx(compute_mass_properties(ball).volume).epsilon(0.03));
 }
 
-TEST_CASE("bake: a pleated sheet of needles, open or a thin solid, is solved as that sheet") {
+TEST_CASE("bake: a pleated sheet of needles, open or a thin solid, is solved as that sheet" *
+          doctest::test_suite("long")) {
     AssetData broad, open, solid;
     REQUIRE(test::bake_mesh(test::subdivided(pleats(25, 1, 0.0)), broad));
     REQUIRE(test::bake_mesh(pleats(25, 20, 0.0), open));
@@ -84,7 +85,8 @@ TEST_CASE("bake: a pleated sheet of needles, open or a thin solid, is solved as 
 }
 
 TEST_CASE("bake: deep pleats too close to each other for their equations lie between those and the hull with the fluid "
-          "in it") {
+          "in it" *
+          doctest::test_suite("long")) {
     constexpr double length = 0.5, width = 0.3, height = 0.02;
     Mesh mesh;
     constexpr uint32_t folds = 1000;
@@ -122,7 +124,8 @@ TEST_CASE("bake: a rectangle of any number of strips states an error that covers
         }
 }
 
-TEST_CASE("bake: bars of faces as long as themselves state an error that covers the truth and is small") {
+TEST_CASE("bake: bars of faces as long as themselves state an error that covers the truth and is small" *
+          doctest::test_suite("long")) {
     for (const double radius : {1e-2, 1e-3, 1e-4})
         for (const int sides : {8, 24, 1000}) {
             CAPTURE(radius);

@@ -71,7 +71,7 @@ TEST_CASE("bodies land and rest on floors of fine triangles as on a plane" * doc
         }
 }
 
-TEST_CASE("no shot goes through walls of fine triangles" * doctest::test_suite("exact")) {
+TEST_CASE("no shot goes through walls of fine triangles" * doctest::test_suite("long-exact")) {
 #ifdef LR_TEST_QUICK
     constexpr uint32_t count = 60;
 #else

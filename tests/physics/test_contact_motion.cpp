@@ -372,7 +372,7 @@ TEST_CASE(
     CHECK(sum < 5e-3 * turns.size());
 }
 
-TEST_CASE("a roller that leaves no room presses nothing through a thin floor") {
+TEST_CASE("a roller that leaves no room presses nothing through a thin floor" * doctest::test_suite("long")) {
     constexpr uint32_t count = 16;
     constexpr double high = 1.0; // m, the floor
     const std::vector<float> corners = box_corners(0.5f, 2.5e-4f, 0.5f);

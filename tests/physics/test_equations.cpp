@@ -186,7 +186,7 @@ TEST_CASE("the motion is that of the equations" * doctest::test_suite("exact")) 
         }
 }
 
-TEST_CASE("RK4 converges at fourth order, the default at second order" * doctest::test_suite("exact")) {
+TEST_CASE("RK4 converges at fourth order, the default at second order" * doctest::test_suite("long-exact")) {
     for (const Case& c : cases())
         for (int32_t integrator : {LR_INTEGRATOR_RK4, LR_INTEGRATOR_DEFAULT}) {
             // Small bodies move faster.

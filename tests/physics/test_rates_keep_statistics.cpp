@@ -86,7 +86,7 @@ void compare(const std::vector<Means>& got, const std::vector<Means>& expected, 
 
 } // namespace
 
-TEST_CASE("falls keep their statistics at any divisor and in a budget" * doctest::test_suite("exact")) {
+TEST_CASE("falls keep their statistics at any divisor and in a budget" * doctest::test_suite("long-exact")) {
     const Fall own(1);
     const std::vector<Means> expected = own.run();
     const uint64_t all = own.taken();

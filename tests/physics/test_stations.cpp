@@ -119,7 +119,7 @@ TEST_CASE("stations: the motion is that of the equations" * doctest::test_suite(
         }
 }
 
-TEST_CASE("stations: RK4 converges at fourth order, the default at second order" * doctest::test_suite("exact")) {
+TEST_CASE("stations: RK4 converges at fourth order, the default at second order" * doctest::test_suite("long-exact")) {
     for (const Case& c : cases(true))
         for (int32_t integrator : {LR_INTEGRATOR_RK4, LR_INTEGRATOR_DEFAULT}) {
             std::vector<double> errors;

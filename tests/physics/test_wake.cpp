@@ -190,7 +190,7 @@ TEST_CASE("wake: the wake of a light plate bears less") {
 
 // The oscillator turns by 2 pi f t, f = strouhal s/length. Half the square of (q, r) tends to v_n/s - (Re_c/Re)^2. Its couple is
 // rho v_n^2 n x (moment q + rate_moment r).
-TEST_CASE("wake: shedding turns a plate to and fro at its frequency and amplitude") {
+TEST_CASE("wake: shedding turns a plate to and fro at its frequency and amplitude" * doctest::test_suite("exact")) {
     const double length = 0.2, strouhal = 0.2, growth = 0.8, critical = 100.0, reynolds = 400.0, aside = 0.02;
     const double moment = 3e-3, rate_moment = -2e-3;
     const double omega = 2.0 * pi * strouhal / length;
