@@ -228,7 +228,7 @@ void Colliders::move(uint32_t slot, const lr_collider_motion& motion) {
     if (motion.mode == LR_MOVE_TO) {
         c.end = {pose.position, nearer_to(c.begin.rotation, pose.rotation)};
         m.linear = m.angular = {0.0f, 0.0f, 0.0f};
-        m.pending = true;
+        m.pending = std::memcmp(&c.begin, &c.end, sizeof c.end) != 0; // one told to stay keeps nothing awake
     } else {
         c.begin = c.end = pose;
         m.linear = vector_of(motion.linear_velocity);

@@ -320,6 +320,31 @@ TEST_CASE("a ball, and a box on its corner, wake when what they lie on goes") {
                     }
 }
 
+// Engines often pass on all poses in every frame, also those that have not changed.
+TEST_CASE("bodies sleep on a collider that is moved to where it already is") {
+    const World world = make(world_desc());
+    lr_collider_desc table = box_collider(1.0f, 0.1f, 1.0f);
+    table.position[1] = -7.3f;
+    lr_collider_motion m = initialised(lr_collider_motion_init);
+    m.mode = LR_MOVE_TO, m.collider = add_collider(world, table);
+    m.position[1] = -7.2f, m.orientation[1] = -0.6f, m.orientation[3] = -1.7f; // it turns about the vertical
+    const Asset ball = make(ellipsoid(0.03, 0.03, 0.03, 300.0));
+    const lr_body body = add_body(world, add_batch(world, ball, 1), at_rest_at({0.0, -7.07, 0.0}));
+    bool asleep = false;
+    uint32_t woken = 0;
+    for (int step = 0; step < 400; ++step) {
+        if (step == 300) // the same pose
+            for (float& v : m.orientation) v = -v;
+        REQUIRE(lr_collider_move(world.get(), &m, 1) == LR_OK);
+        steps(world, 1, 1.0f / 60.0f, 2);
+        const bool was_asleep = asleep;
+        asleep = state_of(world, body).sleep_state == LR_SLEEP_ASLEEP;
+        woken += was_asleep && !asleep;
+    }
+    CHECK(asleep);
+    CHECK(woken == 0);
+}
+
 TEST_CASE("a force on a body that is put to rest is gone, and its velocities are") {
     const Crowd crowd(3);
     lr_body_force f = initialised(lr_body_force_init);
