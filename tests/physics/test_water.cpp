@@ -199,6 +199,27 @@ TEST_CASE("a current carries what floats") {
     CHECK(speed < 1.01f);
 }
 
+// Where both fluids drag alike on equal faces: rho_a (U - v)^2 = rho_w v^2. A float that is lighter is driven faster.
+TEST_CASE("wind drives what floats") {
+    for (const bool flat : {false, true})
+        for (const double share : {0.3, 0.5, 0.8}) {
+            CAPTURE(flat);
+            CAPTURE(share);
+            const World world = make(world_desc());
+            set_water(world, water_desc());
+            const Asset asset = make(ellipsoid(0.05, flat ? 0.001 : 0.05, 0.05, share * water_density));
+            const lr_batch batch = add_batch(world, with_loads(LR_LOADS_AERODYNAMIC), asset, 1);
+            const lr_body body = add_body(world, batch, at_rest_at({0.0, 0.0, 0.0}));
+            set_wind(world, 4.0f, 0.0f, 0.0f);
+            steps(world, 3000, 1.0f / 60.0f, 2);
+            const double x = state_of(world, body).position[0];
+            steps(world, 600, 1.0f / 60.0f, 2);
+            const double drift = (double{state_of(world, body).position[0]} - x) / 10.0;
+            const double ratio = std::sqrt(share * water_density / ((1.0 - share) * 1.2));
+            CHECK(drift == doctest::Approx(4.0 / (1.0 + ratio)).epsilon(0.1));
+        }
+}
+
 TEST_CASE("small bodies ride on long waves") {
     const Asset ball = make(ellipsoid(0.02, 0.02, 0.02, 500.0));
     const World world = make(world_desc());

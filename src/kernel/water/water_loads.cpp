@@ -373,16 +373,19 @@ HWY_NOINLINE Twist struck(const StepInput& in, const WetSubstep& s, const Immers
 struct Floating {
     Vec3 force;  // world
     Vec3 torque; // body frame, over d s
+    VF stream; // the water's share of it: floats drift at the speed at which both fluids drag alike, by the squares of the speeds
 };
 HWY_NOINLINE Floating floating(const StepInput& in, const WetSubstep& s, const LaneConstants& c, const Immersion& at,
-                               VF body_scale, VF inverse_length, Quaternion q, Vec3 normal, Vec3 rate, VF wet) {
+                               VF body_scale, VF inverse_length, Quaternion q, Vec3 normal, Vec3 rate) {
     const WaterBody& w = *s.body;
     const VF one = constant(1.0f), zero = hn::Zero(DF()), f = at.fraction, dry = one - f;
     const VF per_unit = one / c.unit_mass;
     const VF air = per_unit * constant(w.air_mass), water = per_unit * constant(w.water_mass);
     const Vec3 gravity = broadcast(s.gravity), lower = gravity - rate;
     Floating out;
-    out.force = per_unit * constant(w.mass) * (gravity - wet * rate);
+    const VF wet = hn::Sqrt(f * constant(w.water_density));
+    out.stream = wet / (hn::Sqrt(hn::Max(dry, zero) * constant(w.air_density)) + wet);
+    out.force = per_unit * constant(w.mass) * (gravity - out.stream * rate);
     out.force -= water * f * lower + air * dry * gravity;
     const Vec3 middle = body_scale * broadcast(w.center);
     const Vec3 from_water = cross(-water * at.center, to_body(q, lower));
@@ -441,17 +444,16 @@ HWY_NOINLINE void step_wet_bodies(const StepInput& in, const WetSubstep& s, cons
         LaneConstants c;
         VF unit;
         blend<kFull, kAerodynamic>(in.loads == Loads::langevin, in.body, *s.body, f, c, unit);
-        const VF wet = water_share(*s.body, f);
         Held held;
         held.inverse_length = inverse_length;
         held.alpha = held.beta = held.shed = zero;
-        held.wind = upper + wet * (lower - upper);
         held.gravity = held.fluid_spin = none;
         held.sheared = false;
         held.uniform = false;
         const Floating loads =
-            floating(in, s, c, middle, body_scale, inverse_length, q, load3(s.middle->normal, at), rate, wet);
+            floating(in, s, c, middle, body_scale, inverse_length, q, load3(s.middle->normal, at), rate);
         held.weight = loads.force;
+        held.wind = upper + loads.stream * (lower - upper);
         External external{};
         for (Twist* t : {external.force, external.force + 1, external.rate, external.rate + 1}) *t = {none, none};
         if (in.external.any) external = take_external(in.external, c, body_scale, at);
@@ -460,7 +462,7 @@ HWY_NOINLINE void step_wet_bodies(const StepInput& in, const WetSubstep& s, cons
         held.external = &external;
 
         // The frame moves with the fluid, which accelerates.
-        const Vec3 half_change = half * wet * rate;
+        const Vec3 half_change = half * loads.stream * rate;
         b.t = {world.v - to_body(b.q, held.wind - half_change), world.u};
         const VU noise_seed = load1(a.noise_seed, at);
         if constexpr (kAerodynamic) vary(in, noise_seed, held);
