@@ -101,10 +101,6 @@ void PairCache::commit(uint32_t most) {
     index();
 }
 
-void PairCache::clear() {
-    count_ = mask_ = 0;
-}
-
 void PairCache::forget(uint32_t slot) {
     const auto of_slot = [slot](const CachedPair& p) { return slot_of_key(p.a) == slot || slot_of_key(p.b) == slot; };
     CachedPair* const data = pairs_.data();

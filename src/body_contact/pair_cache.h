@@ -89,7 +89,7 @@ public:
     }
     CachedPair* next() { return next_.data() + next_count_; }
     void commit(uint32_t most); // drops new ones without contacts
-    void clear();
+    void clear() { count_ = mask_ = 0; }
     void forget(uint32_t slot); // pairs of a batch that ends, or whose bodies have changed their shape
 
     uint64_t hash() const; // of the pairs in any order; 0 without pairs

@@ -36,11 +36,6 @@ bool ColliderBroadPhase::reserve(Allocator& allocator, uint64_t proxies) {
     return true;
 }
 
-void ColliderBroadPhase::clear() {
-    count_ = 0;
-    level_count_ = 0;
-}
-
 // Gives each proxy the finest cells of which its box, enlarged by `dilation`, covers at most three along each axis (five if finer). If there are more
 // sizes than levels, those that add the least volume are merged into the next coarser one.
 void ColliderBroadPhase::choose_levels(float dilation, uint32_t levels) {

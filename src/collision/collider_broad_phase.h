@@ -27,7 +27,7 @@ public:
     uint32_t size() const { return count_; }
 
     // Call clear(), add() up to capacity() times, build(). levels: number of cell sizes. dilation: m, the largest reach that the bits cover.
-    void clear();
+    void clear() { count_ = level_count_ = 0; }
     void add(const Proxy& proxy) { proxies_[count_++] = proxy; }
     void build(float dilation, uint32_t levels);
 

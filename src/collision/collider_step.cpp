@@ -85,11 +85,19 @@ void Colliders::rebuild_still() {
     debt_ = 0;
 }
 
+bool Colliders::move_into(const Box& box) const {
+    bool any = false;
+    each_listed([&](uint32_t slot) { any = any || (colliders_[slot].moves && overlap(box, box_of(slot))); });
+    return any;
+}
+
 void Colliders::begin_step(double dt, float reach) {
+    any_moves_ = false;
     each_listed([&](uint32_t slot) {
         Collider& c = colliders_[slot];
         ColliderMotion& m = motions_[slot];
         c.moves = m.moves();
+        any_moves_ |= c.moves;
         if (c.moves && !m.pending) c.end = advanced(c.begin, m.linear, m.angular, dt, m.remainder);
     });
     const float dilation = coarsened(reach);

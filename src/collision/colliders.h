@@ -180,6 +180,8 @@ public:
     }
     // A box around a collider and its path in the step; everything for a plane.
     Box box_of(uint32_t slot) const;
+    bool any_moves() const { return any_moves_; } // in this step
+    bool move_into(const Box& box) const;         // whether one that moves may come into a box
 
     // Hash of everything that affects motion; 0 without colliders. Slots count only through their ids.
     uint64_t hash() const;
@@ -257,7 +259,7 @@ private:
     uint64_t proxies_ = 0, mover_proxies_ = 0; // of all finite colliders; of those moving in the next step
     uint64_t still_proxies_ = 0;               // in the static grid
     uint64_t debt_ = 0;                        // entries that a rebuilt static grid would have saved the other
-    bool any_fresh_ = false;
+    bool any_fresh_ = false, any_moves_ = false;
     bool stale_ = false; // the static grid must be rebuilt
     float dilation_ = 0.0f;
 

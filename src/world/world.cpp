@@ -250,7 +250,7 @@ void lr_world::schedule_batches(float dt, uint32_t substeps) {
         }
         batch.pace.wait(static_cast<double>(dt), substeps, time, substep_count, wind.uniform);
         batch.external.forget_zeros(batch.awake());
-        pacing.ask(batch, slot, step);
+        pacing.ask(batch, slot, step, colliders);
     });
     pacing.decide(step);
 }

@@ -1,4 +1,5 @@
 // Rates of batches and budgets of worlds: which batches step, over which time, and what the reports say.
+#include "support/colliders.h"
 #include "support/lifecycle.h"
 #include "support/random.h"
 #include "support/water.h"
@@ -30,6 +31,11 @@ void set_budget(const World& w, uint64_t body_substeps) {
     REQUIRE(lr_world_set_budget(w.get(), body_substeps) == LR_OK);
 }
 
+lr_body_desc body_at(double x, double y) {
+    lr_body_desc d = body_desc();
+    d.position[0] = narrow(x), d.position[1] = narrow(y);
+    return d;
+}
 std::vector<lr_body> populate(const World& w, lr_batch batch, uint32_t count) {
     std::vector<lr_body> ids;
     Random random(count);
@@ -271,6 +277,37 @@ TEST_CASE("a force ends the waiting, and acts with the impulse of one step") {
     steps(world, 1, frame, 1);
     CHECK(pace_of(world, batch).waited == 1);
     CHECK(wide(state_of(world, body).linear_velocity[1]) == doctest::Approx(6.0 * wide(frame)));
+}
+
+TEST_CASE("a collider that moves among bodies ends their waiting, so that it passes through none") {
+    for (const int32_t mode : {LR_MOVE_TO, LR_MOVE_VELOCITY}) {
+        CAPTURE(mode);
+        const World world = make(world_desc());
+        lr_collider_desc ground = initialised(lr_collider_desc_init);
+        ground.kind = LR_COLLIDER_PLANE;
+        add_collider(world, ground);
+        lr_collider_desc broom = ground;
+        broom.kind = LR_COLLIDER_BOX;
+        broom.position[0] = -2.0f, broom.size[0] = 0.02f, broom.size[1] = 0.5f, broom.size[2] = 2.0f;
+        lr_collider_motion m = motion_of(add_collider(world, broom), mode);
+        m.position[0] = broom.position[0], m.linear_velocity[0] = 3.0f;
+        const Asset asset = make(ellipsoid(0.03, 0.0005, 0.03, 400.0));
+        const lr_batch batch = add_batch(world, asset, 20), far = add_batch(world, asset, 1);
+        std::vector<lr_body> bodies;
+        for (int i = 0; i < 20; ++i) bodies.push_back(add_body(world, batch, body_at(0.05 * i - 0.5, 0.002)));
+        add_body(world, far, body_at(50.0, 30.0));
+        for (const lr_batch b : {batch, far}) set_rate(world, b, 4);
+        steps(world, 240, 1.0f / 240.0f, 1);
+        uint32_t waited = 0;
+        for (int i = 0; i < 240; ++i) {
+            m.position[0] += 3.0f / 240.0f;
+            if (mode == LR_MOVE_TO || i == 0) REQUIRE(lr_collider_move(world.get(), &m, 1) == LR_OK);
+            steps(world, 1, 1.0f / 240.0f, 1);
+            waited += pace_of(world, far).waited != 0;
+        }
+        CHECK(waited == 180);
+        for (const lr_body& body : bodies) CHECK(state_of(world, body).position[0] > 1.0f);
+    }
 }
 
 TEST_CASE("rules, emitter and events wait with their batch, and nothing of them is lost") {

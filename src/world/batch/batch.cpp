@@ -358,9 +358,6 @@ void Batch::note_sleep(uint32_t index) {
 }
 
 // Both clear the mark that they return.
-bool Batch::take_cut(uint32_t cut) {
-    return std::exchange(cut_noted_[cut], uint8_t{0}) != 0;
-}
 bool Batch::take_note(uint32_t index) {
     return std::exchange(columns_.row<uint32_t>(column_noted)[index], 0u) != 0;
 }

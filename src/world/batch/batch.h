@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace lr {
 
@@ -212,7 +213,7 @@ private:
     void moved(uint32_t index); // updates the slot of a body that now has this index
     void lie_down(uint32_t index);
     void wake_near(const Box& box, double share, double round);
-    bool take_cut(uint32_t cut);
+    bool take_cut(uint32_t cut) { return std::exchange(cut_noted_[cut], uint8_t{0}) != 0; }
     bool take_note(uint32_t index);
     bool is_diagonal_with(const AerodynamicData& loads) const;
     bool copy_table(const TableHead& head, const void* chi, const void* epsilon, Buffer<float>& out) const;

@@ -1,5 +1,6 @@
 #include "world/schedule/batch_schedule.h"
 
+#include "collision/colliders.h"
 #include "kernel/limits.h"
 #include "world/batch/batch.h"
 
@@ -116,7 +117,7 @@ UniformWind BatchClock::wind(const UniformWind& now) const {
     return over;
 }
 
-void StepScheduler::ask(Batch& batch, uint32_t slot, const Step& step) {
+void StepScheduler::ask(Batch& batch, uint32_t slot, const Step& step, const Colliders& colliders) {
     const BatchClock& pace = batch.pace;
     const uint32_t divisor = pace.divisor(step.h);
     Claim& claim = claims_[count_++];
@@ -124,7 +125,8 @@ void StepScheduler::ask(Batch& batch, uint32_t slot, const Step& step) {
     claim.batch = &batch;
     claim.bodies = batch.awake();
     claim.forced = batch.external.pending();
-    claim.due = claim.forced || pace.passed_over() || pace.due(divisor, step.substeps, step.number, slot);
+    claim.due = claim.forced || pace.passed_over() || pace.due(divisor, step.substeps, step.number, slot) ||
+                (colliders.any_moves() && batch.contact().layers != 0 && colliders.move_into(batch.box()));
     claim.wanted = claim.due ? pace.wanted(divisor) : 0;
     claim.granted = claim.wanted;
     claim.urgency = claim.due ? static_cast<double>(pace.record().substeps) / divisor : 0.0;

@@ -12,6 +12,7 @@
 namespace lr {
 
 class Batch;
+class Colliders;
 
 class BatchClock {
 public:
@@ -110,7 +111,8 @@ public:
     };
     void begin() { count_ = 0, report_ = {}; }
     // Asks for a batch with awake bodies, once per step, after its wait().
-    void ask(Batch& batch, uint32_t slot, const Step& step);
+    // A collider that moves among a batch's bodies ends its wait: they would meet its last step alone.
+    void ask(Batch& batch, uint32_t slot, const Step& step, const Colliders& colliders);
     // Grants substeps to all batches that asked.
     void decide(const Step& step);
 
