@@ -102,7 +102,7 @@ public:
     Owned& operator=(const Owned&) = delete;
     ~Owned() { reset(); }
 
-    // Creates the T, whose own memory comes from T::allocate(from, arguments...). False when out of memory; nothing has then changed.
+    // Creates the T, which reserves its own memory by T::allocate(from, arguments...). False when out of memory; nothing has then changed.
     template <class... A> bool reserve(Allocator& from, const A&... arguments) {
         if (one_) return true;
         one_ = from.make<T>();
@@ -125,7 +125,7 @@ private:
     T* one_ = nullptr;
 };
 
-// Makes room for at least `count`: an eighth more if the buffer grows, and loses its contents. False when out of memory; nothing has then changed.
+// Makes room for at least `count`, with an eighth to spare, and drops the contents if it grows. False when out of memory; nothing has then changed.
 template <class T> bool grow(Allocator& allocator, Buffer<T>& buffer, size_t count) {
     if (buffer.size() >= count) return true;
     Buffer<T> larger;
@@ -134,7 +134,7 @@ template <class T> bool grow(Allocator& allocator, Buffer<T>& buffer, size_t cou
     return true;
 }
 
-// The same, but keeps the first `used` elements and adds no spare room.
+// Keeps the first `used` elements and adds no spare room. False when out of memory; nothing has then changed.
 template <class T> bool enlarge(Allocator& allocator, Buffer<T>& buffer, uint64_t size, size_t used) {
     if (size <= buffer.size()) return true;
     Buffer<T> larger;
@@ -144,7 +144,7 @@ template <class T> bool enlarge(Allocator& allocator, Buffer<T>& buffer, uint64_
     return true;
 }
 
-// A list filled during a step and valid until the next, up to a fixed capacity.
+// A list filled during a step and valid until the next one, of fixed capacity.
 template <class T> struct StepList {
     Buffer<T> items;
     uint32_t count = 0;
@@ -157,7 +157,7 @@ template <class T> struct StepList {
     }
 };
 
-// LR_ERROR_OUT_OF_MEMORY if `body` throws bad_alloc. WebAssembly has no exceptions: operator new leaves to the host (bindings/web/native/memory.cpp).
+// LR_ERROR_OUT_OF_MEMORY if `body` throws bad_alloc. WebAssembly has no exceptions, and operator new ends the call (bindings/web/native/memory.cpp).
 template <class F> lr_status unless_out_of_memory(F&& body) {
 #if defined(__cpp_exceptions)
     try {

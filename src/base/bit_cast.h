@@ -1,4 +1,4 @@
-// std::bit_cast, which standard libraries older than their compiler lack: Emscripten's before LLVM 14, so Unity's for the web.
+// std::bit_cast, which Emscripten's standard library lacks before LLVM 14, and so does Unity's web target.
 #pragma once
 
 #include <type_traits>

@@ -7,9 +7,9 @@
 namespace lr::shape {
 namespace {
 
-// Quickhull (Barber, Dobkin and Huhdanpaa 1996) on points rounded to an integer grid, where every orientation is
-// exact: no tolerance decides topology, so flat, thin and regular input cannot break it.
-// A point at most this many grid steps outside counts as on the hull: rounding must not turn flat faces into bumps.
+// Quickhull (Barber, Dobkin and Huhdanpaa 1996) on points rounded to an integer grid, where every orientation is exact: no tolerance decides
+// topology, so flat, thin and regular input cannot break it. Points at most this many grid steps outside count as on the hull, so that rounding does
+// not turn flat faces into bumps.
 constexpr double usual_skin = 4.0;
 constexpr int max_passes = 8;
 constexpr uint32_t none = UINT32_MAX;
@@ -64,7 +64,7 @@ public:
     explicit Quickhull(std::vector<Point> points, double skin = usual_skin)
         : points_(std::move(points)), skin_(skin), starts_(points_.size(), none) {}
 
-    // Dimension of the input: 3 once the first tetrahedron is found, else 0, 1 or 2.
+    // Dimension of the input: 3 if a first tetrahedron is found, else 0, 1 or 2.
     int find_simplex() {
         const uint32_t a = 0;
         const uint32_t b = furthest([&](uint32_t i) { return norm(subtract(points_[i], points_[a])); }, 0.0);
@@ -123,7 +123,8 @@ private:
         return best;
     }
 
-    // Keeps the order. Around a flat round side they would take memory as the square of its corners. Returns how many before `at` are left.
+    // Removes dead faces and keeps the order. Around a flat round side they would take memory with the square of its corners. Returns the number kept
+    // before `at`.
     uint32_t drop_dead(std::size_t at) {
         std::vector<uint32_t> moved(faces_.size(), none);
         uint32_t left = 0, before = 0;
@@ -188,8 +189,8 @@ private:
         }
         if (apex == none) return false;
 
-        // Faces in the apex's own plane are taken out as well: the fan around the apex replaces the whole flat facet,
-        // and the apex is never on the line of a horizon edge, so no new face is degenerate.
+        // Faces in the apex's own plane are removed as well, so the fan around the apex replaces the whole flat facet. The apex is never on the line
+        // of a horizon edge, so no new face is degenerate.
         std::vector<uint32_t> visible{seed};
         std::vector<std::pair<uint32_t, std::size_t>> horizon; // hidden face, its edge
         faces_[seed].visit = apex;
@@ -244,7 +245,7 @@ private:
     Point plane_origin_{}, plane_normal_{};
 };
 
-// Whether a point stands out from its neighbours by no more than the skin.
+// Whether a point rises above its neighbours by at most the skin.
 bool is_redundant(const std::vector<Point>& neighbours, const Point& point) {
     Quickhull ring(neighbours);
     const int dimension = ring.find_simplex();
@@ -256,7 +257,8 @@ bool is_redundant(const std::vector<Point>& neighbours, const Point& point) {
     return ring.run() && !ring.is_outside(point);
 }
 
-// Early vertices that rounding keeps barely outside of the corners around them. Two neighbours never go at once: each can make the other redundant.
+// Vertices found early that rounding keeps barely outside of their neighbours. Two neighbours are never removed at once, because each can make the
+// other redundant.
 std::vector<char> redundant_vertices(const std::vector<Point>& points, const std::vector<HullTriangle>& faces) {
     std::vector<std::vector<uint32_t>> rings(points.size());
     for (const HullTriangle& face : faces)
@@ -277,7 +279,7 @@ std::vector<char> redundant_vertices(const std::vector<Point>& points, const std
 
 // Two-sided convex polygon of points in one plane (monotone chain, Andrew 1979).
 std::vector<HullTriangle> flat_hull(const std::vector<Point>& points, const Point& normal, double skin = usual_skin) {
-    std::size_t drop = 0; // project along the largest component: exact, no new coordinates
+    std::size_t drop = 0; // projects along the largest component: exact, without new coordinates
     for (std::size_t k = 1; k < 3; ++k)
         if (std::abs(normal[k]) > std::abs(normal[drop])) drop = k;
     const std::size_t u = (drop + 1) % 3, v = (drop + 2) % 3;
@@ -354,7 +356,7 @@ HullOutcome convex_hull(const std::vector<HullPoint>& points, ConvexHull& out, s
         const int dimension = hull.find_simplex();
         if (dimension < 2) return HullOutcome::one_line;
         if (dimension == 3 && !hull.run(most_faces))
-            return hull.made() > most_faces ? HullOutcome::too_dear : HullOutcome::not_closed;
+            return hull.made() > most_faces ? HullOutcome::too_costly : HullOutcome::not_closed;
         out.triangles = dimension == 3 ? hull.result() : flat_hull(grid, hull.plane_normal());
         if (out.triangles.empty()) return HullOutcome::one_line;
         out.flat = dimension == 2;
@@ -382,7 +384,7 @@ HullOutcome convex_hull(const std::vector<HullPoint>& points, ConvexHull& out, s
         for (uint32_t& i : face) i = names[i];
 
     number_corners(points.size(), out);
-    out.slack = (usual_skin * (1.0 + passes) + 2.0) * step; // skin of each pass, and the rounding of point and face
+    out.slack = (usual_skin * (1.0 + passes) + 2.0) * step; // skin of each pass, and rounding of point and face
     return HullOutcome::done;
 }
 

@@ -1,5 +1,5 @@
-// Random numbers from a counter: no state, so a world repeats its draws after a rollback. Spawns draw from (seed, noise seed, life), gusts from
-// (seed, seed of the source). Philox4x32-7 as in kernel/math/gaussian_noise-inl.h, with counters that the noise does not use; + - x / sqrt only.
+// Random numbers from a counter, without state, so that a world repeats its draws after a rollback. Spawns draw from (seed, noise seed, life), gusts
+// from (seed, seed of the source). Philox4x32-7 as in kernel/math/gaussian_noise-inl.h, with counters that the noise does not use; only + - x / sqrt.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ constexpr uint64_t mix64(uint64_t v) {
     return v ^ v >> 31;
 }
 
-// Keeps the numbers of different uses independent; the noise uses 0.
+// Makes the numbers of different uses independent; the noise uses 0.
 enum class Draws : uint32_t { births = 0x62697274u, gusts = 0x67757374u };
 
 class CounterRandom {

@@ -1,4 +1,4 @@
-// Disjoint sets of elements (union-find). parent(i): a reference to the parent of element i, at first i itself.
+// Disjoint sets of elements (union-find). parent(i): a reference to the parent of element i, initially i itself.
 #pragma once
 
 #include <utility>

@@ -1,5 +1,5 @@
-// Four floats as a vector, so that loops over points do not depend on the compiler's vectoriser. Compilers without vector extensions (Microsoft's)
-// get an array with the same operators.
+// Vectors of four floats, so that loops over points do not depend on the compiler's vectoriser. Compilers without vector extensions (Microsoft's) get
+// an array with the same operators.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// The floating-point mode of a step: IEEE default, round to nearest, gradual underflow, no traps. Flushing denormals could be faster, but processors
-// flush differently and WebAssembly not at all (docs/maintainers/numerics.md).
+// Floating-point mode of a step: IEEE default, round to nearest, gradual underflow, no traps. Flushing denormals could be faster, but processors
+// flush differently, and WebAssembly does not (docs/maintainers/numerics.md).
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace lr {
 // Sets the mode on this thread for its lifetime, then restores the caller's.
 class FloatMode {
 public:
-    // Writing is slow, and nearly always needless: the exception flags are no part of the mode.
+    // Writes only if needed, because writing is slow; exception flags are no part of the mode.
     FloatMode() : saved_(read()) {
         if ((saved_ & ~flags) != standard) write(standard);
     }
@@ -56,7 +56,7 @@ private:
     Word saved_;
 };
 
-// Restores the caller's mode for its lifetime, within a FloatMode's, while the caller's code runs.
+// Restores the caller's mode for its lifetime, within that of a FloatMode, while the caller's code runs.
 class CallersMode {
 public:
     explicit CallersMode(const FloatMode& mode) { FloatMode::write(mode.saved_); }

@@ -6,7 +6,7 @@
 
 namespace lr {
 
-// Arrays are padded to a multiple of this, so that every target's vectors cover whole lanes and no tail code exists.
+// Arrays are padded to a multiple of this, so that the vectors of every target cover them without tail code.
 inline constexpr size_t lane_block = 32;
 
 enum Field : size_t {
@@ -25,14 +25,14 @@ enum Field : size_t {
     field_wz, // rad/s, body frame
     field_scale,
     field_age,           // s
-    field_age_remainder, // s, what rounding has added to the age so far
+    field_age_remainder, // s, rounding error of the age so far
     field_gust_x,
     field_gust_y,
     field_gust_z, // m/s, world: the body's own gust, AERODYNAMIC loads only
-    // The body's wake, AERODYNAMIC loads only, along the axes of the loads.
+    // The wake, AERODYNAMIC loads only, along the load axes.
     field_lag_x,
     field_lag_y,
-    field_lag_z, // m/s: the stream as it left the wake
+    field_lag_z, // m/s, the stream in the wake's memory
     field_shedding_0,
     field_shedding_1, // the wake's oscillator, along the two axes after the plate's normal
     field_shedding_rate_0,

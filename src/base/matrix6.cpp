@@ -33,7 +33,8 @@ bool cholesky(const Matrix6& m, double floor, Matrix6& l) {
     return true;
 }
 
-// Cyclic Jacobi (Golub and Van Loan, section 8.5): `a` becomes diagonal, columns of the result its eigenvectors. Some six sweeps, bounded for NaN.
+// Cyclic Jacobi (Golub and Van Loan, section 8.5): `a` becomes diagonal; columns of the result are its eigenvectors. Takes some six sweeps; the bound
+// is for NaN.
 Matrix6 diagonalise(Matrix6& a) {
     Matrix6 v = unit_matrix();
     for (int sweep = 0; sweep < 30; ++sweep) {
@@ -139,7 +140,7 @@ bool is_positive_definite(const Matrix6& m, double floor) {
 }
 
 void shift_added_mass(Matrix6& m, const std::array<double, 3>& to) {
-    // v_old = v_new + w x (old - new) = v_new + to x w: the old twist is T times the new one, and m becomes T^T m T.
+    // v_old = v_new + w x (old - new) = v_new + to x w: the old twist is T times the new one, so m becomes T^T m T.
     Matrix6 t = unit_matrix();
     t[0 * 6 + 4] = -to[2], t[0 * 6 + 5] = to[1];
     t[1 * 6 + 3] = to[2], t[1 * 6 + 5] = -to[0];

@@ -1,4 +1,4 @@
-// Small matrices, 6x6 in the order vx vy vz wx wy wz: format and asset code, and with them the runtime, do without Eigen.
+// Small matrices, 6x6 in the order vx vy vz wx wy wz: the runtime has no Eigen.
 #pragma once
 
 #include <array>
@@ -37,7 +37,7 @@ struct Modes {
 // mass: symmetric positive definite; damping: positive semi-definite. False if mass is not positive definite.
 bool find_modes(const Matrix6& mass, const Matrix6& damping, Modes& out);
 
-// Added mass about another point: `to`, seen from the old one. The fluid's energy is the same for the body's velocity at the new point.
+// Added mass about another point. to: that point, relative to the old one. Velocities at the new point give the same energy of the fluid.
 void shift_added_mass(Matrix6& m, const std::array<double, 3>& to);
 
 // Rows of unit length, right-handed, each dot product within `tolerance`. False if an entry is not finite.

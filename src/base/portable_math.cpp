@@ -13,7 +13,7 @@ constexpr double ln2_high = 0.693147180369123816490, ln2_low = 1.908214929270587
 } // namespace
 
 double portable_log(double x) {
-    // As in portable_pow, with the exponent taken from the bits and the coefficients ready: this runs in every cell.
+    // As in portable_pow, but with the exponent from the bits and the coefficients as constants, because this runs in every cell.
     const uint64_t bits = bit_cast<uint64_t>(x);
     int e = static_cast<int>(bits >> 52) - 1022;
     double m = bit_cast<double>((bits & 0x000fffffffffffffu) | 0x3fe0000000000000u);

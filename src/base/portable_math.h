@@ -1,4 +1,4 @@
-// Transcendental functions in double from + - x / and exact scaling, with the same bits for every C library: assets and constants depend on them.
+// Transcendental functions in double from + - x / and exact scaling: same bits for every C library, since assets and constants depend on them.
 #pragma once
 
 namespace lr::shape {

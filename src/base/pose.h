@@ -50,7 +50,7 @@ template <class T> constexpr Vector3<T> high_of(Vector3<T> a, Vector3<T> b) {
     return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
 }
 using Vector = Vector3<float>;
-// For differences of large coordinates, in which single precision would lose small things.
+// For differences of large coordinates, where single precision would lose small distances.
 using Double3 = Vector3<double>;
 
 constexpr Double3 to_double(Vector a) {
@@ -105,7 +105,7 @@ constexpr bool overlap(const Box& a, const Box& b) {
            a.low.z <= b.high.z && b.low.z <= a.high.z;
 }
 
-// Of unit length: R(q) rotates vectors from the own frame to the outer frame.
+// Unit quaternions: R(q) rotates vectors from the inner to the outer frame.
 template <class T> struct Quaternion {
     T x, y, z, w;
     constexpr bool operator==(const Quaternion&) const = default;
@@ -155,16 +155,16 @@ inline Rotation unit_of(Quaternion<double> q) {
     return {static_cast<float>(q.x / n), static_cast<float>(q.y / n), static_cast<float>(q.z / n),
             static_cast<float>(q.w / n)};
 }
-// The same for a caller's numbers: a unit quaternion keeps its bits.
+// For a caller's numbers: a unit quaternion keeps its bits.
 inline Rotation unit_rotation(const float* q) {
     const Quaternion<double> exact = to_double(rotation_of(q));
     return std::abs(std::sqrt(dot(exact, exact)) - 1.0) < 1e-7 ? rotation_of(q) : unit_of(exact);
 }
-// Twice the sine of half of the angle, about the axis.
+// Axis times twice the sine of half the angle.
 constexpr Vector chord(Rotation q) {
     return (q.w < 0.0f ? -2.0f : 2.0f) * Vector{q.x, q.y, q.z};
 }
-// A rotation's own axes in the outer frame: the columns of R(q).
+// The inner frame's axes in the outer frame: columns of R(q).
 struct Axes {
     Vector x, y, z;
 };
@@ -182,7 +182,7 @@ constexpr Vector to_outer(const Pose& pose, Vector inner) {
 constexpr Vector to_inner(const Pose& pose, Vector outer) {
     return rotate(inverse(pose.rotation), outer - pose.position);
 }
-// Interpolation; rotations by the normalised linear quaternion, the shorter way round.
+// Linear interpolation; rotations by normalised quaternions, the shorter way round.
 constexpr Vector mix(Vector a, Vector b, float part) {
     return a + part * (b - a);
 }
@@ -198,7 +198,7 @@ constexpr Pose relative(const Pose& frame, const Pose& of) {
     return {to_inner(frame, of.position), inverse(frame.rotation) * of.rotation};
 }
 
-// For bodies stored as rows, one index of each row per body: BatchArrays::field, LaneRow and the like.
+// Bodies stored as rows, with one index for each body: BatchArrays::field, LaneRow and the like.
 template <class Rows> Vector vector_in(const Rows& rows, size_t first, size_t i) {
     return {rows[first][i], rows[first + 1][i], rows[first + 2][i]};
 }

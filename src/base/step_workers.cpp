@@ -3,10 +3,10 @@
 namespace lr {
 namespace {
 
-// Some tens of microseconds: the length of a chunk, and what waking a thread costs. A pause is 40 to 140 cycles on x86.
+// Some tens of microseconds: the duration of a chunk, and the cost of waking a thread. A pause is 40 to 140 cycles on x86.
 constexpr uint32_t spins = 1000;
 
-// False if it is not ready within that time.
+// Whether it was ready within that time.
 template <class Ready> bool spin_until(const Ready& ready) {
     for (uint32_t i = 0; i < spins; ++i) {
         if (ready()) return true;
@@ -26,8 +26,8 @@ void ChunkQueue::open(uint32_t chunks, uint32_t threads, Task task, void* contex
     round_.store((number << claim_bits | claims) << thread_bits | threads, std::memory_order_release);
 }
 
-// Threads share the claims evenly. Even ones go upwards from the first of theirs, odd ones downwards from the last: two that have finished
-// their own meet in between.
+// Each thread starts in its even share of the claims, even threads upwards from their first, odd ones downwards from their last. Two neighbours that
+// finish their shares meet in between.
 uint64_t ChunkQueue::take(uint32_t thread) {
     const uint64_t round = round_.load(std::memory_order_acquire), number = round >> (claim_bits + thread_bits);
     const uint32_t claims = round >> thread_bits & ((1u << claim_bits) - 1),
@@ -41,7 +41,7 @@ uint64_t ChunkQueue::take(uint32_t thread) {
         if (down) at = at == 0 ? claims - 1 : at - 1;
         const uint32_t claim = at % claims;
         if (!down) at = claim + 1;
-        // When a round is done all its claims bear its number or a later one: a late thread gets none.
+        // After a round, all its claims bear its number or a later one, so a late thread gets none.
         std::atomic<uint64_t>& stamp = claimed_[claims <= most_claims / apart ? apart * claim : claim];
         uint64_t last = stamp.load(std::memory_order_relaxed);
         if (last >= number || !stamp.compare_exchange_strong(last, number, std::memory_order_acquire)) continue;
@@ -99,11 +99,11 @@ void WorkerPool::wake(uint32_t helpers) {
 
 void WorkerPool::work(uint32_t thread) {
     for (;;) {
-        // Before the round: one that begins later changes it.
+        // Before take(): a round that begins later changes it.
         const uint32_t seen = round_.load(std::memory_order_acquire);
         if (stopping_.load(std::memory_order_relaxed)) return;
         const uint64_t round = queue_->take(thread);
-        // Rounds of one step follow each other within microseconds; rounds of different frames do not.
+        // Spins, because rounds of one step follow within microseconds; sleeps between frames.
         const auto called = [&] { return queue_->opened_since(round) || stopping_.load(std::memory_order_relaxed); };
         if (!spin_until(called)) round_.wait(seen);
     }
@@ -126,7 +126,7 @@ void StepWorkers::job(void* step_workers, uint32_t begin, uint32_t end) {
     self.present_.fetch_sub(end - begin, std::memory_order_release);
 }
 
-// A job system can run its tasks inside enqueue, on the caller's thread or while it waits: then no more work can come.
+// A job system can run tasks inside enqueue, on the caller's thread or while it waits. The task must then return, because no more work can come.
 void StepWorkers::stay(uint32_t thread) {
     uint64_t round = queue_.take(thread);
     if (this_thread() == caller_) return;
@@ -155,7 +155,7 @@ void StepWorkers::finish(const FloatMode& mode) {
     const CallersMode outside(mode);
     jobs_.finish(jobs_.user, token_);
     called_ = false;
-    present_.store(0, std::memory_order_relaxed); // also if a system ran an index twice
+    present_.store(0, std::memory_order_relaxed); // even if a system ran an index twice
 }
 
 void StepWorkers::dismiss(const FloatMode& mode) {

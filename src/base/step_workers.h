@@ -1,4 +1,4 @@
-// The threads of a step: the caller alone, the world's own threads, or an engine's job system. The thread that runs a chunk never affects its result.
+// Threads of a step: the caller alone, the world's own threads, or an engine's job system. Results do not depend on the thread that runs a chunk.
 #pragma once
 
 #include "base/float_mode.h"
@@ -12,15 +12,15 @@
 
 namespace lr {
 
-// Chunks of work: any number of threads take them, one thread waits for all. Threads start at places of their own, the same in each round:
-// a line of memory that another core has written comes ten to a hundred times as slowly as one's own.
+// Chunks of work: any number of threads take them, one thread waits for all. Each thread starts at the same chunks in each round, because a cache
+// line written by another core is ten to a hundred times slower than its own.
 class ChunkQueue {
 public:
     using Task = void (*)(void* context, uint32_t chunk);
 
-    // Starts a round of task(context, 0 .. chunks - 1) for so many threads. The previous round is done.
+    // Starts a round of task(context, 0 .. chunks - 1) on `threads` threads, after the previous round is done.
     void open(uint32_t chunks, uint32_t threads, Task task, void* context);
-    // Runs chunks until none are left; returns the round. Any thread, any time: a late one finds none and reads nothing.
+    // Runs chunks until none are left; returns the round. Any thread, any time: a late thread finds none and reads nothing else.
     uint64_t take(uint32_t thread);
     bool opened_since(uint64_t round) const { return round_.load(std::memory_order_acquire) != round; }
     // Waits until all chunks are done, also those taken by others.
@@ -29,13 +29,13 @@ public:
 private:
     static constexpr uint32_t most_claims = 512, claim_bits = 10, thread_bits = 7;
 
-    // The number of the round, of claims and of threads: whoever holds no claim must read nothing else.
+    // Numbers of the round, of claims and of threads. A thread without a claim must read nothing else.
     alignas(64) std::atomic<uint64_t> round_{0};
     uint32_t chunks_ = 0;
     Task task_ = nullptr;
     void* context_ = nullptr;
     alignas(64) WaitedCount undone_{0}; // claims that are not done
-    // Of each piece of the chunks: the round in which it was last claimed. A few lie on lines of their own.
+    // For each claim, the round in which it was last taken. A few claims get cache lines of their own.
     static constexpr uint32_t apart = 8;
     alignas(64) std::array<std::atomic<uint64_t>, most_claims> claimed_{};
 };
@@ -50,7 +50,7 @@ public:
     WorkerPool(const WorkerPool&) = delete;
     WorkerPool& operator=(const WorkerPool&) = delete;
 
-    // False if the system gives no threads; none are then left running.
+    // False if the system gives no threads; none are then running.
     bool start(uint32_t workers);
     void stop();
     uint32_t workers() const { return workers_; }
@@ -73,22 +73,22 @@ private:
 // The world's threads, or a job system.
 class StepWorkers {
 public:
-    // Null callbacks: threads of its own. False if the system gives none.
+    // Null callbacks: own threads. False if the system gives none.
     bool start(uint32_t workers, const lr_job_system& jobs);
-    // The guess for a job system with an unknown number of threads: those of the machine, less the caller.
+    // Guess for a job system with an unknown number of threads: the machine's, less the caller.
     static uint32_t usual_helpers();
     void stop() { pool_.stop(); }
     uint32_t helpers() const { return helpers_; } // maximum besides the caller
 
-    // Runs task(context, 0 .. chunks - 1), on the caller too, and returns when all are done; uses at most `helpers`. `mode`: of
-    // the step; the caller's mode is restored while its job system runs. Allocates nothing.
+    // Runs task(context, 0 .. chunks - 1), on the caller too, with at most `helpers`, and returns when all are done. `mode`: of the step; the
+    // caller's mode is restored while its job system runs. Allocates nothing.
     void run(uint32_t chunks, uint32_t helpers, ChunkQueue::Task task, void* context, const FloatMode& mode);
     template <class Function> void run(uint32_t chunks, uint32_t helpers, Function function, const FloatMode& mode) {
         const auto task = [](void* self, uint32_t chunk) { (*static_cast<Function*>(self))(chunk); };
         run(chunks, helpers, task, &function, mode);
     }
 
-    // Between gather() and its end, tasks of a job system stay from run to run: there are too many runs to enqueue each.
+    // Between gather() and dismiss(), tasks of a job system stay from run to run, because there are too many runs to enqueue each.
     void gather() { gathered_.store(true, std::memory_order_relaxed); }
     void dismiss(const FloatMode& mode);
 
@@ -98,13 +98,13 @@ private:
     void call(uint32_t helpers, const FloatMode& mode);
     void finish(const FloatMode& mode);
 
-    // A member and not on a step's stack: a late job must still find it.
+    // A member, not on a step's stack, because a late job must still find it.
     ChunkQueue queue_;
     WorkerPool pool_{queue_};
     lr_job_system jobs_{};
     uint32_t helpers_ = 0;
 
-    // Of a job system.
+    // For a job system.
     ThreadId caller_{};
     void* token_ = nullptr;
     bool called_ = false;

@@ -1,4 +1,4 @@
-// Threads, waiting, yielding and the clock of this platform. LR_NO_OS: none of them; workers come from lr_job_system alone.
+// Threads, waiting, yielding and the clock of this platform. LR_NO_OS: none of these; workers come only from lr_job_system.
 #pragma once
 
 #include <atomic>
@@ -21,7 +21,7 @@
 #include <chrono>
 #endif
 
-// Without a futex, libstdc++ before 13 compares before it locks and notifies without the lock: wake-ups get lost, and both sides wait forever.
+// libstdc++ before 13 without a futex compares before it locks, and notifies without the lock: wake-ups get lost, and both sides wait forever.
 #if defined(LR_NO_OS) || (defined(_WIN32) && defined(__GLIBCXX__))
 #define LR_WAITS_ON_ATOMICS 0
 #else
@@ -48,7 +48,7 @@ inline void pause_processor() {
 #endif
 }
 
-// The address of a variable of the thread.
+// The address of a thread-local variable identifies the thread.
 using ThreadId = const void*;
 inline ThreadId this_thread() {
     static thread_local char here;
@@ -61,7 +61,7 @@ inline unsigned hardware_threads() { // 0 if the system does not say
     return 1;
 #endif
 }
-inline double clock_seconds() { // since any time; without a system always 0
+inline double clock_seconds() { // from an arbitrary start; 0 without a system
 #if defined(LR_NO_OS)
     return 0.0;
 #else
@@ -69,7 +69,7 @@ inline double clock_seconds() { // since any time; without a system always 0
 #endif
 }
 
-// A count that threads can wait for; replaces std::atomic's waits if these are unreliable.
+// A count that threads can wait for; replaces the waits of std::atomic where these are unreliable.
 #if LR_WAITS_ON_ATOMICS
 using WaitedCount = std::atomic<uint32_t>;
 #elif defined(LR_NO_OS)
@@ -91,7 +91,7 @@ public:
         std::unique_lock lock(mutex_);
         if (load(std::memory_order_acquire) == seen) changed_.wait(lock);
     }
-    // With the lock: a thread that compared the count before it changed is asleep by now, and is woken.
+    // With the lock, so that a thread that compared the count before the change is asleep by now, and is woken.
     void notify_one() {
         const std::lock_guard lock(mutex_);
         changed_.notify_one();

@@ -214,7 +214,7 @@ TEST_CASE("hull of a can with thousands of sides: in time, of fewer corners, wit
         same.push_back({points.back()[0], points.back()[1], points.back()[2]});
     }
     shape::ConvexHull whole;
-    CHECK(shape::convex_hull(same, whole, 10000) == shape::HullOutcome::too_dear);
+    CHECK(shape::convex_hull(same, whole, 10000) == shape::HullOutcome::too_costly);
     ConvexHull hull;
     Faults faults;
     REQUIRE(compute_convex_hull(points, hull, faults));

@@ -9,12 +9,12 @@
 namespace lr::baker {
 namespace {
 
-// About a second. Without a flat round side of thousands of corners there are some ten for each point.
+// About a second of work. A hull has some ten intermediate faces per point, more with a flat round side of thousands of corners.
 constexpr std::size_t most_hull_faces = 2000000;
 
-// Rounds the points to floats of one spacing, a half unit in the last place of the largest coordinate at most, and takes the hull of the rounded
-// points, convex without a tolerance: the rounding of stored corners tilts slivers, which can make them concave. Rounding also turns flat faces
-// into bumps, so the points should be corners.
+// Rounds the points to floats of one spacing, at most half a unit in the last place of the largest coordinate, and takes their hull, which is convex
+// without a tolerance. Rounding the corners of a hull instead tilts slivers, which can become concave. Rounding also turns flat faces into bumps, so
+// the points should be corners.
 bool rounded_hull(std::vector<shape::HullPoint>& points, shape::ConvexHull& out) {
     double largest = 0.0;
     for (const shape::HullPoint& p : points)
@@ -32,7 +32,7 @@ bool rounded_hull(std::vector<shape::HullPoint>& points, shape::ConvexHull& out)
     return shape::exact_hull(grid, out) == shape::HullOutcome::done;
 }
 
-// The points that lie furthest in one of many directions, spread evenly over the sphere (spherical Fibonacci points).
+// The furthest points in many directions, spread evenly over the sphere (spherical Fibonacci points).
 std::vector<uint32_t> extreme_points(const std::vector<shape::HullPoint>& points) {
     constexpr std::size_t directions = 4000;
     std::vector<uint32_t> found;
@@ -65,10 +65,10 @@ double furthest_outside(const std::vector<shape::HullPoint>& points, const shape
     return most;
 }
 
-// The hull of all points, or, where that takes too long, of those that are extreme.
+// The hull of all points or, where that takes too long, of extreme_points.
 shape::HullOutcome hull_in_time(const std::vector<shape::HullPoint>& points, shape::ConvexHull& hull) {
     const shape::HullOutcome outcome = shape::convex_hull(points, hull, most_hull_faces);
-    if (outcome != shape::HullOutcome::too_dear) return outcome;
+    if (outcome != shape::HullOutcome::too_costly) return outcome;
     const std::vector<uint32_t> kept = extreme_points(points);
     std::vector<shape::HullPoint> few;
     for (const uint32_t i : kept) few.push_back(points[i]);
@@ -101,7 +101,7 @@ bool compute_convex_hull(const std::vector<Eigen::Vector3d>& points, ConvexHull&
     case shape::HullOutcome::one_line:
         return fail(FaultId::mesh_zero_volume, "All points are on one line.", "Check the unit and the mesh.");
     case shape::HullOutcome::not_closed:
-    case shape::HullOutcome::too_dear:
+    case shape::HullOutcome::too_costly:
         return fail(FaultId::mesh_ill_conditioned, "The hull did not close.", "Report this mesh as a bug.");
     }
     for (const uint32_t i : hull.points) out.vertices.push_back(points[i]);
