@@ -5,8 +5,8 @@
 
 namespace {
 
-// A solver's error can leave added mass slightly below zero if a thin or round body has almost none, and such files pass the checks. In a dense
-// fluid it would reduce the body's own inertia, and turbulent loads along it would drive instead of damp.
+// Raises negative eigenvalues of the added mass to zero. A solver's error can leave some if a thin or round body has almost no added mass, and such
+// files pass the checks. In a dense fluid they would reduce the body's own inertia, and turbulent loads along them would drive instead of damp.
 lr::AssetData&& settled(lr::AssetData&& d) {
     const double unit = d.volume + d.projected_area * d.length_d;
     lr::Matrix6 scaled = d.added_mass;

@@ -28,8 +28,8 @@ namespace lr {
 void retain(const lr_asset& asset);
 void release(const lr_asset* asset); // null is fine
 
-// Reads an asset file, the only file that the runtime ever opens: a regular file, whole. It does not wait for pipes nor read devices, and child
-// processes do not inherit it.
-// LR_OK, LR_ERROR_FILE_NOT_FOUND, LR_ERROR_FILE_READ, LR_ERROR_ASSET_CORRUPT (over 1 GiB), LR_ERROR_OUT_OF_MEMORY; throws std::bad_alloc.
+// Reads an asset file, the only file that the runtime ever opens: a regular file, whole. Does not wait for pipes or read devices, and child processes
+// do not inherit it. LR_OK, LR_ERROR_FILE_NOT_FOUND, LR_ERROR_FILE_READ, LR_ERROR_ASSET_CORRUPT (over 1 GiB), LR_ERROR_OUT_OF_MEMORY; throws
+// std::bad_alloc.
 lr_status read_asset_bytes(const char* path_utf8, std::vector<unsigned char>& out);
 } // namespace lr

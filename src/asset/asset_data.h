@@ -1,4 +1,4 @@
-// The contents of an asset file as plain data, which the baker makes and the runtime reads.
+// The contents of an asset file as plain data: written by the baker, read by the runtime.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ struct TurbulenceData {
     double max_divergence = 0.0;           // largest |div u| d/u0 left in the mean flow
 };
 
-// Its numbers: X(name, least, most).
+// Its numbers, X(name, least, most).
 #define LR_TURBULENCE_NUMBERS(X)                                                                                       \
     X(dt, 1e-9, 1e9)                                                                                                   \
     X(c0, 0.0, 100.0)                                                                                                  \
@@ -49,21 +49,21 @@ struct AerodynamicData {
     std::array<double, 3> spin_drag{};        // m^5
     std::array<double, 3> spin_drag_stream{}; // m^4
     std::array<double, 3> spin_drag_stokes{}; // m^3
-    // A plate, its normal n the axis of the largest broadside: docs/maintainers/physics.md, "Plates". One value for streams along each axis.
+    // A plate with its normal n along the largest broadside: docs/maintainers/physics.md, "Plates". One value for streams along each axis.
     std::array<double, 3> plate_lift{};    // m^2, slope of the attached normal force times area
-    std::array<double, 3> plate_vortex{};  // m^2, the part with the square of the incidence
+    std::array<double, 3> plate_vortex{};  // m^2, part proportional to the square of the incidence
     std::array<double, 3> plate_stall{};   // squared sine of the stall angle
     double plate_separated_shedding = 0.0; // share of the added momentum along n that a separated stream sheds
     double plate_drag = 0.0;               // m^2, broadside
-    double start_drag = 0.0;               // while the wake is being made
-    // Its wake: `wake_length` long; it keeps the stream of some `wake_lag` lengths before, of which the lift takes `wake_share`.
+    double start_drag = 0.0;               // while the wake develops
+    // The plate's wake: wake_length long, a memory of the stream wake_lag lengths ago. The lift's stream is wake_share of that memory.
     double wake_length = 1.0; // m
     double wake_lag = 1.0, wake_share = 0.0;
     // Vortex shedding, above a Reynolds number: frequency strouhal s/wake_length.
     double strouhal = 0.0, shedding_growth = 0.0, shedding_reynolds = 0.0, shedding_noise = 0.0;
     double shedding_moment = 0.0, shedding_rate_moment = 0.0; // m^3
     // Gusts: velocity of the fluid in the wake, per axis intensity times s Re/(Re + wake_reynolds) sum_i broadside_i (v_i/s)^2, correlated over
-    // length/s. Below some 100s it is laminar.
+    // length/s. At Re below some 100s the wake is laminar.
     std::array<double, 3> broadside{};
     double intensity = 0.0;
     double wake_reynolds = 0.0;
@@ -73,7 +73,8 @@ struct AerodynamicData {
     bool operator==(const AerodynamicData&) const = default;
 };
 
-// Its vectors and numbers for loops: X(name, least, most, power), limits in units of d^power. Folded surfaces have many times the area of their silhouette.
+// Its vectors and numbers for loops, X(name, least, most, power): limits in units of d^power. Folded surfaces have many times the area of their
+// silhouette.
 #define LR_AERODYNAMIC_VECTORS(X)                                                                                      \
     X(drag, 0.0, 1e6, 2.0)                                                                                             \
     X(drag_blunt, 0.0, 1e6, 2.0)                                                                                       \
@@ -106,12 +107,12 @@ struct AerodynamicData {
     X(shedding_moment, -1e6, 1e6, 3.0)                                                                                 \
     X(shedding_rate_moment, -1e6, 1e6, 3.0)
 
-// A part of a bent, pierced or long body that sees a stream of its own: docs/maintainers/physics.md, "Stations". Its coefficients are those of
-// AerodynamicData for the part alone, with the lift of the wing that it belongs to; they act at `place`, along `axes`.
+// A part of a bent, pierced or long body that sees its own stream: docs/maintainers/physics.md, "Stations". Coefficients are those of AerodynamicData
+// for the part alone, with the lift of its wing; they act at `place`, along `axes`.
 struct StationData {
-    std::array<double, 9> axes{
-        1, 0, 0, 0, 1, 0, 0, 0, 1}; // rows: along the chord, along the span, the normal; body frame, right-handed
-    std::array<double, 3> place{};  // m, from the centre of mass, body frame
+    // Rows: along the chord, along the span, the normal; body frame, right-handed.
+    std::array<double, 9> axes{1, 0, 0, 0, 1, 0, 0, 0, 1};
+    std::array<double, 3> place{};                      // m, from the centre of mass, body frame
     std::array<double, 3> drag{}, drag_blunt{};         // m^2
     std::array<double, 3> drag_layer{};                 // m^(3/2)
     std::array<double, 3> drag_stokes{};                // m
@@ -122,13 +123,13 @@ struct StationData {
     std::array<double, 3> spin_drag_stream{}; // m^4
     std::array<double, 3> spin_drag_stokes{}; // m^3
     double plate_drag = 0.0;                  // m^2
-    std::array<double, 3>
-        lift_arm{}; // m, along chord and span: how far aft of `place` attached lift acts, besides Munk's moment
-    double separated_shedding =
-        0.0; // m^3, the part of the added mass along the normal whose momentum a separated stream leaves behind
-    std::array<double, 3>
-        hollow{}; // along chord, span and normal, towards the convex side of a bowl: there a stream u meets 1 - hollow.u/|u| of the normal force
-    double camber = 0.0; // incidence at which a stream along the chord lifts nothing, with its sign reversed
+    // m, along chord and span: distance aft of `place` at which attached lift acts, besides Munk's moment.
+    std::array<double, 3> lift_arm{};
+    // m^3, part of the added mass along the normal whose momentum a separated stream leaves behind.
+    double separated_shedding = 0.0;
+    // Along chord, span and normal, towards the convex side of a bowl: a stream u has the normal force times 1 - hollow.u/|u|.
+    std::array<double, 3> hollow{};
+    double camber = 0.0; // minus the incidence of zero lift of a stream along the chord
 };
 inline constexpr size_t most_stations = 8;
 
@@ -188,7 +189,7 @@ struct AssetData {
     double u0 = 0.0;                                       // m/s
     TurbulenceData turbulence;
     AerodynamicData aerodynamics;
-    std::vector<StationData> stations; // none: the loads of `aerodynamics`; else two or more in their place
+    std::vector<StationData> stations; // two or more, instead of the loads of `aerodynamics`; or none
     HullData hull;
     ProvenanceData provenance;
 

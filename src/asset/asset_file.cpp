@@ -27,7 +27,7 @@ uint64_t checksum_without(const uint8_t* bytes, size_t size, size_t field_offset
     return hash.value();
 }
 
-// Where the checksum lies in the file, or 0 if it is absent.
+// Offset of the checksum in the file; 0 if it is absent.
 size_t checksum_offset(const format::Asset& asset, const uint8_t* bytes) {
     // Generated tables have no fields besides those of flatbuffers::Table, but inherit it privately.
     const uint8_t* at = reinterpret_cast<const flatbuffers::Table&>(asset).GetAddressOf(format::Asset::VT_CHECKSUM);
@@ -117,7 +117,7 @@ bool decode(const format::Asset& a, AssetData& out, Faults& faults) {
     out.u0 = a.u0();
     decode(*a.turbulence(), out.turbulence, read);
     decode(*a.aerodynamics(), out.aerodynamics, read);
-    // One more than there can be is enough to fault them.
+    // One more than allowed suffices to refuse them.
     const size_t stations = a.stations() ? std::min<size_t>(a.stations()->size(), most_stations + 1) : 0;
     out.stations.assign(stations, {});
     for (size_t i = 0; i < stations; ++i)
@@ -171,7 +171,7 @@ flatbuffers::Offset<format::Turbulence> encode(const TurbulenceData& from, flatb
 
 std::vector<uint8_t> write_asset(const AssetData& d) {
     flatbuffers::FlatBufferBuilder b(4096);
-    // Defaults are written too: a value that happens to be 0 must not look like a missing field.
+    // Forced: a value that happens to be 0 must not look like a missing field.
     b.ForceDefaults(true);
     const auto name = b.CreateString(d.name);
     const auto inertia = b.CreateVector(d.inertia.data(), d.inertia.size());

@@ -82,7 +82,7 @@ void check_matrices(const AssetData& d, Checker& check) {
         if (std::abs(v) > 100.0)
             return check.fail(FaultId::asset_out_of_range, "added_mass",
                               "An entry is far too large for a body of this size.");
-    // Semi-definite: about an axis of revolution the added inertia is zero, and a solver's error can leave slightly less.
+    // Semi-definite: about an axis of revolution the added inertia is zero, and a solver's error can make it slightly negative.
     for (size_t i = 0; i < 6; ++i) added[i * 6 + i] += 1e-5;
     if (!is_positive_definite(added, 0.0))
         check.fail(FaultId::asset_not_positive, "added_mass", "The added mass is not positive semi-definite.");
@@ -111,7 +111,7 @@ void check_table(const TurbulenceData& t, Checker& check) {
 #undef LR_NUMBER
 }
 
-// From one vertex to another, along a triangle, with its third vertex.
+// A directed edge of a triangle, with its third vertex.
 struct Edge {
     uint32_t from, to, opposite;
     size_t triangle;
@@ -251,7 +251,7 @@ constexpr Number numbers[] = {{&AssetData::mass, "mass", 1e-18, 1e12},
 } // namespace
 
 const char* wrong_in(const AerodynamicData& a) {
-    // Bodies are at most 1000 m large, which bounds lengths to the fifth power. 1e-6: callers can have single precision.
+    // The size limit of 1000 m bounds lengths to the fifth power. 1e-6: callers can have single precision.
     if (!is_rotation(a.axes, 1e-6)) return "axes are no right-handed, orthogonal unit vectors";
     for (const auto& c : coefficients<AerodynamicData>) {
         const double unit = c.power == 0.0 ? 1.0 : 1e10;
@@ -285,14 +285,14 @@ bool check_asset(const AssetData& d, Faults& faults) {
     return check.ok();
 }
 
-// Combinations of numbers that no body has, though each number alone is possible.
+// Refuses combinations that no body has, though each number alone is possible.
 namespace {
 
 void fail(Faults& faults, const char* where, const char* what) {
     faults.push_back({FaultId::asset_inconsistent, Severity::error, where, what, "Bake the asset again."});
 }
 
-// The second moments of mass, trace/2 - I, are sums of squares. Across a flat body they are zero, and rounding can leave slightly less.
+// The second moments of mass, trace/2 - I, are sums of squares. Those across a flat body are zero, and rounding can make them slightly negative.
 bool has_moments_of_mass(const AssetData& d) {
     const double half_trace = 0.5 * (d.inertia[0] + d.inertia[4] + d.inertia[8]);
     std::array<double, 9> moments{};
@@ -300,7 +300,7 @@ bool has_moments_of_mass(const AssetData& d) {
     return is_positive_definite(rigid_mass_matrix(1.0, moments), 0.0);
 }
 
-// Mass is not on a line: about any axis it is spread by at least a hundredth of the thickness.
+// Mass must not lie on a line: about any axis its radius of gyration is at least a hundredth of the thickness.
 bool has_spread(const AssetData& d) {
     const double least = 1e-4 * d.mass * d.length_b * d.length_b, size = d.inertia[0] + d.inertia[4] + d.inertia[8];
     std::array<double, 9> beyond{};
@@ -308,7 +308,7 @@ bool has_spread(const AssetData& d) {
     return is_positive_definite(rigid_mass_matrix(1.0, beyond), 0.0);
 }
 
-// Along the axes of the body; d itself can lie across them.
+// Along the body axes; d itself can lie across them.
 double extent(const HullData& hull) {
     double largest = 0.0;
     for (size_t axis = 0; axis < 3; ++axis) {
@@ -324,7 +324,7 @@ double extent(const HullData& hull) {
 bool check_plausible(const AssetData& d, Faults& faults) {
     const size_t before = faults.size();
     const double d1 = d.length_d, d2 = d1 * d1;
-    // Ten cubes of the side d: the layers of a folded sheet can displace more than its hull contains.
+    // Ten cubes of side d: layers of a folded sheet can displace more than their hull contains.
     if (d.volume > 10.0 * d2 * d1) fail(faults, "volume", "The volume is far too large for the length d.");
     if (d.projected_area > 10.0 * d2) fail(faults, "projected_area", "The area is far too large for the length d.");
     if (d.length_b > 10.0 * d1) fail(faults, "lengths.b", "The thickness is far larger than the length d.");
@@ -372,7 +372,7 @@ double largest_coupling(const AssetData& a) {
     for (const double c : a.center_of_buoyancy) largest = std::max(largest, std::abs(c) / a.length_d);
     for (const double c : a.aerodynamics.center) largest = std::max(largest, std::abs(c) / a.length_d);
     const auto relative = [](double off, double x, double y) { return std::abs(off) / std::sqrt(std::abs(x * y)); };
-    // About an axis of revolution the added inertia vanishes: the body's own inertia is then the scale.
+    // About an axis of revolution the added inertia vanishes, so the scale includes the body's own inertia.
     const auto size = [&](std::size_t n) {
         return a.added_mass[n * 7] + (n < 3 ? a.volume : a.inertia[(n - 3) * 4] / a.density);
     };
@@ -395,7 +395,7 @@ size_t widest_axis(const AerodynamicData& loads) {
 
 std::array<double, 36> mirror_odd(const std::array<double, 36>& matrix, const AerodynamicData& loads) {
     const double* const n = loads.axes.data() + 3 * widest_axis(loads);
-    // Half of M less S M S; S reflects velocities, 1 - 2 n n^T, and spins with the other sign.
+    // Half of M - S M S, where S reflects velocities, 1 - 2 n n^T, and spins with the opposite sign.
     Matrix6 s{}, odd;
     for (size_t i = 0; i < 3; ++i)
         for (size_t j = 0; j < 3; ++j) {

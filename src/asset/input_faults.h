@@ -45,7 +45,7 @@ enum class FaultId : uint32_t {
     image_several_pieces = 223,
     image_specks = 224,
     image_too_ragged = 225,
-    // the mesh again
+    // 226: the mesh again
     mesh_self_intersection = 226,
     // 3xx: a parameter of the bake
     parameter_out_of_range = 301,
@@ -76,15 +76,14 @@ enum class FaultId : uint32_t {
 struct Fault {
     FaultId id;
     Severity severity;
-    std::string where;  // file, face, vertex, field: the narrowest place known
+    std::string where;  // file, face, vertex, field: as narrow as known
     std::string what;   // one sentence
     std::string remedy; // one sentence, an instruction
 };
 
 using Faults = std::vector<Fault>;
 
-// The fewest digits that read back as the same number, whatever the locale. std::to_chars() of doubles came late to the libraries of Apple's
-// systems and Emscripten.
+// The fewest digits that read back as the same number, in any locale. std::to_chars() of doubles came late to the libraries of Apple and Emscripten.
 inline std::string shortest(double value) {
     char buffer[32] = {};
     for (int digits : {15, 16, 17}) {
@@ -92,7 +91,7 @@ inline std::string shortest(double value) {
         if (std::strtod(buffer, nullptr) == value) break;
     }
     std::string text;
-    for (const char* c = buffer; *c != 0; ++c) // the locale's decimal point, of one or more bytes
+    for (const char* c = buffer; *c != 0; ++c) // replaces the locale's decimal point, of one or more bytes
         if (std::strchr("+-0123456789einfa", *c))
             text += *c;
         else if (text.back() != '.')

@@ -27,7 +27,7 @@ namespace {
 
 constexpr size_t max_bytes = size_t{1} << 30;
 
-// From errno.
+// reason: errno.
 lr_status status_of(int reason) {
     switch (reason) {
     case ENOENT:

@@ -9,15 +9,16 @@
 namespace lr::shape {
 namespace {
 
-// The coefficients of the rule. docs/maintainers/physics.md, "AERODYNAMIC", gives the meaning and the measurement of each.
+// The coefficients of the rules. docs/maintainers/physics.md, "AERODYNAMIC", has the meaning and the measurement of each.
 constexpr double streamlined_drag = 0.05;                   // the least C_D
 constexpr double blunt_slope = 2.0, blunt_offset = -0.8985; // C_D over bluntness: sphere 0.43, flat face 1.10
-// C_D of faces that lean to the stream, if it leaves at their edges: octahedron 0.87, tetrahedron 1.2.
+// C_D of faces inclined to the stream, if it leaves at their edges: octahedron 0.87, tetrahedron 1.2.
 constexpr double edge_drag = 0.85;
-constexpr double shadow_length = 4.0; // of the front's width: behind its edges the sides lie in the wake
-constexpr double cross_flow = 1.1;    // of stroke2: C_D of parts that the spin of a rod or a round body moves
-constexpr double aspect_gain = 0.7, aspect_half = 20.0; // a long silhouette lets less flow around its ends
-constexpr double drag_blunt_share = 0.445;              // part of a sphere's C_D that comes with Re of some 8710
+// Of the front's width: over this length behind its edges the sides lie in the wake.
+constexpr double shadow_length = 4.0;
+constexpr double cross_flow = 1.1; // of stroke2: C_D of parts moved by the spin of a rod or a round body
+constexpr double aspect_gain = 0.7, aspect_half = 20.0; // less flow passes around the ends of a long silhouette
+constexpr double drag_blunt_share = 0.445;              // part of a sphere's C_D that sets in at Re of some 8710
 constexpr double layer_friction = 0.558;                // Blasius, 0.664 a side, over chord/sqrt(2)
 constexpr double layer_pressure = 0.42, layer_separation = 0.414; // faces across the stream; rounded faces
 constexpr double turbulent_friction = 0.004;                      // of the surface along the stream
@@ -39,30 +40,30 @@ double share(double x, double y) {
     return x > 0.0 ? x / (x + y) : 0.0;
 }
 
-// How much the silhouette along k exceeds the next: 1 for a sheet, 0 for rods, round bodies and the other axes of a sheet.
+// Relative excess of the silhouette along k over the next: 1 for a sheet, 0 for rods, round bodies and the other axes of a sheet.
 double flatness(const AerodynamicGeometry& g, size_t k) {
     const double other = std::max(g.area[(k + 1) % 3], g.area[(k + 2) % 3]);
     return g.area[k] > other ? 1.0 - other / g.area[k] : 0.0;
 }
 
-// From a share of 0.05 on: bodies thinner than that are sheets.
+// Zero up to 0.05, then linear to 1: bodies thinner than 0.05 are sheets.
 double beyond_thin(double share) {
     return std::max(0.0, (share - 0.05) / 0.95);
 }
 
-// How much of a plate it is: a thick body that is round at the rim is less of one than one with edges.
+// Degree to which a body is a plate across k: a thick body with a round rim is less of a plate than one with edges.
 double sheetness(const AerodynamicGeometry& g, size_t k) {
     const double flat = flatness(g, k), lost = beyond_thin(1.0 - flat) * (1.0 - g.edges[k]);
     return flat * std::max(0.0, 1.0 - 2.25 * lost * lost);
 }
 
-// How little of a plate it is: 1 for rods and round bodies, 0 for thin ones.
+// 1 for rods and round bodies, 0 for plates.
 double compactness(const AerodynamicGeometry& g) {
     const double rest = beyond_thin(1.0 - std::max({sheetness(g, 0), sheetness(g, 1), sheetness(g, 2)}));
     return rest * rest * (3.0 - 2.0 * rest);
 }
 
-// From a disc's coefficient to that of a long strip.
+// From a disc's coefficient towards that of a long strip.
 double by_slenderness(double disc, double strip, double slenderness) {
     return disc + (strip - disc) * share(slenderness, strip_half);
 }
@@ -72,7 +73,7 @@ double slope_of(double aspect) {
     return aspect / (2.0 + std::sqrt(aspect * aspect + 4.0));
 }
 
-// edges: how far the stream leaves at edges, 0 to 1.
+// edges: degree to which the stream leaves at edges, 0 to 1.
 template <class Loads> void set_drag(const AerodynamicGeometry& g, size_t k, double edges, Loads& out) {
     const size_t i = (k + 1) % 3, j = (k + 2) % 3;
     const double beta = g.bluntness[k], area = g.area[k];
@@ -87,14 +88,14 @@ template <class Loads> void set_drag(const AerodynamicGeometry& g, size_t k, dou
     const double blunt = drag_blunt_share * round;
     out.drag[k] = (1.0 - blunt) * coefficient * area + turbulent_friction * along;
     out.drag_blunt[k] = blunt * coefficient * area;
-    // The layer grows along the body, and from the middle of its front to the rim.
+    // The boundary layer grows along the body, and from the middle of its front to the rim.
     const double width2 = 4.0 / std::numbers::pi * area;
     const double run = std::sqrt(0.5 * (g.extent[k] * g.extent[k] + width2));
     const double faces = layer_friction * along + thick * (layer_pressure + layer_separation * round) * across;
     out.drag_layer[k] = run > 0.0 ? faces / std::sqrt(run) : 0.0;
 }
 
-// Normal force of a plate of this extent across the axis n, which has a share `area` of the silhouette `plan`.
+// Normal force of a plate of this extent across the axis n. area: its part of the silhouette `plan`.
 template <class Loads>
 void set_normal_force(const std::array<double, 3>& extent, double plan, double area, size_t n,
                       const PlateCoefficients& plate, Loads& out) {
@@ -137,7 +138,7 @@ struct Circulation {
     double lift, spin_lift;
 };
 
-// Circulation about the axis k in a stream along i and j, and the drag of spin about k. compact: compactness(), of the whole body.
+// Circulation about the axis k in a stream along i and j, and the drag of spin about k. compact: compactness() of the whole body.
 template <class Loads>
 Circulation set_spin(const AerodynamicGeometry& g, size_t k, double span, double compact,
                      const PlateCoefficients& plate, Loads& out) {
@@ -145,14 +146,14 @@ Circulation set_spin(const AerodynamicGeometry& g, size_t k, double span, double
     const double plan = std::max(g.area[i], g.area[j]);
     const double total = g.area[i] + g.area[j];
     const double uneven = total > 0.0 ? std::abs(g.area[j] - g.area[i]) / total : 0.0;
-    // The extent along the flat side; of a body that is as thick as wide, the mean of both.
+    // Extent along the flat side; of a body as thick as wide, the mean of both.
     const double chord = total > 0.0 ? (g.area[j] * g.extent[i] + g.area[i] * g.extent[j]) / total : 0.0;
     const double thick = 1.0 - std::max(sheetness(g, i), sheetness(g, j));
     const double moment =
         by_slenderness(plate.spin_disc, plate.spin_strip, chord > 0.0 ? std::max(0.0, span / chord - 1.0) : 0.0);
     out.spin_drag[k] = 0.5 * (moment * g.stroke3[k] + spin_friction * g.rub[k]);
     out.spin_drag_stream[k] = (plate.spin_stream * (1.0 - thick) + cross_flow * compact) * g.stroke2[k];
-    // A rod or a round body has no edge for the stream to leave at: it makes no circulation by turning.
+    // A rod or a round body has no edge for the stream to leave at, so its spin makes no circulation of this kind.
     return {thick * translation_lift * (g.area[j] - g.area[i]) * share(span, lift_span * chord),
             0.5 * plate.rotation * plan * chord * uneven * (1.0 - compact) * share(span, plate.rotation_span * chord) +
                 magnus * g.volume * (1.0 - uneven)};
@@ -186,13 +187,13 @@ StationData default_station(const AerodynamicGeometry& part, const Wing& wing, c
     g.edges = {1.0, 1.0, 1.0}; // parts of flat bodies; only their rims could be round
     StationData out;
     out.axes = g.axes;
-    // Layers run along the whole wing.
+    // Boundary layers run along the whole wing.
     AerodynamicGeometry in_wing = g;
     in_wing.extent[0] = std::max(g.extent[0], wing.chord);
     in_wing.extent[1] = std::max(g.extent[1], wing.span);
     for (size_t k = 0; k < 3; ++k) {
         set_drag(in_wing, k, 0.0, out);
-        // The circulation about the span runs along the whole wing.
+        // Circulation about the span runs along the whole wing.
         out.spin_lift[k] = set_spin(g, k, k == 1 ? in_wing.extent[1] : g.extent[k], 0.0, plate, out).spin_lift;
     }
     out.plate_stall = {1.0, 1.0, 0.0};

@@ -7,8 +7,8 @@
 
 namespace lr::shape {
 
-// The measures of a surface that the loads need. n: outward unit normal; r: from the load centre; e_k: axes. Integrals run over the surface of a
-// closed body, or over both sides of a sheet. Axes have no order: they are the body axes if these are principal, so that nothing needs a rotation.
+// Measures of a surface for the loads. n: outward unit normal; r: from the load centre; e_k: axes. Integrals run over the surface of a closed body,
+// or over both sides of a sheet. Axes have no order: they are the body axes if these are principal, which saves a rotation.
 struct AerodynamicGeometry {
     std::array<double, 9> axes{1, 0, 0, 0, 1, 0, 0, 0, 1}; // rows: principal axes, unit vectors in the body frame
     std::array<double, 3> extent{};                        // m, full, along the axes
@@ -24,7 +24,7 @@ struct AerodynamicGeometry {
     std::array<double, 3> rub{};     // m^5, int |e_k x r|^3 dA: scales skin friction against spin
 };
 
-// A plate's loads and wake, for a disc and for long strips (docs/maintainers/physics.md, "Plates"). Fitted to measured falls of discs.
+// Loads and wake of a plate, for a disc and for long strips (docs/maintainers/physics.md, "Plates"). Fitted to measured falls of discs.
 struct PlateCoefficients {
     double drag = 1.17;                  // C_D broadside
     double lift = 1.972, vortex = 2.872; // slope of the normal force; its part with the square of the incidence
@@ -33,7 +33,7 @@ struct PlateCoefficients {
     double rotation = 1.121, rotation_span = 0.3327; // C_R of a long strip; falls with chord over span
     double spin_disc = 0.8933, spin_strip = 2.5;     // C_M by span over chord
     double spin_stream = 1.192;                      // of stroke2
-    double start = 2.462;                            // drag while the wake is being made, of that broadside
+    double start = 2.462;                            // drag while the wake develops, over broadside drag
     double lag = 2.033, share = 0.7341;              // of the wake's memory
     double strouhal = 0.159, growth = 0.3853, critical_reynolds = 96.35;
     double moment = 0.04745, rate_moment = -0.01302; // by shedding, of the area times the wake's length
@@ -45,13 +45,13 @@ struct PlateCoefficients {
 // The default coefficients: one set of rules for all shapes.
 AerodynamicData default_aerodynamics(const AerodynamicGeometry& geometry, const PlateCoefficients& plate = {});
 
-// The wing that a part belongs to: what lift, stall and broadside drag depend on.
+// The wing that a part belongs to, on which lift, stall and broadside drag depend.
 struct Wing {
     double span = 0.0, chord = 0.0; // m, extents
     double area = 0.0;              // m^2
 };
 
-// The same rules for a part of a body, by itself but for its wing. Axes of the geometry: along the chord, along the span, the normal. Creeping
-// flow is the body's: the caller shares it out. Place, added mass and camber are left at their defaults.
+// The same rules for a part of a body alone, apart from its wing. Axes of the geometry: along the chord, along the span, the normal. Left at their
+// defaults: creeping flow, which the caller shares between parts, place, added mass and camber.
 StationData default_station(const AerodynamicGeometry& part, const Wing& wing, const PlateCoefficients& plate = {});
 } // namespace lr::shape

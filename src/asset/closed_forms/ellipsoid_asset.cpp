@@ -58,15 +58,16 @@ BodyScales body_scales(double largest_extent, double smallest_extent, double vol
                        double broadside_added_mass, double density, double fluid_density) {
     BodyScales s{};
     s.d = largest_extent;
-    // Volume over area is a sheet's mean thickness, however curled; 3/2 of it is an ellipsoid's. A flat box has its true thickness as its extent.
+    // Volume over area is the mean thickness of a sheet, however curled; 3/2 of it is the thickness of an ellipsoid. A flat box has its smallest
+    // extent.
     s.b = std::min(smallest_extent, 1.5 * volume / projected_area);
-    // Half the depth of the fluid that moves along broadside: with the paper's 100 % intensity, paper discs of 70 g/m^2 fall as measured.
+    // Half the depth of the fluid carried along broadside. With the paper's 100 % intensity, paper discs of 70 g/m^2 then fall as measured.
     s.l = 0.5 * broadside_added_mass / projected_area;
     s.u0 = speed_scale(density, fluid_density, s.b);
     return s;
 }
 
-// m/s^2: only scales use it, motion uses the world's gravity.
+// m/s^2, for scales; motion uses the world's gravity.
 constexpr double standard_gravity = 9.80665;
 
 double speed_scale(double density, double fluid_density, double thickness) {

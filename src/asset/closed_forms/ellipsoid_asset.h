@@ -1,4 +1,4 @@
-// A whole asset for a solid ellipsoid from closed forms, without mesh or file.
+// The asset of a solid ellipsoid from closed forms, without mesh or file.
 #pragma once
 
 #include "asset/asset_data.h"
@@ -8,11 +8,11 @@
 
 namespace lr::shape {
 
-// The lengths and the speed that make a body dimensionless; docs/maintainers/physics.md, "Scales".
+// Lengths and speed that make a body dimensionless; docs/maintainers/physics.md, "Scales".
 struct BodyScales {
     double d;  // m, characteristic length: the largest extent
     double b;  // m, thickness
-    double l;  // m, turbulence length: half the depth of the layer of fluid that the body drags along broadside
+    double l;  // m, turbulence length: half the depth of the fluid carried along broadside
     double u0; // m/s, speed_scale
 };
 

@@ -14,7 +14,7 @@ double carlson_rd(double x, double y, double z) {
     for (int i = 0; i < 64; ++i) {
         const double mean = (x + y + 3.0 * z) / 5.0;
         const double spread = std::max({std::abs(mean - x), std::abs(mean - y), std::abs(mean - z)});
-        // The remainder of the series below is of sixth order in spread / mean: 1e-3 leaves 1e-17.
+        // The remainder of the series below is of sixth order in spread / mean, so 1e-3 leaves 1e-17.
         if (spread < 1e-3 * mean) {
             const double dx = (mean - x) / mean, dy = (mean - y) / mean, dz = -(dx + dy) / 3.0;
             const double e2 = dx * dy - 6.0 * dz * dz, e3 = (3.0 * dx * dy - 8.0 * dz * dz) * dz;
@@ -58,7 +58,7 @@ EllipsoidAddedMass lamb_added_mass(const std::array<double, 3>& axes) {
         const double difference = aj2 - ak2;
         const double wanted = alpha[k] - alpha[j];
         const double denominator = 2.0 * difference - (aj2 + ak2) * wanted;
-        // Both vanish together about an axis of revolution; the quotient goes to zero with the fourth power of the difference over the second.
+        // Both vanish about an axis of revolution, the numerator with the fourth power of the difference, the denominator with the second.
         double d = 0.0;
         if (std::abs(difference) > 1e-7 * (aj2 + ak2))
             d = volume / 5.0 * difference * difference * wanted / denominator;
@@ -72,7 +72,7 @@ double carlson_rf(double x, double y, double z) {
     for (int i = 0; i < 64; ++i) {
         mean = (x + y + z) / 3.0;
         const double dx = (mean - x) / mean, dy = (mean - y) / mean, dz = -(dx + dy);
-        // The remainder of the series is of sixth order in the differences: 2e-3 leaves 1e-17.
+        // The remainder of the series is of sixth order in the differences, so 2e-3 leaves 1e-17.
         if (std::max({std::abs(dx), std::abs(dy), std::abs(dz)}) < 2e-3) {
             const double e2 = dx * dy - dz * dz, e3 = dx * dy * dz;
             return (1.0 - e2 / 10.0 + e3 / 14.0 + e2 * e2 / 24.0 - 3.0 * e2 * e3 / 44.0) / std::sqrt(mean);
@@ -95,8 +95,8 @@ StokesResistance stokes_resistance(const std::array<double, 3>& semi_axes) {
     if (sorted[1] < 1e-12)
         for (double& s : square) s = std::max(s, 1e-12);
 
-    // chi + a_i^2 alpha_i of Happel & Brenner, 5-11.19, is 2 R_F + 2/3 a_i^2 R_D(.., a_i^2); for a_i = 0 the second
-    // term vanishes although R_D does not stay finite.
+    // chi + a_i^2 alpha_i of Happel & Brenner, 5-11.19, is 2 R_F + 2/3 a_i^2 R_D(.., a_i^2). For a_i = 0 the second term vanishes, although R_D is
+    // infinite.
     const double rf = carlson_rf(square[0], square[1], square[2]);
     std::array<double, 3> weighted{};
     for (size_t i = 0; i < 3; ++i)
@@ -114,11 +114,11 @@ StokesResistance stokes_resistance(const std::array<double, 3>& semi_axes) {
 namespace {
 
 struct Node {
-    double x, rest, weight; // rest: 1 - x, to its own last digit
+    double x, rest, weight; // rest: 1 - x, without cancellation
 };
 
 // Tanh-sinh rule on [0, 1] (Takahasi & Mori 1974): nodes are dense at both ends, where the integrands of flat or slender ellipsoids are steep. A step
-// of 0.09 leaves 1e-12 for moderate shapes, and 1e-7 for a body ten thousand times as long as thick.
+// of 0.09 has an error of 1e-12 for moderate shapes, and of 1e-7 for a body ten thousand times as long as thick.
 std::vector<Node> unit_interval_rule() {
     constexpr double step = 0.09;
     std::vector<Node> nodes;
@@ -163,7 +163,7 @@ AerodynamicGeometry ellipsoid_geometry(const std::array<double, 3>& semi_axes) {
         out.surface += squared * unit2;
     }
 
-    // Over an octant: u_z = x, and the azimuth by its half-tangent s.
+    // Over an octant: u_z = x, azimuth by its half-tangent s.
     const std::vector<Node> rule = unit_interval_rule();
     std::array<double, 3> stroke2{}, stroke3{}, rub{};
     for (const Node& turn : rule) {

@@ -1,4 +1,4 @@
-// An ellipsoid's added mass, creeping flow and surface, in closed form or by quadrature. Semi-axes in m, positive unless said otherwise.
+// Added mass, creeping flow and surface of an ellipsoid, in closed form or by quadrature. Semi-axes in m, positive unless stated otherwise.
 #pragma once
 
 #include "asset/closed_forms/aerodynamic_coefficients.h"
@@ -25,7 +25,7 @@ struct StokesResistance {
     std::array<double, 3> translation; // m: force over dynamic viscosity and speed, 6 pi a for a sphere
     std::array<double, 3> rotation;    // m^3: moment over dynamic viscosity and angular velocity, 8 pi a^3
 };
-// One semi-axis can be zero: an elliptic disc. With two zeros, a needle a millionth as thick as long, because a line has no resistance.
+// One semi-axis can be zero: an elliptic disc. Two zeros become a needle a millionth as thick as long, because a line has no resistance.
 StokesResistance stokes_resistance(const std::array<double, 3>& semi_axes);
 
 // Axes of the body, centre of buoyancy at the centre.

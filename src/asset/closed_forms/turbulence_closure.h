@@ -15,8 +15,8 @@ struct TurbulenceState {
 // chi = epsilon/k, 1/s.
 double turbulent_frequency(TurbulenceState state);
 
-// Paper Eq. 18 with the intensity as a parameter: k0 = 3/2 (I U0)^2, epsilon0 = C_mu^(3/4) k0^(3/2)/l. The paper has I = 1 and for l the grid cell,
-// which doubles chi0 whenever the cell is halved; here l is a length of the body (docs/maintainers/physics.md section 7).
+// Paper Eq. 18 with the intensity as a parameter: k0 = 3/2 (I U0)^2, epsilon0 = C_mu^(3/4) k0^(3/2)/l. The paper has I = 1, and the grid cell for l,
+// so that half the cell doubles chi0; here l is a length of the body (docs/maintainers/physics.md section 7).
 TurbulenceState inflow_state(double u0, double intensity, double l);
 
 // Eqs. 16 and 17 without production, exactly: k = k0 (1 + (C2-1) chi0 t)^(-1/(C2-1)), chi = chi0/(1 + (C2-1) chi0 t).
