@@ -31,7 +31,7 @@ lr_status status_of(const Faults& faults) {
     return LR_OK;
 }
 
-// Runs `make` if `given` and `out` are not null. The reason of a refusal is the first fault of severity error.
+// Runs `make` if `given` and `out` are not null. The reason of a refusal is the first error in the faults.
 template <class Make> lr_status make_asset(const char* function, const void* given, lr_asset** out, const Make& make) {
     const FloatMode mode;
     if (out) *out = nullptr;
@@ -39,7 +39,7 @@ template <class Make> lr_status make_asset(const char* function, const void* giv
     const lr_status status = given && out ? guarded([&] { return make(*out, faults); }) : LR_ERROR_NULL_ARGUMENT;
     const auto first =
         std::find_if(faults.begin(), faults.end(), [](const Fault& f) { return f.severity == Severity::error; });
-    return told(function, {status, first != faults.end() ? first->what.c_str() : nullptr});
+    return note_refusal(function, {status, first != faults.end() ? first->what.c_str() : nullptr});
 }
 
 lr_status load(const void* bytes, uint64_t size, lr_asset*& out, Faults& faults) {
@@ -105,7 +105,7 @@ lr_status create(const lr_rigid_desc& d, lr_asset*& out, Faults& faults) {
     std::array<double, 3> semi_axes{}, along{};
     for (size_t i = 0; i < 3; ++i) {
         semi_axes[i] = 0.5 * d.extents[i];
-        // Turbulence acts on the added mass, or on the displaced fluid if that is more.
+        // Turbulence acts on the added mass or, if that is more, on the displaced fluid.
         along[i] = std::max(data.added_mass[i * 7], d.volume);
     }
     shape::set_scales(semi_axes, along, data);
@@ -125,7 +125,7 @@ template <class S, class Fill> lr_status report(const char* function, const lr_a
     const FloatMode mode;
     const lr_status status = asset ? check_size(to) : LR_ERROR_NULL_ARGUMENT;
     if (status == LR_OK) write_struct(fill(*asset), to);
-    return told(function, status);
+    return note_refusal(function, status);
 }
 
 lr_asset_info info_of(const lr_asset& asset) {
@@ -133,7 +133,7 @@ lr_asset_info info_of(const lr_asset& asset) {
     lr_asset_info out{};
     if (asset.diagonal) out.flags |= LR_ASSET_DIAGONAL;
     if (is_symmetric(asset.data, asset.data.aerodynamics)) out.flags |= LR_ASSET_SYMMETRIC;
-    // Truncate at a whole UTF-8 character.
+    // Truncates between UTF-8 characters.
     size_t length = std::min(d.name.size(), sizeof out.name - 1);
     if (length < d.name.size())
         while (length > 0 && (static_cast<unsigned char>(d.name[length]) & 0xc0) == 0x80) --length;
@@ -194,7 +194,7 @@ lr_status lr_asset_check_memory(const void* bytes, uint64_t size, lr_fault_fn re
                 report(user, static_cast<uint32_t>(f.id), f.where.c_str(), f.what.c_str(), f.remedy.c_str());
         return status_of(faults);
     };
-    return told("lr_asset_check_memory", guarded(check));
+    return note_refusal("lr_asset_check_memory", guarded(check));
 }
 
 lr_status lr_asset_create_ellipsoid(const lr_ellipsoid_desc* desc, lr_asset** out) {
@@ -206,7 +206,7 @@ lr_status lr_asset_create_rigid(const lr_rigid_desc* desc, lr_asset** out) {
 }
 
 lr_status lr_asset_retain(lr_asset* asset) {
-    if (!asset) return told("lr_asset_retain", LR_ERROR_NULL_ARGUMENT);
+    if (!asset) return note_refusal("lr_asset_retain", LR_ERROR_NULL_ARGUMENT);
     retain(*asset);
     return LR_OK;
 }

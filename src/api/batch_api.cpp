@@ -26,7 +26,7 @@ const char* wrong_in(const lr_batch_desc& d) {
     return wrong_in(gains);
 }
 
-// From one written element to the next; 0 if stride or alignment is wrong for elements of `bytes`.
+// Distance between written elements; 0 if stride or alignment does not fit elements of `bytes`.
 uint64_t step_of(uint64_t stride, uint32_t bytes, const void* dst) {
     const uint64_t step = stride == 0 ? bytes : stride;
     const bool fits = step >= bytes && step % 4 == 0 && step <= (uint64_t{1} << 32);
@@ -56,7 +56,7 @@ Outcome check(const lr_turbulence_table& t) {
 }
 } // namespace
 
-static void tell(Call& call, const lr_turbulence_table* table) {
+static void record_argument(Call& call, const lr_turbulence_table* table) {
     lr_turbulence_table t{};
     if (!call.reads(table)) return;
     copy_struct(table, t);

@@ -59,7 +59,7 @@ const char* unknown_in(int32_t mode, int32_t frame) {
     return nullptr;
 }
 
-// The change of velocity and spin by an impulse or velocity, in the body frame. constants: in the fluid that an impulse moves.
+// The change of velocity and spin by an impulse or a change of velocity, body frame. constants: in the fluid that an impulse moves.
 Kick kick_of(const BodyConstants& constants, const BodyState& body, const Push& p) {
     Kick kick{p.force, p.torque};
     if (p.frame == LR_FRAME_WORLD) {
@@ -79,12 +79,12 @@ bool all_within(Double3 v, double most) {
     return in_range(v.x, -most, most) && in_range(v.y, -most, most) && in_range(v.z, -most, most);
 }
 
-// The kernel divides a force by the reference mass, a lower bound of every body's inertia up to a small factor.
+// The kernel divides a force by the reference mass, which up to a small factor is a lower bound of every body's inertia.
 const char* too_large(const lr_world& world, Batch& batch, uint32_t index, const Push& p) {
     if (!continuous(p.mode)) {
         const BodyState body = batch.read(index);
         const auto fits = [](const Kick& k) { return all_within(k.v, most_kick) && all_within(k.w, most_kick); };
-        // Water only makes a body heavier: its surface, perhaps a callback's, is not asked for if the impulse is small enough without.
+        // Water only adds mass, so its surface (perhaps a callback) is not queried if the impulse is small enough in air.
         return fits(kick_of(batch.step.body, body, p)) || fits(kick_here(world, batch, index, body, p))
                    ? nullptr
                    : "an impulse or velocity gives more than 1e6 m/s or rad/s";
@@ -98,7 +98,7 @@ const char* too_large(const lr_world& world, Batch& batch, uint32_t index, const
                : "a force or acceleration gives more than 1e9 m/s^2";
 }
 
-// Wakes the body unless force and torque are zero. A body that wakes moves to a lower index.
+// Wakes the body unless force and torque are zero; a body that wakes moves to a lower index.
 void apply(const lr_world& world, Batch& batch, uint32_t index, const Push& p) {
     if (batch.asleep(index)) {
         if (dot(p.force, p.force) == 0.0 && dot(p.torque, p.torque) == 0.0) return;
@@ -179,8 +179,8 @@ template <class Force, class Each> void each_force(Force& f, const Each& each) {
 }
 } // namespace
 
-// For arrays without gaps.
-static void tell(Call& call, const lr_force_arrays* arrays) {
+// Only for arrays without gaps.
+static void record_argument(Call& call, const lr_force_arrays* arrays) {
     lr_force_arrays a{};
     if (!call.structure(arrays, a)) return;
     for (const auto* three : {&a.force, &a.torque}) {
@@ -260,7 +260,7 @@ lr_status lr_body_set_state(lr_world* world, lr_body body, const lr_body_state* 
         if (s.user != 0 && !at.batch.reserve_users()) return LR_ERROR_OUT_OF_MEMORY;
         const uint32_t index = at.batch.asleep(at.index) ? at.batch.wake(at.index) : at.index;
         w.leave(at.batch, index);
-        // Of all its batch: a pass over the pairs for each of many bodies that grow would be slow.
+        // Of the whole batch: a pass over the pairs for each of many growing bodies would be slow.
         if (s.scale != at.batch.arrays().field[field_scale][index]) w.pair_cache.forget(at.batch.slot());
         at.batch.write(index, to_storage(s));
         at.batch.set_user(index, s.user);
@@ -340,7 +340,7 @@ lr_status lr_batch_add_forces(lr_world* world, lr_batch batch, const lr_force_ar
             if (const char* why = too_large(w, b, a.first + i, p)) return invalid(why);
         }
         if (!accepted(w) || (continuous(a.mode) && !b.reserve_forces())) return LR_ERROR_OUT_OF_MEMORY;
-        // In ascending order: waking body i swaps it with a body below i, whose force has been applied.
+        // In ascending order: waking body i swaps it with one below i, whose force is already applied.
         for (uint32_t i = 0; i < a.count; ++i) apply(w, b, a.first + i, push(i));
         return {};
     };
@@ -356,7 +356,7 @@ lr_status lr_batch_set_force(lr_world* world, lr_batch batch, const lr_batch_for
             if (f->reserved != 0) return invalid("reserved is not 0");
             if (const char* why = wrong_batch_force(values)) return invalid(why);
         }
-        // Compares the stored form, in which -0 is 0.
+        // In stored form, where -0 is 0.
         if (!std::equal(values, values + force_components, b.external.batch())) b.wake_all();
         b.external.set_batch(values);
         return {};

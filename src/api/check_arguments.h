@@ -15,8 +15,8 @@
 
 namespace lr::api {
 
-// Notes a refusal of a call without a world, hence without a log, for lr_last_error.
-inline lr_status told(const char* function, const Outcome& outcome) {
+// Stores a refusal for lr_last_error; for calls without a world, which have no log.
+inline lr_status note_refusal(const char* function, const Outcome& outcome) {
     if (outcome.refused()) note_error(function, outcome.why ? outcome.why : lr_status_string(outcome.status));
     return outcome.status;
 }
@@ -24,11 +24,11 @@ inline lr_status told(const char* function, const Outcome& outcome) {
 // Far above the size of any struct of this API: a larger struct_size is uninitialised memory.
 inline constexpr uint32_t max_struct_size = 65536;
 
-// The size of a struct when it was first released: callers with that header are served. Later fields then have their initial values.
+// Size of a struct in its first release. Callers with that header are served; later fields then have their initial values.
 template <class T> inline constexpr size_t first_size = sizeof(T);
 template <> inline constexpr size_t first_size<lr_aerodynamics> = offsetof(lr_aerodynamics, plate_lift);
 
-// own: the size of this header's struct; first: that of the first release. A newer header's is larger.
+// own: size in this header; first: in the first release. A newer header's is larger.
 inline bool is_struct_size(uint32_t size, size_t own, size_t first) {
     return (size >= own || size == first) && size <= max_struct_size;
 }
@@ -59,8 +59,8 @@ template <class T> lr_status check_size(const T* given) {
     return check_size(given, sizeof(T), first_size<T>);
 }
 
-// After check_size(). The copy has this header's struct_size, because snapshots and recordings contain it, or that of the first release, without the
-// later fields of `out`.
+// After check_size(). The copy has this header's struct_size, or that of the first release and leaves later fields of `out`, because snapshots and
+// recordings contain it.
 template <class T> void copy_struct(const T* given, T& out) {
     const size_t size = std::min<size_t>(given->struct_size, sizeof(T));
     std::memcpy(static_cast<void*>(&out), given, size);
@@ -78,7 +78,7 @@ public:
     explicit ArrayOf(const T* first) : first_(first), stride_(first->struct_size) {}
     lr_status read(uint32_t i, T& out) const {
         const auto* const bytes = reinterpret_cast<const unsigned char*>(first_) + uint64_t{stride_} * i;
-        // Checked first: an element with a larger struct_size than the stride would be read past the array's end.
+        // First: an element with a larger struct_size than the stride would be read past the array's end.
         uint32_t size = 0;
         std::memcpy(&size, bytes, sizeof size);
         if (size != stride_) return LR_ERROR_STRUCT_SIZE;

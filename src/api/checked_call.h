@@ -1,6 +1,5 @@
 // The course of a call on a world: detect concurrent use, record the call if a recording runs, check the arguments, log a refusal. An exported
-// function passes args(...), its arguments unchanged, and a lambda. The lambda takes the world and the arguments converted to its own types:
-//
+// function passes args(...), its unchanged arguments, and a lambda that takes the world and the converted arguments:
 //   const S&, S&, const S*            a struct with a struct_size: input, output, optional input
 //   Batch&, Body, Wind, ColliderSlot  the object of a handle
 //   Structs<S>, Handles<H>            an array
@@ -19,8 +18,8 @@
 
 namespace lr::api {
 
-// A function calls this after its checks and before its first change to the world: from here on, a recording can read the arguments. False: out
-// of memory for the recording, so the function must refuse the call.
+// Called by a function after its checks and before its first change of the world, from when a recording can read the arguments. False: no memory for
+// the recording, so the call must be refused.
 inline bool accepted(const lr_world& world) {
     return !world.recorder || world.recorder->accepted();
 }
@@ -191,24 +190,26 @@ template <class T, class H> int32_t is_valid(const lr_world* world, const char* 
 // A call that does not change the world; recordings omit it.
 template <class F, class... A>
 lr_status query(const lr_world* world, const char* function, const std::tuple<A...>& given, const F& f) {
-    if (!world) return told(function, {LR_ERROR_NULL_ARGUMENT, "world is null"});
+    if (!world) return note_refusal(function, {LR_ERROR_NULL_ARGUMENT, "world is null"});
     const Entry entry(*world, function);
     return entry.status() == LR_OK ? carry_out(*world, function, given, f) : entry.status();
 }
 
-// A call that can change the world. Without pointer arguments it is recorded at once. With pointers it is recorded by accepted(), or at the latest
-// on success: if the call is refused, the pointers can be invalid, and it is recorded without arguments.
+// A call that can change the world. Without pointer arguments it is recorded at once. With pointers it is recorded by accepted(), or at the latest on
+// success. A refused call, whose pointers can be invalid, is recorded without arguments.
 template <class F, class... A>
 lr_status change(lr_world* world, const char* function, const std::tuple<A...>& given, const F& f) {
-    if (!world) return told(function, {LR_ERROR_NULL_ARGUMENT, "world is null"});
+    if (!world) return note_refusal(function, {LR_ERROR_NULL_ARGUMENT, "world is null"});
     const Entry entry(*world, function);
     if (entry.status() != LR_OK) return entry.status();
     recording::Recorder* const recorder = world->recorder;
     if (!recorder) return carry_out(*world, function, given, f);
     Call call(*recorder, function);
-    const auto tell_all = [&](Call& c) { std::apply([&](const A&... one) { (tell(c, one), ...); }, given); };
-    const auto record = [&] { return call.arguments(tell_all); };
-    if (call.names_memory(tell_all))
+    const auto record_all = [&](Call& c) {
+        std::apply([&](const A&... all) { (record_argument(c, all), ...); }, given);
+    };
+    const auto record = [&] { return call.arguments(record_all); };
+    if (call.names_memory(record_all))
         recorder->wait_for(record);
     else
         record();
@@ -216,7 +217,7 @@ lr_status change(lr_world* world, const char* function, const std::tuple<A...>& 
     if (status == LR_OK) recorder->accepted();
     recorder->wait_for_nothing();
     if (!call.recorded()) call.refused();
-    call.result(tell_all, status, *world);
+    call.result(record_all, status, *world);
     if (recorder->failed()) end_recording(*world, "the recording has ended: its `write` returned an error");
     return status;
 }

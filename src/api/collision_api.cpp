@@ -81,7 +81,7 @@ Outcome check_desc(const lr_collider_desc& d, const lr_collider_desc& before) {
          {wrong_pose(d.position, d.orientation), wrong_velocity(d.linear_velocity, d.angular_velocity),
           wrong_material(d.friction, d.restitution)})
         if (why) return invalid(why);
-    // Consecutive descs often share arrays; check them once.
+    // Consecutive descs often share arrays, which are checked once.
     return d.kind >= LR_COLLIDER_HULL && same_arrays(d, before) ? Outcome{} : check_shape(d);
 }
 
@@ -114,7 +114,7 @@ lr_status lr_collider_create(lr_world* world, const lr_collider_desc* descs, uin
         if (!accepted(w) || !w.reserve_contact()) return LR_ERROR_OUT_OF_MEMORY;
         lr_status status = w.colliders.begin_create(all.count);
         all.visit([&](lr_collider_desc d) {
-            // Zero the sizes that the kind does not use: they are unchecked, and must not make equal colliders differ.
+            // Zeroes sizes that the kind does not use: they are unchecked, and must not make equal colliders differ.
             std::fill(d.size + sizes_of(d.kind), d.size + 3, 0.0f);
             if (status == LR_OK) status = w.colliders.create(d);
         });
@@ -215,7 +215,7 @@ lr_status lr_batch_set_contact(lr_world* world, lr_batch batch, const lr_batch_c
             return LR_ERROR_NOT_FINITE;
         if (const char* why = wrong_in(c)) return invalid(why);
         b.wake_all();
-        if (c.min_thickness != b.contact().min_thickness) w.pair_cache.forget(b.slot()); // gaps of the former shape
+        if (c.min_thickness != b.contact().min_thickness) w.pair_cache.forget(b.slot()); // gaps of the previous shape
         b.set_contact(c);
         return {};
     };

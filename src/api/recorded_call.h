@@ -15,9 +15,9 @@ concept Handle = requires(T handle) {
     handle.id;
 };
 
-// One function, tell, lists the arguments of a call. It runs in up to four passes: ask (does the call pass pointers?), survey (write large arrays as
-// records of their own), write (the arguments), output (the results). Only survey and write read the caller's memory. They run after accepted(),
-// because pointers are not validated before.
+// record_argument() of each argument runs in up to four passes: ask (does the call pass pointers?), survey (write large arrays as records of their
+// own), write (the arguments), output (the results). Only survey and write read the caller's memory; they run after accepted(), because pointers are
+// not validated before.
 class Call {
 public:
     enum class Pass { ask, survey, write, output };
@@ -26,17 +26,17 @@ public:
         : recorder_(&recorder), op_(recording::op_of(function)), kind_(kind) {}
 
     // Whether the call passes non-null pointers.
-    template <class Tell> bool names_memory(Tell&& tell) {
-        tell(*this);
+    template <class Record> bool names_memory(Record&& record) {
+        record(*this);
         return names_memory_;
     }
     // False when out of memory for the data behind the pointers. The call must then be refused: a replay could not continue.
-    template <class Tell> bool arguments(Tell&& tell) {
+    template <class Record> bool arguments(Record&& record) {
         pass_ = Pass::survey;
-        tell(*this);
+        record(*this);
         open(starved_ ? recording::call_cut : uint16_t{0});
         pass_ = Pass::write;
-        if (!starved_) tell(*this);
+        if (!starved_) record(*this);
         close();
         return !starved_;
     }
@@ -46,9 +46,9 @@ public:
         close();
     }
     bool recorded() const { return recorded_; }
-    template <class Tell> void result(Tell&& tell, lr_status status, const lr_world& world) {
+    template <class Record> void result(Record&& record, lr_status status, const lr_world& world) {
         pass_ = Pass::output;
-        if (status == LR_OK) tell(*this);
+        if (status == LR_OK) record(*this);
         recorder_->result(op_, status, output_, world);
     }
 
@@ -69,7 +69,7 @@ public:
         recorder_->value(size);
         recorder_->put(bytes, size);
     }
-    // The same for an array that can be large and passed repeatedly: written once as a blob, then named by its hash.
+    // The same for an array that can be large and passed repeatedly: written once as a blob, then referred to by its hash.
     void shared_array(const void* bytes, uint64_t size) {
         if (size <= recording::most_here) return array(bytes, size);
         if (!reads(bytes)) return;
@@ -165,7 +165,7 @@ private:
     uint32_t blob_count_ = 0, blobs_written_ = 0;
 };
 
-// Argument types of calls, and how each is recorded: for calls of the host, and for the calls that set up a recording's initial state.
+// Argument types of calls and how each is recorded, for calls of the host and for calls that set up a recording's initial state.
 
 // An array of structs with a struct_size. A call accepts all elements or none: it checks each before it uses the first.
 template <Sized S> struct Structs {
@@ -211,33 +211,33 @@ struct Snapshot {
 // Records arguments and results. Structs that contain pointers have overloads of their own.
 template <class T>
 requires std::is_arithmetic_v<T>
-void tell(Call& call, T v) {
+void record_argument(Call& call, T v) {
     call.value(v);
 }
-template <Handle H> void tell(Call& call, H handle) {
+template <Handle H> void record_argument(Call& call, H handle) {
     call.value(handle.id);
 }
-template <Sized S> void tell(Call& call, const S* s) {
+template <Sized S> void record_argument(Call& call, const S* s) {
     call.structure(s);
 }
-inline void tell(Call& call, const float* three) {
+inline void record_argument(Call& call, const float* three) {
     call.array(three, 3 * sizeof(float));
 }
-template <class S> void tell(Call& call, const Structs<S>& all) {
+template <class S> void record_argument(Call& call, const Structs<S>& all) {
     call.structures(all.first, all.count);
 }
-template <class H> void tell(Call& call, const Handles<H>& all) {
+template <class H> void record_argument(Call& call, const Handles<H>& all) {
     call.value(all.count);
     call.array(all.first, sizeof(H) * uint64_t{all.count});
 }
-template <class T> void tell(Call& call, const Out<T>& out) {
+template <class T> void record_argument(Call& call, const Out<T>& out) {
     call.output(out.first, out.count);
 }
-template <class T> void tell(Call& call, const Required<T>& required) {
+template <class T> void record_argument(Call& call, const Required<T>& required) {
     call.output(required.out);
 }
 
-inline void tell(Call& call, const lr_batch_desc* desc) {
+inline void record_argument(Call& call, const lr_batch_desc* desc) {
     lr_batch_desc d{};
     if (!call.reads(desc)) return;
     copy_struct(desc, d);
@@ -252,7 +252,7 @@ struct SourceOf {
     const SourceType& type;
     const void* desc;
 };
-inline void tell(Call& call, const SourceOf& given) {
+inline void record_argument(Call& call, const SourceOf& given) {
     if (!call.reads(given.desc)) return;
     call.value(static_cast<uint32_t>(recording::Where::here));
     call.value(given.type.bytes);
@@ -263,8 +263,8 @@ inline void tell(Call& call, const SourceOf& given) {
     call.shared_array(d.samples, d.samples ? sizeof(float) * sample_count(d) : 0);
 }
 
-// With the arrays that each kind of collider uses.
-inline void tell(Call& call, const Structs<lr_collider_desc>& all) {
+// Includes the arrays that each kind of collider uses.
+inline void record_argument(Call& call, const Structs<lr_collider_desc>& all) {
     call.structures(all.first, all.count, [&](const lr_collider_desc& d) {
         const bool mesh = d.kind == LR_COLLIDER_MESH, field = d.kind == LR_COLLIDER_HEIGHTFIELD;
         call.shared_array(mesh || d.kind == LR_COLLIDER_HULL ? d.vertices : nullptr, 12 * uint64_t{d.vertex_count});
@@ -272,7 +272,7 @@ inline void tell(Call& call, const Structs<lr_collider_desc>& all) {
         call.shared_array(field ? d.heights : nullptr, 4 * uint64_t{d.counts[0]} * d.counts[1]);
     });
 }
-inline void tell(Call& call, const Snapshot& snapshot) {
+inline void record_argument(Call& call, const Snapshot& snapshot) {
     if (call.reads(snapshot.memory)) call.array(snapshot.memory, snapshot_bytes(snapshot.memory));
 }
 } // namespace lr::api

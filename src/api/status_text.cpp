@@ -25,7 +25,7 @@ template <size_t N> const char* text_of(int32_t which, const Text (&all)[N], con
 }
 } // namespace
 
-using lr::api::told;
+using lr::api::note_refusal;
 
 extern "C" {
 
@@ -43,7 +43,7 @@ const char* lr_last_error(void) {
 }
 
 lr_status lr_simd_targets(int32_t* targets, uint32_t capacity, uint32_t* count) {
-    if (!count || (!targets && capacity != 0)) return told("lr_simd_targets", LR_ERROR_NULL_ARGUMENT);
+    if (!count || (!targets && capacity != 0)) return note_refusal("lr_simd_targets", LR_ERROR_NULL_ARGUMENT);
     size_t built = 0;
     const lr::KernelTarget* const all = lr::built_targets(built);
     uint32_t found = 0;
@@ -53,7 +53,7 @@ lr_status lr_simd_targets(int32_t* targets, uint32_t capacity, uint32_t* count) 
         ++found;
     }
     *count = found;
-    return told("lr_simd_targets", targets && found > capacity ? LR_ERROR_BUFFER_TOO_SMALL : LR_OK);
+    return note_refusal("lr_simd_targets", targets && found > capacity ? LR_ERROR_BUFFER_TOO_SMALL : LR_OK);
 }
 
 const char* lr_simd_target_name(int32_t target) {

@@ -36,7 +36,7 @@ inline lr_aerodynamics to_struct(const AerodynamicData& from) {
     return to;
 }
 
-// Does not check ranges; wrong_in does. out: fields that an older caller's struct lacks keep their values.
+// Checks no ranges; wrong_in does. out: fields that an older caller's struct lacks keep their values.
 inline lr_status read_loads(const lr_aerodynamics* from, AerodynamicData& out) {
     lr_aerodynamics a = to_struct(out);
     const lr_status status = read_struct(from, a);

@@ -20,7 +20,7 @@ template <Sized T> lr_status init(T* s, uint32_t struct_size, const T& initial) 
 #define LR_STRUCT(name, initial)                                                                                       \
     lr_status name##_init(name* s, uint32_t struct_size) {                                                             \
         static constexpr name begins = initial; /* static, so that padding is 0 */                                     \
-        return lr::api::told(#name "_init", lr::api::init(s, struct_size, begins));                                    \
+        return lr::api::note_refusal(#name "_init", lr::api::init(s, struct_size, begins));                            \
     }
 // NOLINTEND(bugprone-macro-parentheses)
 extern "C" {

@@ -8,7 +8,7 @@
 namespace lr::api {
 namespace {
 
-// `kept`: an update, where null samples keep the present ones.
+// kept: for an update, where null samples keep the present ones.
 Outcome check(const SourceDesc& d, bool kept) {
     const Outcome outcome = check_wind_source(d);
     if (outcome.refused() || d.kind != SourceDesc::grid) return outcome;

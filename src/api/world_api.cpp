@@ -46,10 +46,10 @@ const char* wrong_in(const lr_world_desc& d) {
 // Records a call that recreates a part of the world. False when out of memory.
 template <class... A> bool set_up(recording::Recorder& recorder, const char* function, const A&... given) {
     Call call(recorder, function, recording::Kind::setup);
-    return call.arguments([&](Call& c) { (tell(c, given), ...); });
+    return call.arguments([&](Call& c) { (record_argument(c, given), ...); });
 }
 
-// Samples of wind grids, and the arrays of hulls, heightfields and meshes: snapshots contain only their hashes.
+// Samples of wind grids, and arrays of hulls, heightfields and meshes, of which snapshots contain only hashes.
 bool set_up_geometry(recording::Recorder& recorder, const lr_world& world) {
     bool enough = true;
     world.wind.visit_grids([&](SourceDesc desc, uint64_t hash, const float* samples) {
@@ -67,7 +67,7 @@ bool set_up_geometry(recording::Recorder& recorder, const lr_world& world) {
     return enough;
 }
 
-// Records the present state: batches with their assets, geometry, and a snapshot of everything else.
+// Records the present state: batches with their assets, geometry, and a snapshot of all else.
 lr_status begin_recording(recording::Recorder& recorder, lr_world& world) {
     recorder.begin(world);
     for (uint32_t i = 0; i < world.batch_slots; ++i) {
@@ -121,12 +121,12 @@ lr_status lr_world_create(const lr_world_desc* desc, lr_world** out) {
         });
         return status;
     };
-    return told("lr_world_create", create());
+    return note_refusal("lr_world_create", create());
 }
 
 void lr_world_destroy(lr_world* world) {
     if (!world) return;
-    // Never leaves the guard: calls from other threads or from the allocator are refused until the world is gone.
+    // Never leaves the guard, so that calls from other threads or from the allocator are refused until the world is gone.
     if (world->call_guard.checked() && enter(*world, "lr_world_destroy") != LR_OK) return;
     if (world->recorder) end_recording(*world, nullptr);
     lr_world::destroy(world);
