@@ -119,7 +119,7 @@ def try_model(lr_bake, name, path):
         if named:
             option = named[0]
             code, text, seconds, megabytes = bake(command + [option] + VALUES[option])
-            if code == 2 and option == "--sheet":  # releases in which a sheet needs a thickness
+            if code == 2 and option == "--sheet":  # older releases need a thickness for a sheet
                 code, text, seconds, megabytes = bake(command + [option, "--thickness", "0.001"])
             result |= {"option": option, "then": outcome(code, text), "seconds_then": round(seconds, 2),
                        "lines_then": [line for line in text.splitlines() if "error" in line]}
@@ -136,7 +136,7 @@ def table(results):
     order = [name for name in PACKAGES if name in rows] + ["all"]
     for name in order:
         row = rows[name]
-        # A file without a face, or one that the format's reader cannot read at all, says nothing about meshes.
+        # A file without a face, or one that the reader of its format cannot read at all, tells nothing about meshes.
         usable = [r for r in row if r["outcome"] not in {"error 201", "error 202"}]
         first = [r for r in usable if r["outcome"] == "baked"]
         second = [r for r in usable if r["outcome"] == "baked" or r.get("then") == "baked"]
@@ -169,7 +169,7 @@ def main():
         if args.only in {None, name, package}:
             chosen = models(unpack(package), args.most)
             work += [(i, name, path) for i, path in enumerate(chosen) if args.match in str(path)]
-    work = [(name, path) for _, name, path in sorted(work)]  # first results from all collections
+    work = [(name, path) for _, name, path in sorted(work)]  # so that all collections have results early
     results = []
     if args.again:
         results = [r for r in json.loads(pathlib.Path(args.again).read_text()) if r["outcome"] == "baked"]

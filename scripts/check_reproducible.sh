@@ -53,7 +53,7 @@ if grep -raqF "$work" "${builds[@]}" --include='*.o' --include='*.so.*'; then
     echo "a file contains the path of its build folder"
     exit 1
 fi
-# Checks the check: an object that contains its path must differ.
+# Checks the check itself: an object that contains its path must differ.
 for which in 0 1; do
     echo 'const char* where() { return __FILE__; }' >"${sources[$which]}/where.cpp"
     "${CXX:-c++}" -c "${sources[$which]}/where.cpp" -o "${builds[$which]}/where.o"

@@ -18,7 +18,7 @@ done
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir -p "$work/parts" "$work/lists/partial" "$work/cache/archives/partial" "$work/unpacked"
-# The machine's own lists mostly name no sources; these copies do.
+# The machine's own lists mostly lack sources; these copies have them.
 for list in /etc/apt/sources.list /etc/apt/sources.list.d/*; do
     to=$work/parts/$(basename "$list")
     case $list in

@@ -32,7 +32,7 @@ clean=false
 export SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || echo 0)} TZ=UTC LC_ALL=C
 umask 022
 
-# What is missing is said before anything is built.
+# Reports all that is missing before anything is built.
 missing=()
 for name in "${wanted[@]}"; do
     case $name in

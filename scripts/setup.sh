@@ -2,9 +2,9 @@
 # Installs the project's dependencies on Debian 12. Does nothing if all are present. Later steps need no network.
 #   scripts/setup.sh [build|test|bench|battery] [WORD...]   build: library, baker, samples; test: build, plus tools of the tests;
 #                                     bench: test, plus peers; battery: build, plus tools of scripts/noise_battery.sh. Words add:
-#       arm64     a cross compiler and an emulator of 64-bit ARM
+#       arm64     cross compiler and emulator of 64-bit ARM
 #       windows   MinGW and Wine
-#       package   tools of scripts/package.sh, with the sources of bundled libraries
+#       package   tools of scripts/package.sh, and the sources of bundled libraries
 #       macos     Zig 0.14 from npm into build/zig (350 MB), which compiles and links for macOS
 #       browser   Chromium, for the page of bindings/web
 #       blender   Blender, for bindings/python

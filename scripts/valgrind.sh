@@ -17,7 +17,7 @@ check() { # half of the files, 0 or 1
         case $file in *faults* | *divergence* | *hostile_numbers* | *thread_checks* | *threads* | *long_runs*) continue ;; esac
         [ $((n++ % 2)) -ne "$1" ] || files+=("*/$(basename "$file")")
     done
-    # The kernels have longer runs without a jump than Valgrind translates at once.
+    # The kernels have longer runs without a jump than Valgrind translates by default.
     valgrind -q --error-exitcode=9 --leak-check=full --errors-for-leak-kinds=definite,possible --vex-guest-max-insns=20 \
         "$build/tests/tests_api" --no-colors \
         --source-file="$(IFS=, && echo "${files[*]}")" --test-suite-exclude=long,exact,long-exact,native >"$log/$1" 2>&1

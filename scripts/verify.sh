@@ -49,8 +49,8 @@ step_tidy() {
     need clang-tidy test
     configure build/release --preset release
     cmake --build build/release --target lr_assets >/dev/null # writes a header
-    # Not on files compiled for each target: clang-tidy rejects Highway's macros and would read each file several times.
-    # Nor with options that clang does not know and takes for errors (src/CMakeLists.txt, pair_hull.cpp).
+    # Only files that are compiled once: clang-tidy rejects Highway's macros, and would read a file once for each target. Without options that clang
+    # takes for errors (src/CMakeLists.txt, pair_hull.cpp).
     mkdir -p build/tidy
     sed 's/ -fno-ipa-modref//' build/release/compile_commands.json >build/tidy/compile_commands.json
     find src -name '*.cpp' -not -path 'src/baker/*' -not -path 'src/tools/*' |
@@ -85,11 +85,11 @@ step_scorecard() { release; run_ctest build/release -L scorecard; }
 step_valgrind() {
     need valgrind test
     release
-    # libhwy executes rdtscp when it is loaded, where the processor has it; Debian's valgrind does not know it.
+    # libhwy executes rdtscp when it is loaded if the processor has it, and Debian's valgrind lacks that instruction.
     valgrind -q build/release/tests/tests_api --version >/dev/null 2>&1 || skip "valgrind cannot load libhwy on this processor"
     scripts/valgrind.sh
 }
-step_tsan() { # only test files that concern threads
+step_tsan() {  # only test files that involve threads
     configure build/tsan --preset tsan -DLR_BUILD_BAKER=OFF
     cmake --build build/tsan
     run_ctest build/tsan -LE 'long|exact'
@@ -172,13 +172,13 @@ done
 for name in "${names[@]}"; do [ -n "${title[$name]:-}" ] || { echo "verify: unknown step $name; steps: ${all[*]}" >&2; exit 2; }; done
 [ ${#names[@]} -gt 0 ] || names=("${all[@]}")
 if [ -n "$minutes" ]; then # bindings and short steps, then long ones, starting at a different one each day
-    names=(unreal web) dear=()
+    names=(unreal web) long=()
     for name in "${all[@]}"; do
         case $name in unreal | web) continue ;; esac
-        if [ "${estimate[$name]}" -le 2 ]; then names+=("$name"); else dear+=("$name"); fi
+        if [ "${estimate[$name]}" -le 2 ]; then names+=("$name"); else long+=("$name"); fi
     done
-    first=$((10#$(date +%j) % ${#dear[@]}))
-    names+=("${dear[@]:first}" "${dear[@]:0:first}")
+    first=$((10#$(date +%j) % ${#long[@]}))
+    names+=("${long[@]:first}" "${long[@]:0:first}")
 fi
 
 rm -f "$results"/verify-*.log

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Makes meshes of 30,000 triangles that are dear to solve, and bakes them if --bake names lr_bake.
+"""Makes meshes of 30,000 triangles that are costly to solve, and bakes them if --bake names lr_bake.
 
-    scripts/dear_meshes.py FOLDER [--bake PATH]
+    scripts/costly_meshes.py FOLDER [--bake PATH]
 
 Prints seconds of processor time and memory of each bake; fails if one takes more than 20 s or 2 GB.
 """
