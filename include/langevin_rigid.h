@@ -18,7 +18,8 @@
  *              vectors from the body frame to the world frame.
  * Ownership    The caller destroys what it creates. Functions keep no pointers passed to them, unless they say so.
  * Structs      Each struct begins with `struct_size`. Its `_INIT` macro sets the defaults (lr_body_desc desc =
- *              LR_BODY_DESC_INIT), and so does its `_init` function, called with sizeof. New fields are only appended. A larger struct from a newer header is accepted if its unknown tail is 0.
+ *              LR_BODY_DESC_INIT), and so does its `_init` function, called with sizeof. New fields are only appended.
+ *              A larger struct from a newer header is accepted if its unknown tail is 0.
  * Errors       Functions return LR_OK or a negative lr_status. A failed call changes nothing, unless its comment says
  *              otherwise. Nothing aborts, throws or prints.
  * Threads      One thread at a time may use a world; different worlds may be used at the same time. Assets are
@@ -451,7 +452,7 @@ LR_API lr_status lr_world_get_gusts(const lr_world* world, lr_wind_source source
 /* The core of a vortex. */
 typedef int32_t lr_vortex_core;
 enum {
-    LR_VORTEX_LAMB_OSEEN = 0, /* a smooth core, as viscosity makes it */
+    LR_VORTEX_LAMB_OSEEN = 0, /* a smooth core, as viscosity spreads it */
     LR_VORTEX_RANKINE = 1,    /* a core that rotates as a solid */
 };
 
@@ -711,7 +712,7 @@ typedef struct lr_step_report {
     uint32_t batches_waiting;      /* not due, because of their divisors */
     uint32_t batches_passed_over;  /* due, but out of budget */
     uint64_t body_substeps;        /* done in this step */
-    uint64_t body_substeps_wanted; /* of the batches that were due, as without a budget */
+    uint64_t body_substeps_wanted; /* that the batches which were due would need without a budget */
     double behind;                 /* s: the longest time by which a batch is behind the world */
     double lost;                   /* s: the most simulated time that a batch lost in this step: rather than take
                                       substeps that are too long, bodies move in slow motion */
@@ -730,7 +731,7 @@ typedef struct lr_timings {
     uint32_t struct_size;
     uint32_t reserved;
     double total;
-    double colliders;      /* waking what is about to be hit, moving colliders, sorting them for the search */
+    double colliders;      /* waking bodies about to be hit, moving colliders, sorting them for the search */
     double wind;           /* preparing the wind's fields; bodies evaluate them as part of their motion */
     double motion;         /* of batches without body contact: loads, wind, water, contact with colliders */
     double body_contact;   /* of batches with body contact: their motion, and the contact between their bodies */
@@ -749,8 +750,8 @@ LR_API lr_status lr_world_get_timings(const lr_world* world, lr_timings* timings
  * docs/reference/snapshots.md */
 
 /* Computes a hash of the world's time index, bodies, colliders, pairs of touching bodies, water and wind sources (grids
- * by the hash of their samples). It does not depend on the order of bodies in memory, the processor or worker_count. Worlds with equal
- * settings and equal hashes move alike from here on.
+ * by the hash of their samples). It does not depend on the order of bodies in memory, the processor or worker_count.
+ * Worlds with equal settings and equal hashes move alike from here on.
  * LR_OK, LR_ERROR_NULL_ARGUMENT. */
 LR_API lr_status lr_world_hash(const lr_world* world, uint64_t* out);
 
@@ -861,8 +862,8 @@ typedef struct lr_batch_desc {
     float damping_gain;        /* multiplies the turbulent damping, 0 to 100; default 1 */
     float noise_gain;  /* multiplies the turbulent noise, 0 to 100; default 1; 0 makes single falls repeatable */
     float variation;   /* natural spread of AERODYNAMIC loads from body to body, as by thickness and curl: relative
-                                  standard deviation, 0 to 0.5; default 0.15; 0: all bodies are alike. A body's loads follow
-                                  from its noise seed and the world's seed, and never change */
+                          standard deviation, 0 to 0.5; default 0.15; 0: all bodies are alike. A body's loads follow
+                          from its noise seed and the world's seed, and never change */
     uint32_t reserved; /* 0 */
 } lr_batch_desc;
 
@@ -1021,8 +1022,8 @@ typedef struct lr_body_desc {
     float scale;               /* uniform, 0.001 to 1000; mass scales with its cube; default 1 */
     float age;                 /* s, 0 to 1e9, where it stops growing; default 0 */
     uint32_t reserved;         /* 0 */
-    uint64_t user; /* the caller's own number, also in views, events and ray hits; default 0. A respawn keeps
-                                  it. It does not affect motion: part of snapshots, not of the world's hash */
+    uint64_t user; /* the caller's own number, also in views, events and ray hits; default 0. A respawn keeps it. It
+                      does not affect motion: part of snapshots, not of the world's hash */
 } lr_body_desc;
 
 LR_API lr_status lr_body_desc_init(lr_body_desc* desc, uint32_t struct_size);
@@ -1324,7 +1325,7 @@ typedef struct lr_material {
 
 LR_API lr_status lr_material_init(lr_material* material, uint32_t struct_size);
 
-/* Sets one material for `count` colliders, all or none, from the next step on. A change wakes what sleeps there.
+/* Sets one material for `count` colliders, all or none, from the next step on. A change wakes bodies asleep on them.
  * LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_COLLIDER, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
  * LR_ERROR_INVALID_ARGUMENT. */
 LR_API lr_status lr_collider_set_material(lr_world* world, const lr_collider* colliders, uint32_t count,
@@ -1431,8 +1432,8 @@ typedef struct lr_event {
 
 /* Enables events; at most `capacity` are stored per step. Contacts that already exist do not begin again. capacity 0
  * disables events. All memory is allocated here and by lr_batch_create, none in steps: 64 bytes per event, and 233 for
- * each body of a batch's capacity. Not part of the world's hash; of snapshots only what calls since the last step have
- * left for the next one, 33 bytes for each body of a batch's capacity. kinds: bits LR_EVENTS_*.
+ * each body of a batch's capacity. Not part of the world's hash. Snapshots contain only events that calls since the
+ * last step have left for the next one, 33 bytes for each body of a batch's capacity. kinds: bits LR_EVENTS_*.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (unknown bits, or no bits with a capacity),
  * LR_ERROR_OUT_OF_MEMORY. */
 LR_API lr_status lr_world_set_events(lr_world* world, uint32_t capacity, lr_event_kinds kinds);
@@ -1712,9 +1713,9 @@ typedef struct lr_batch_counts {
 
 LR_API lr_status lr_batch_counts_init(lr_batch_counts* counts, uint32_t struct_size);
 
-/* Reads the counts of a batch. One that never had rules or an emitter counts only diverged bodies; the rest is 0.
- * Totals are part of snapshots; after a restore the counts of the last step are 0. counts: initialised, or with
- * struct_size set.
+/* Reads the counts of a batch. A batch that never had rules or an emitter counts only diverged bodies. Totals
+ * are part of snapshots; after a restore the counts of the last step are 0. counts: initialised, or with struct_size
+ * set.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE. */
 LR_API lr_status lr_batch_get_counts(const lr_world* world, lr_batch batch, lr_batch_counts* counts);
 

@@ -84,9 +84,9 @@ LR_API lr_status lr_aerodynamics_init(lr_aerodynamics* aerodynamics, uint32_t st
 LR_API lr_status lr_asset_get_aerodynamics(const lr_asset* asset, lr_aerodynamics* aerodynamics);
 
 /* Replaces the asset's coefficients of AERODYNAMIC loads for a batch from the next step on. The struct is copied; null
- * restores the asset's. With intensity 0, lr_load_gains.turbulence 1 and
- * lr_batch_desc.variation 0 a fall is the same for any seed. Axes other
- * than the body's, or a center other than 0, put an LR_ASSET_DIAGONAL body on the slower path of contact.
+ * restores the asset's. With intensity 0, lr_load_gains.turbulence 1 and lr_batch_desc.variation 0 a fall is the same
+ * for any seed. Axes other than the body's, or a center other than 0, put an LR_ASSET_DIAGONAL body on the slower path
+ * of contact.
  * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
  * LR_ERROR_INVALID_ARGUMENT. */
 LR_API lr_status lr_batch_set_aerodynamics(lr_world* world, lr_batch batch, const lr_aerodynamics* aerodynamics);

@@ -1135,13 +1135,13 @@ FIELD_DOCS = {
         'batches_waiting': 'not due, because of their divisors',
         'batches_passed_over': 'due, but out of budget',
         'body_substeps': 'done in this step',
-        'body_substeps_wanted': 'of the batches that were due, as without a budget',
+        'body_substeps_wanted': 'that the batches which were due would need without a budget',
         'behind': 's: the longest time by which a batch is behind the world',
         'lost': 's: the most simulated time that a batch lost in this step: rather than take substeps that are too long, bodies move in slow motion',
     },
     'lr_timings': {
         'total': '',
-        'colliders': 'waking what is about to be hit, moving colliders, sorting them for the search',
+        'colliders': 'waking bodies about to be hit, moving colliders, sorting them for the search',
         'wind': "preparing the wind's fields; bodies evaluate them as part of their motion",
         'motion': 'of batches without body contact: loads, wind, water, contact with colliders',
         'body_contact': 'of batches with body contact: their motion, and the contact between their bodies',
@@ -2304,8 +2304,8 @@ PROTOTYPES = {
         """lr_status lr_world_hash(const lr_world* world, uint64_t* out)
 
         Computes a hash of the world's time index, bodies, colliders, pairs of touching bodies, water and wind sources (grids
-        by the hash of their samples). It does not depend on the order of bodies in memory, the processor or worker_count. Worlds with equal
-        settings and equal hashes move alike from here on.
+        by the hash of their samples). It does not depend on the order of bodies in memory, the processor or worker_count.
+        Worlds with equal settings and equal hashes move alike from here on.
 
         world: the world
 
@@ -2973,7 +2973,7 @@ PROTOTYPES = {
         ('world', 'colliders', 'count', 'material'),
         """lr_status lr_collider_set_material(lr_world* world, const lr_collider* colliders, uint32_t count, const lr_material* material)
 
-        Sets one material for `count` colliders, all or none, from the next step on. A change wakes what sleeps there.
+        Sets one material for `count` colliders, all or none, from the next step on. A change wakes bodies asleep on them.
 
         world: the world
         colliders: `count` handles of colliders
@@ -3066,8 +3066,8 @@ PROTOTYPES = {
 
         Enables events; at most `capacity` are stored per step. Contacts that already exist do not begin again. capacity 0
         disables events. All memory is allocated here and by lr_batch_create, none in steps: 64 bytes per event, and 233 for
-        each body of a batch's capacity. Not part of the world's hash; of snapshots only what calls since the last step have
-        left for the next one, 33 bytes for each body of a batch's capacity.
+        each body of a batch's capacity. Not part of the world's hash. Snapshots contain only events that calls since the
+        last step have left for the next one, 33 bytes for each body of a batch's capacity.
 
         world: the world
         capacity: number of elements that fit
@@ -3341,8 +3341,8 @@ PROTOTYPES = {
         ('world', 'batch', 'counts'),
         """lr_status lr_batch_get_counts(const lr_world* world, lr_batch batch, lr_batch_counts* counts)
 
-        Reads the counts of a batch. One that never had rules or an emitter counts only diverged bodies; the rest is 0.
-        Totals are part of snapshots; after a restore the counts of the last step are 0.
+        Reads the counts of a batch. A batch that never had rules or an emitter counts only diverged bodies. Totals
+        are part of snapshots; after a restore the counts of the last step are 0.
 
         world: the world
         batch: handle of a batch of the world
@@ -3384,9 +3384,9 @@ PROTOTYPES = {
         """lr_status lr_batch_set_aerodynamics(lr_world* world, lr_batch batch, const lr_aerodynamics* aerodynamics)
 
         Replaces the asset's coefficients of AERODYNAMIC loads for a batch from the next step on. The struct is copied; null
-        restores the asset's. With intensity 0, lr_load_gains.turbulence 1 and
-        lr_batch_desc.variation 0 a fall is the same for any seed. Axes other
-        than the body's, or a center other than 0, put an LR_ASSET_DIAGONAL body on the slower path of contact.
+        restores the asset's. With intensity 0, lr_load_gains.turbulence 1 and lr_batch_desc.variation 0 a fall is the same
+        for any seed. Axes other than the body's, or a center other than 0, put an LR_ASSET_DIAGONAL body on the slower path
+        of contact.
 
         world: the world
         batch: handle of a batch of the world

@@ -127,7 +127,7 @@ class StepReport(Record):
     batches_waiting: not due, because of their divisors
     batches_passed_over: due, but out of budget
     body_substeps: done in this step
-    body_substeps_wanted: of the batches that were due, as without a budget
+    body_substeps_wanted: that the batches which were due would need without a budget
     behind: s: the longest time by which a batch is behind the world
     lost: s: the most simulated time that a batch lost in this step: rather than take substeps that are too long, bodies move in slow motion
     """
@@ -146,7 +146,7 @@ class Timings(Record):
     the work between phases. Phases that did not occur are 0. Neither part of snapshots nor of the world's hash.
 
     total
-    colliders: waking what is about to be hit, moving colliders, sorting them for the search
+    colliders: waking bodies about to be hit, moving colliders, sorting them for the search
     wind: preparing the wind's fields; bodies evaluate them as part of their motion
     motion: of batches without body contact: loads, wind, water, contact with colliders
     body_contact: of batches with body contact: their motion, and the contact between their bodies

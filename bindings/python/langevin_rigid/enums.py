@@ -127,7 +127,7 @@ such calls are undefined behaviour. docs/reference/stepping.md"""
 
 class VortexCore(IntEnum):
     """The core of a vortex."""
-    LAMB_OSEEN = 0  # a smooth core, as viscosity makes it
+    LAMB_OSEEN = 0  # a smooth core, as viscosity spreads it
     RANKINE = 1  # a core that rotates as a solid
 
 

@@ -83,7 +83,7 @@ namespace LangevinRigid
         public static extern Status lr_material_init(ColliderMaterial* material, uint structSize);
 
         /// <summary>Sets one material for <paramref name="count"/> colliders, all or none, from the next step on. A
-        /// change wakes what sleeps there.</summary>
+        /// change wakes bodies asleep on them.</summary>
         /// <param name="world">the world</param>
         /// <param name="colliders"><paramref name="count"/> handles of colliders</param>
         /// <param name="count">number of elements</param>

@@ -131,8 +131,8 @@ namespace LangevinRigid
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_batch_counts_init(BatchCounts* counts, uint structSize);
 
-        /// <summary>Reads the counts of a batch. One that never had rules or an emitter counts only diverged bodies;
-        /// the rest is 0. Totals are part of snapshots; after a restore the counts of the last step are 0.</summary>
+        /// <summary>Reads the counts of a batch. A batch that never had rules or an emitter counts only diverged
+        /// bodies. Totals are part of snapshots; after a restore the counts of the last step are 0.</summary>
         /// <param name="world">the world</param>
         /// <param name="batch">handle of a batch of the world</param>
         /// <param name="counts">initialised, or with struct_size set.</param>

@@ -10,8 +10,8 @@ namespace LangevinRigid
         /// <summary>Enables events; at most <paramref name="capacity"/> are stored per step. Contacts that already
         /// exist do not begin again. capacity 0 disables events. All memory is allocated here and by
         /// <see cref="Native.lr_batch_create"/>, none in steps: 64 bytes per event, and 233 for each body of a batch's
-        /// capacity. Not part of the world's hash; of snapshots only what calls since the last step have left for the
-        /// next one, 33 bytes for each body of a batch's capacity.</summary>
+        /// capacity. Not part of the world's hash. Snapshots contain only events that calls since the last step have
+        /// left for the next one, 33 bytes for each body of a batch's capacity.</summary>
         /// <param name="world">the world</param>
         /// <param name="capacity">number of elements that fit</param>
         /// <param name="kinds">bits <see cref="EventKinds"/>.</param>

@@ -23,7 +23,7 @@ namespace LangevinRigid
     /// <summary>The core of a vortex.</summary>
     public enum VortexCore : int
     {
-        /// <summary>A smooth core, as viscosity makes it.</summary>
+        /// <summary>A smooth core, as viscosity spreads it.</summary>
         LambOseen = 0,
         /// <summary>A core that rotates as a solid.</summary>
         Rankine = 1,
@@ -523,7 +523,7 @@ namespace LangevinRigid
         public uint BatchesPassedOver;
         /// <summary>done in this step</summary>
         public ulong BodySubsteps;
-        /// <summary>of the batches that were due, as without a budget</summary>
+        /// <summary>that the batches which were due would need without a budget</summary>
         public ulong BodySubstepsWanted;
         /// <summary>s: the longest time by which a batch is behind the world</summary>
         public double Behind;
@@ -553,7 +553,7 @@ namespace LangevinRigid
         public uint Reserved;
         /// <summary>Total.</summary>
         public double Total;
-        /// <summary>waking what is about to be hit, moving colliders, sorting them for the search</summary>
+        /// <summary>waking bodies about to be hit, moving colliders, sorting them for the search</summary>
         public double Colliders;
         /// <summary>preparing the wind's fields; bodies evaluate them as part of their motion</summary>
         public double Wind;

@@ -89,7 +89,7 @@ export declare const LR: {
   readonly ASSET_SYMMETRIC: 2;
   readonly CHECK_THREADS: 1;
   readonly MAX_WIND_SOURCES: 64;
-  /** a smooth core, as viscosity makes it */
+  /** a smooth core, as viscosity spreads it */
   readonly VORTEX_LAMB_OSEEN: 0;
   /** a core that rotates as a solid */
   readonly VORTEX_RANKINE: 1;
@@ -569,7 +569,7 @@ export interface StepReport {
   batchesPassedOver: number;
   /** done in this step */
   bodySubsteps: number;
-  /** of the batches that were due, as without a budget */
+  /** that the batches which were due would need without a budget */
   bodySubstepsWanted: number;
   /** s: the longest time by which a batch is behind the world */
   behind: number;
@@ -583,7 +583,7 @@ export interface StepReport {
  */
 export interface Timings {
   total: number;
-  /** waking what is about to be hit, moving colliders, sorting them for the search */
+  /** waking bodies about to be hit, moving colliders, sorting them for the search */
   colliders: number;
   /** preparing the wind's fields; bodies evaluate them as part of their motion */
   wind: number;
@@ -1446,8 +1446,8 @@ export interface RawFunctions {
   lr_world_get_timings(world: number, timings: number): number;
   /**
    * Computes a hash of the world's time index, bodies, colliders, pairs of touching bodies, water and wind sources (grids
-   * by the hash of their samples). It does not depend on the order of bodies in memory, the processor or worker_count. Worlds with equal
-   * settings and equal hashes move alike from here on.
+   * by the hash of their samples). It does not depend on the order of bodies in memory, the processor or worker_count.
+   * Worlds with equal settings and equal hashes move alike from here on.
    * LR_OK, LR_ERROR_NULL_ARGUMENT.
    */
   lr_world_hash(world: number, out: number): number;
@@ -1687,7 +1687,7 @@ export interface RawFunctions {
   lr_collider_get_state(world: number, collider: bigint, state: number): number;
   lr_material_init(material: number, struct_size: number): number;
   /**
-   * Sets one material for `count` colliders, all or none, from the next step on. A change wakes what sleeps there.
+   * Sets one material for `count` colliders, all or none, from the next step on. A change wakes bodies asleep on them.
    * LR_OK (also for count 0), LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_COLLIDER, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
    * LR_ERROR_INVALID_ARGUMENT.
    */
@@ -1724,8 +1724,8 @@ export interface RawFunctions {
   /**
    * Enables events; at most `capacity` are stored per step. Contacts that already exist do not begin again. capacity 0
    * disables events. All memory is allocated here and by lr_batch_create, none in steps: 64 bytes per event, and 233 for
-   * each body of a batch's capacity. Not part of the world's hash; of snapshots only what calls since the last step have
-   * left for the next one, 33 bytes for each body of a batch's capacity.
+   * each body of a batch's capacity. Not part of the world's hash. Snapshots contain only events that calls since the
+   * last step have left for the next one, 33 bytes for each body of a batch's capacity.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_INVALID_ARGUMENT (unknown bits, or no bits with a capacity),
    * LR_ERROR_OUT_OF_MEMORY.
    */
@@ -1829,8 +1829,8 @@ export interface RawFunctions {
   lr_batch_spawn_box(world: number, batch: number, low: number, high: number, count: number, out_ids: number): number;
   lr_batch_counts_init(counts: number, struct_size: number): number;
   /**
-   * Reads the counts of a batch. One that never had rules or an emitter counts only diverged bodies; the rest is 0.
-   * Totals are part of snapshots; after a restore the counts of the last step are 0.
+   * Reads the counts of a batch. A batch that never had rules or an emitter counts only diverged bodies. Totals
+   * are part of snapshots; after a restore the counts of the last step are 0.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE.
    */
   lr_batch_get_counts(world: number, batch: number, counts: number): number;
@@ -1843,9 +1843,9 @@ export interface RawFunctions {
   lr_asset_get_aerodynamics(asset: number, aerodynamics: number): number;
   /**
    * Replaces the asset's coefficients of AERODYNAMIC loads for a batch from the next step on. The struct is copied; null
-   * restores the asset's. With intensity 0, lr_load_gains.turbulence 1 and
-   * lr_batch_desc.variation 0 a fall is the same for any seed. Axes other
-   * than the body's, or a center other than 0, put an LR_ASSET_DIAGONAL body on the slower path of contact.
+   * restores the asset's. With intensity 0, lr_load_gains.turbulence 1 and lr_batch_desc.variation 0 a fall is the same
+   * for any seed. Axes other than the body's, or a center other than 0, put an LR_ASSET_DIAGONAL body on the slower path
+   * of contact.
    * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STALE_BATCH, LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE,
    * LR_ERROR_INVALID_ARGUMENT.
    */
