@@ -1,4 +1,4 @@
-// Every coefficient of the quasi-steady loads in the public struct with its limits, for tests that go through all of them.
+// All coefficients of the quasi-steady loads in the public struct with their limits, for tests that visit each.
 #pragma once
 
 #include "../../src/asset/asset_data.h"
@@ -21,7 +21,7 @@ struct AerodynamicField {
     }
 };
 
-// Bodies are at most 1000 m large: limits that depend on the length allow for its fifth power.
+// A limit that depends on the length allows for its fifth power: bodies are at most 1000 m large.
 #define LR_FIELD(name, least, most, power)                                                                             \
     {#name,                                                                                                            \
      offsetof(lr_aerodynamics, name),                                                                                  \

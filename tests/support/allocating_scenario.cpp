@@ -30,7 +30,7 @@ WholeScenario::Kit::Kit()
         bodies[i].position[1] = 0.6f + 0.05f * static_cast<float>(i);
         bodies[i].angular_velocity[i % 3] = 3.0f;
     }
-    for (size_t i = 0; i < heap.size(); ++i) { // so close that they touch as they fall
+    for (size_t i = 0; i < heap.size(); ++i) { // close enough to touch as they fall
         heap[i].position[0] = 4.0f + 0.062f * static_cast<float>(i % 3);
         heap[i].position[1] = 0.02f + 0.043f * static_cast<float>(i / 9);
         heap[i].position[2] = 0.033f * static_cast<float>(i / 3 % 3);
@@ -94,7 +94,7 @@ void WholeScenario::add_worlds() {
     }
 }
 
-// Beyond the first size of the world's table.
+// More batches than the world's first table holds.
 void WholeScenario::add_batches(uint32_t which) {
     for (size_t i = 0; i < batches; ++i)
         add("lr_batch_create", [=, this] {
@@ -275,7 +275,7 @@ void WholeScenario::add_snapshots() {
     add_step(0, 1, 1);
     add("lr_world_snapshot_restore", [this] { return lr_world_snapshot_restore(world_[0], snapshot_.data(), saved_); });
     add_step(0, 1, 1);
-    // Another world, without any reserved memory except that of its hash.
+    // Another world, without reserved memory except for its hash.
     add_batches(1);
     add("lr_world_add_wind_grid", [this] { return add_wind(world_[1], &kit_.winds[6], &wind_[1][0]); });
     add_colliders(1);

@@ -1,5 +1,4 @@
-// Every call of the API that can allocate, in sequence, for tests with failing memory. The callers' own memory is allocated before
-// the first call.
+// Every call of the API that can allocate, in sequence, for tests with failing memory. The caller's own memory is allocated before the first call.
 #pragma once
 
 #include "support/colliders.h"
@@ -32,11 +31,11 @@ public:
     const std::string& name(size_t call) const { return calls_[call].name; }
     bool steps(size_t call) const { return calls_[call].steps; }
     bool creates_world(size_t call) const { return calls_[call].creates; }
-    // The same call again after an error, or the next.
+    // Repeats the call after an error, or makes the next one.
     lr_status run(size_t call) { return calls_[call].call(); }
 
     lr_world* world(uint32_t which) const { return world_[which]; }
-    // Since the scenario began: bodies that lacked a result because of failed memory.
+    // Bodies, since the scenario began, that lacked a result because memory failed.
     uint32_t warnings() const { return warnings_; }
 
 private:

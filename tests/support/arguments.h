@@ -10,7 +10,7 @@
 
 namespace test {
 
-// Required pointers, and others.
+// Pointers that are required, and pointers that may be null.
 template <class T> struct Must { T* pointer; };
 template <class T> struct May { T* pointer; };
 template <class T> Must<T> must(T* pointer) {

@@ -1,4 +1,4 @@
-// Asset files for tests; changes a file and reseals it, which FlatBuffers' own code cannot do.
+// Asset files for tests; changes and reseals a file, which FlatBuffers' own code cannot do.
 #pragma once
 
 #include "asset/asset_data.h"
@@ -12,7 +12,7 @@
 
 namespace test {
 
-// A leaf with everything that a baked file contains.
+// A leaf with all parts of a baked file.
 inline lr::AssetData leaf_data() {
     lr::shape::EllipsoidSpec spec;
     spec.semi_axes = {0.04, 0.01, 0.0005};
@@ -56,8 +56,8 @@ inline lr::AssetData winged_data() {
     return data;
 }
 
-// Byte offset of a field of the root table, from the FlatBuffers layout: root offset, table, vtable. 0 if absent, or if the path
-// to it leads outside the bytes.
+// Byte offset of a field of the root table, from the FlatBuffers layout: root offset, table, vtable. 0 if absent, or if the path to it leads outside
+// the bytes.
 inline size_t root_field(const std::vector<uint8_t>& bytes, size_t id) {
     uint32_t root = 0;
     int32_t back = 0;
@@ -82,7 +82,7 @@ inline void seal(std::vector<uint8_t>& bytes) {
     std::memcpy(bytes.data() + at, &sum, 8);
 }
 
-// Like a file written without this field.
+// As if the file had been written without this field.
 inline void drop_root_field(std::vector<uint8_t>& bytes, size_t id) {
     uint32_t root = 0;
     int32_t back = 0;

@@ -11,7 +11,7 @@ namespace test {
 inline void set_pair(const World& w, lr_batch a, lr_batch b, bool on = true) {
     REQUIRE(lr_batch_set_body_contact(w.get(), a, b, on ? 1 : 0) == LR_OK);
 }
-// Almost no fluid, so that momentum is that of the bodies.
+// Almost no fluid, so that all momentum is the bodies'.
 inline lr_rigid_desc vacuum_box(double x, double y, double z, double density) {
     lr_rigid_desc d = rigid_box(x, y, z, density);
     d.fluid_density = 1e-3;

@@ -24,7 +24,7 @@ inline size_t count_of(const std::vector<lr_event>& events, int32_t kind) {
 inline void keep_events(const World& world, uint32_t capacity = 1000, uint32_t kinds = LR_EVENTS_ALL) {
     REQUIRE(lr_world_set_events(world.get(), capacity, kinds) == LR_OK);
 }
-// Steps until an event of this kind, `most` steps at most; returns all their events.
+// Steps, at most `most` times, until an event of this kind; returns all events of these steps.
 inline std::vector<lr_event> step_until(const World& world, int32_t kind, int most, float dt = 1.0f / 60.0f,
                                         uint32_t substeps = 4) {
     std::vector<lr_event> all;

@@ -33,15 +33,15 @@ public:
 
     lr_allocator callbacks() { return {this, &allocate, &release}; }
 
-    uint64_t calls = 0;       // of allocate
-    uint64_t fail_at = never; // the call that returns null, counted from 0
+    uint64_t calls = 0;       // number of calls of allocate
+    uint64_t fail_at = never; // number of the call that returns null, from 0
     bool fail_after = false;  // and all later calls
-    uint64_t bytes = 0;       // live
-    bool mismatch = false;    // a block came back with another size or alignment, or was foreign
+    uint64_t bytes = 0;       // in use
+    bool mismatch = false;    // a block came back with another size or alignment, or from elsewhere
     size_t live() const { return blocks_; }
 
 private:
-    // The request is stored in front of each block, so that counting does not use operator new.
+    // Each request is stored in front of its block, so that counting does not use operator new.
     struct Block {
         CountingAllocator* owner;
         uint64_t size, alignment;
@@ -58,7 +58,7 @@ private:
         }
         auto* const whole = static_cast<unsigned char*>(aligned_memory(front, (front + size + 127) / 128 * 128));
         if (!whole) return nullptr;
-        std::memset(whole, 0xa5, front + size); // real fresh memory is never zero
+        std::memset(whole, 0xa5, front + size); // fresh memory, never zero
         const Block block{&self, size, alignment};
         std::memcpy(whole, &block, sizeof block);
         ++self.blocks_;
@@ -74,7 +74,7 @@ private:
             self.mismatch = true;
             return;
         }
-        std::memset(whole, 0x5a, front); // a second release is a mismatch
+        std::memset(whole, 0x5a, front); // so that a second release is a mismatch
         --self.blocks_;
         self.bytes -= size;
         free_aligned(whole);
@@ -83,8 +83,8 @@ private:
     size_t blocks_ = 0;
 };
 
-// Calls of the global operator new in this process, also from inside the library: support/counting_new.cpp. Sanitizers have
-// their own operator new, which stays in place; a DLL of Windows has its own.
+// Calls of the global operator new in this process, including the library's: support/counting_new.cpp. Sanitizers keep their own operator new, and a
+// DLL of Windows has its own.
 #if defined(LR_TEST_QUICK) || defined(_WIN32)
 inline constexpr bool counts_global = false;
 #else
@@ -92,7 +92,7 @@ inline constexpr bool counts_global = true;
 #endif
 extern std::atomic<uint64_t> global_allocations;
 extern std::atomic<uint64_t> global_live;
-// The call of operator new that throws, counted down from here; 0: none.
+// Counts down to the call of operator new that throws; 0: none.
 extern std::atomic<uint64_t> global_fail_in;
 
 } // namespace test

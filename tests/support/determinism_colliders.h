@@ -20,14 +20,14 @@ public:
     explicit PlayedColliders(Solids which) : which_(which) {
         if (which == Solids::none) return;
         Random random(7);
-        // Of one slope: over several at a time bodies take the narrow phase.
+        // One slope for all: over several at a time bodies take the narrow phase.
         for (float& h : heights_) h = which == Solids::terrain ? 0.05f : random.real(-0.05, 0.25);
         sheet_ = bumpy_sheet(6, 3);
         corners_.resize(3 * size_t{12});
         for (float& x : corners_) x = random.real(-0.4, 0.4);
     }
 
-    // Colliders with data: a world must have them to restore a snapshot.
+    // Creates colliders with data, which a world must have to restore a snapshot.
     void prepare(const World& w) const {
         std::vector<lr_collider_desc> all = descs();
         std::reverse(all.begin(), all.end());
@@ -37,7 +37,7 @@ public:
     void place(const World& w) {
         for (const lr_collider_desc& d : descs()) ids_.push_back(add_collider(w, d));
     }
-    // To and fro, by all three ways to move.
+    // Moves colliders to and fro, in all three modes.
     void move(const World& w, int frame) const {
         if (ids_.size() < 3 || frame % 4 != 3) return;
         constexpr int32_t modes[] = {LR_MOVE_VELOCITY, LR_MOVE_TO, LR_MOVE_PLACE};

@@ -27,7 +27,7 @@ std::vector<PlayedScene> played_scenes() {
         scene.loads = loads, scene.clock = clock;
         return scene;
     };
-    // Runge-Kutta diverges for long substeps: separate scenes cover that.
+    // Runge-Kutta diverges for long substeps; separate scenes cover that.
     const auto rk4 = [](PlayedScene& scene, uint32_t substeps = 3) {
         scene.integrator = LR_INTEGRATOR_RK4, scene.substeps = substeps;
     };
@@ -46,7 +46,7 @@ std::vector<PlayedScene> played_scenes() {
     with("aerodynamic_age", LR_LOADS_AERODYNAMIC, LR_CLOCK_AGE);
     rk4(with("aerodynamic_age_rk4", LR_LOADS_AERODYNAMIC, LR_CLOCK_AGE));
 
-    // Wind: uniform, and each kind of source, alone and all together. The ground wind changes the uniform wind.
+    // Wind: uniform, each kind of source alone, and all together. The ground wind changes the uniform wind.
     add("wind").windy = true;
     const auto blown = [&](const char* name, std::vector<Source> sources) -> PlayedScene& {
         PlayedScene& scene = add(name);
@@ -91,7 +91,7 @@ std::vector<PlayedScene> played_scenes() {
     add("births_and_deaths").born_and_dying = true;
     add("rules").governed = true;
 
-    // Rates of two batches that take fewer substeps, or wait for some steps; a budget for less than half.
+    // Batches with two rates, one with fewer substeps and one that waits for some steps; a budget for less than half.
     const auto paced = [&](const char* name, uint32_t a, uint32_t b) -> PlayedScene& {
         PlayedScene& scene = add(name);
         scene.divisors[0] = a, scene.divisors[1] = b, scene.windy = true;
@@ -108,7 +108,7 @@ std::vector<PlayedScene> played_scenes() {
     PlayedScene& little = paced("budget_for_part_of_a_batch", 1, 1);
     little.budget = 50, little.sources = {Source::gusts}, little.governed = true;
 
-    // Bodies that are put to sleep, and woken in every way.
+    // Bodies put to sleep, and woken in every way.
     PlayedScene& still = add("rest");
     still.resting = still.windy = still.forced = true, still.bodies = 600;
     PlayedScene& still_in_everything = paced("rest_in_everything", 3, 6);
@@ -116,7 +116,7 @@ std::vector<PlayedScene> played_scenes() {
     still_in_everything.afloat = still_in_everything.governed = still_in_everything.called_back = true;
     still_in_everything.born_and_dying = still_in_everything.resting = true, still_in_everything.bodies = 300;
 
-    // Leaves and bricks that land, some of them asleep at the end.
+    // Leaves and bricks that land, some asleep at the end.
     const auto landing = [&](const char* name, Solids on) -> PlayedScene& {
         PlayedScene& scene = with(name, LR_LOADS_AERODYNAMIC);
         scene.solids = on, scene.windy = true, scene.dt = 0.05f;
@@ -167,7 +167,7 @@ std::vector<PlayedScene> played_scenes() {
     PlayedScene& stations_faulty = winged_bodies(add("stations_faults_rk4"));
     rk4(stations_faulty), stations_faulty.faulty = true;
 
-    // Bodies that diverge by forces, and in an unstable scheme: in air, wind, water, in front of colliders, in a heap.
+    // Bodies that diverge by forces or in an unstable scheme: in air, wind, water, in front of colliders, in a heap.
     const auto faulty = [&](PlayedScene& scene) -> PlayedScene& {
         scene.faulty = true;
         return scene;
@@ -182,7 +182,7 @@ std::vector<PlayedScene> played_scenes() {
     PlayedScene& faults_in_pile = faulty(pile("faults_in_a_pile", Solids::ground));
     rk4(faults_in_pile, 2);
 
-    // Storms of more bodies than a single chunk.
+    // Storms of more bodies than one chunk.
     const auto storm = [&](const char* name) -> PlayedScene& {
         PlayedScene& scene = add(name);
         scene.windy = scene.born_and_dying = true, scene.bodies = 1100;
@@ -267,7 +267,7 @@ void Play::build() {
         bd.variation = b == 0 ? 0.0f : 0.15f;
         batches[b] = add_batch(world, bd, assets_[b], scene_.bodies + 40, scene_.full);
     }
-    // Not part of snapshots: callbacks, and a grid's samples, which can have another address.
+    // Not in snapshots: callbacks, and the samples of a grid, which can have another address.
     if (scene_.called_back) {
         REQUIRE(lr_world_set_wind_callback(world.get(), shear, nullptr) == LR_OK);
         REQUIRE(lr_world_set_water_callback(world.get(), swell, nullptr) == LR_OK);
@@ -359,7 +359,7 @@ void Play::populate(size_t b) {
     const uint32_t first = b == 0 ? 1 : 100001;
     for (uint32_t i = 0; i < scene_.bodies; ++i) descs.push_back(body(first + i));
     if (how_.permuted) {
-        // Create and destroy other bodies first, so that slots and generations are out of order too.
+        // Creates and destroys other bodies first, so that slots and generations are out of order too.
         std::vector<lr_body> ghosts(30);
         const std::vector<lr_body_desc> ghost(30, body(999));
         REQUIRE(lr_body_create(world.get(), batches[b], ghost.data(), 30, ghosts.data()) == LR_OK);

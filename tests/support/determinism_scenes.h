@@ -19,19 +19,19 @@ struct PlayedScene {
     bool stations = false; // the bodies of the second batch have stations
     bool windy = false;
     bool born_and_dying = false;
-    bool forced = false;              // forces on bodies and on batches
-    bool afloat = false;              // a sea, with its surface amid the bodies
+    bool forced = false;              // on bodies and on batches
+    bool afloat = false;              // a sea with its surface between the bodies
     bool governed = false;            // rules that destroy in one batch and respawn in the other, and emitters
     std::vector<Source> sources = {}; // of wind
-    bool called_back = false;         // wind from a callback, and over a sea also its surface
+    bool called_back = false;         // wind from a callback, and over a sea its surface too
     uint32_t divisors[2] = {1, 1};    // of the batches' rates
     bool resting = false;             // bodies fall asleep and wake
-    Solids solids = Solids::none;     // to land on: bodies begin near them; those of the second batch are bricks
+    Solids solids = Solids::none;     // to land on; bodies begin near them, those of the second batch are bricks
     bool body_contact = false;        // contact between all bodies, which start close together above the colliders
     uint64_t budget = 0;              // body-substeps per step
     bool faulty = false;              // some bodies diverge: held in one batch, ended in the other
     float dt = 1.0f / 60.0f;          // s
-    uint32_t substeps = 3;            // neither a power of two nor an even division, so that everything rounds
+    uint32_t substeps = 3;            // no power of two and no even division, so that everything rounds
     int frames = 30;                  // steps of dt
     uint32_t bodies = 150;            // in each of two batches: one diagonal, one with its weight off centre
 };
@@ -69,16 +69,16 @@ private:
     // The same body for the same noise seed, in any place and at any time.
     lr_body_desc body(uint32_t noise_seed) const;
     void populate(size_t b);
-    // Not created again after a snapshot, which must restore them.
+    // Not repeated after a snapshot, which must restore its effect.
     void push_batch(size_t b);
     void govern(size_t b);
     // Forces depend on a body's noise seed and place, not on its index.
     void push();
-    // By noise seed: extreme values.
+    // Extreme values, by noise seed.
     void carry_off(uint32_t frame);
-    // Bodies with certain noise seeds end, new ones are created: by noise seed, not by index.
+    // Ends bodies and creates new ones, by noise seed and not by index.
     void turn_over();
-    // By noise seed; for a while a whole batch sleeps.
+    // Sleep, by noise seed; for a while a whole batch sleeps.
     void lie_and_wake(uint32_t frame);
 
     PlayedScene scene_;

@@ -48,7 +48,7 @@ struct Stage {
         REQUIRE(add(world, of<D>(), &source) == LR_OK);
         return source;
     }
-    // Zeros.
+    // Zeroed memory.
     template <class T> T* memory() {
         kept.push_back(std::make_shared<std::array<uint64_t, 32>>());
         return static_cast<T*>(kept.back().get());

@@ -22,7 +22,7 @@ public:
             squared_[i] = 2.5 / mass_ * (moment[(i + 1) % 3] + moment[(i + 2) % 3] - moment[i]);
             center_[i] = info.center_of_buoyancy[i];
         }
-        // The fluid's part of the mass matrix grows with its density.
+        // The fluid's part of the mass matrix is proportional to its density.
         lr_asset_info wet = info;
         for (double& m : wet.added_mass) m *= water_density / info.fluid_density;
         const Matrix6 water = ReferenceBody(wet).mass;
@@ -50,7 +50,7 @@ public:
                            (water_density - air_density) * volume_ * lifted),
                 half};
     }
-    // Of body and fluid; twist in the body frame, through the fluid.
+    // Of body and fluid. twist: body frame, relative to the fluid.
     double kinetic(double fraction, const Six& twist) const {
         const Six a = air_.mass * twist, b = more_.mass * twist;
         double sum = 0.0;

@@ -9,7 +9,7 @@ namespace test {
 namespace {
 
 constexpr double counted_depth = 1e-4, smallest_depth = 1e-5; // m
-constexpr double parallel = 1e-9;                             // sine between edges that give no axis of their own
+constexpr double parallel = 1e-9; // sine between two edges whose cross product gives no axis
 
 struct Box {
     std::array<Vec, 3> axes; // world frame

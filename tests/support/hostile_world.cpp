@@ -13,7 +13,7 @@
 namespace test {
 namespace {
 
-// Often the minimum or maximum, else of any magnitude between.
+// Often the minimum or maximum, else of any magnitude in between.
 float wild(Random& random, double least, double most) {
     switch (random.below(4)) {
     case 0:
@@ -32,7 +32,7 @@ bool chance(Random& random, uint32_t one_in) {
     return random.below(one_in) == 0;
 }
 
-// By place alone: numbers, very large numbers, and non-finite ones.
+// From the position alone: numbers, very large numbers, and non-finite ones.
 float nonsense(float a, float b) {
     uint32_t bits = 0;
     const float sum = a * 3.0f + b;
@@ -338,7 +338,7 @@ void HostileWorld::push(Random& random) {
             const float size = wild(random, 1e-6, chance(random, 2) ? 1e30 : 1e6);
             f.force[random.below(3)] = size;
             f.torque[random.below(3)] = wild(random, 1e-12, 1e6);
-            // A single force beyond the limit is refused, but not the sum of many.
+            // A single force beyond the limit is refused, but the sum of many is not.
             if (lr_body_add_force(world.get(), &f, 1) == LR_OK)
                 for (int more = 0; more < 20; ++more) lr_body_add_force(world.get(), &f, 1);
         }

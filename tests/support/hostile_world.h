@@ -18,14 +18,13 @@ public:
     struct How {
         int32_t simd = LR_SIMD_AUTO;
         uint32_t workers = 0;
-        int through_snapshot = -1; // before this frame, into a new world
+        int through_snapshot = -1; // before this frame; the rest runs in a new world
     };
     HostileWorld(uint64_t seed, const How& how);
 
     static constexpr int frames = 10;
     void step(int frame); // changes the world and steps it; every body must stay within limits
     uint64_t faults() const { return faults_; }
-    uint64_t faults_ever = 0; // counted by events
 
     World world;
     std::vector<lr_batch> batches;

@@ -1,4 +1,4 @@
-// Counts non-finite bodies after a step, from outside.
+// Counts non-finite bodies after a step, through the public API.
 #pragma once
 
 #include "support/scene.h"

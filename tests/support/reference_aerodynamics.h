@@ -10,7 +10,7 @@
 
 namespace test {
 
-// The fluid's share of the moment of inertia, about that axis across the normal where it is larger. axes: of the loads.
+// The fluid's share of the moment of inertia about the axis in the plate where it is larger. axes: of the loads.
 inline double fluid_inertia(const lr_asset_info& info, const double* axes, size_t normal) {
     double most = 0.0;
     for (size_t k = 0; k < 3; ++k) {
@@ -26,7 +26,7 @@ inline double fluid_inertia(const lr_asset_info& info, const double* axes, size_
     return most;
 }
 
-// Share of the loads that need a wake that streams away; light: fluid_inertia.
+// Share of loads that need a shed wake. light: fluid_inertia.
 inline double streaming(double light) {
     return 1.0 / (1.0 + std::pow(light / (2.0 / 3.0), 4.0));
 }
@@ -36,14 +36,14 @@ struct ReferenceLoads {
     double scale = 1.0;
     double density = 0.0, viscosity = 0.0; // of the fluid
     double length = 0.0;                   // d, scale 1
-    Vec arm{};                             // centre of mass to that of the loads, at this scale
+    Vec arm{};                             // from the centre of mass to the centre of the loads, at this scale
     double light = 0.0;                    // fluid_inertia
 
     struct Wrench {
         Vec force, torque;
     };
 
-    // The state of the wake: the stream that it remembers, and the oscillator (q, r), along the load axes.
+    // The wake, along the load axes: the stream in its memory, and the oscillator (q, r).
     Vec lag{};
     double shedding[4] = {};
 
@@ -129,7 +129,7 @@ struct ReferenceLoads {
         torque[second] += moment(0);
         torque[first] -= moment(1);
         force[n] -= density * plate(v).force;
-        double opposing = 0.0; // the part of the drag against the velocity
+        double opposing = 0.0; // drag against the velocity
         for (size_t i = 0; i < 3; ++i) {
             const double part = v[i] * v[i] / (s * s);
             opposing += part * 0.5 * (at.drag[i] + at.drag_blunt[i] * separated) * s2 * s;

@@ -54,8 +54,8 @@ inline Matrix6 inverse(Matrix6 m) {
     return out;
 }
 
-// Errors at steps halved again and again. Rounding limits the smallest error, which grows again with the number of steps; the order is that of the
-// last halving well above it.
+// Errors at steps halved again and again. Rounding limits the smallest error, and grows with the number of steps. The order is that of the last
+// halving well above rounding.
 struct Convergence {
     double order, coarse, fine; // errors before and after that halving
     size_t halvings;
@@ -77,13 +77,13 @@ public:
     Vec buoyancy_arm{};     // m
     Vec gravity{0.0, -9.81, 0.0}, wind{};
     Six world_force{}, body_force{}; // N and N m
-    // alpha, 1/s, at a speed through the fluid and an age.
+    // alpha, 1/s, by speed through the fluid and age.
     std::function<double(double, double)> alpha = [](double, double) { return 0.0; };
 
     // Quasi-steady loads, when `aerodynamic`.
     ReferenceLoads loads;
     bool aerodynamic = false;
-    // Loads of stations instead, at a velocity and spin.
+    // Loads of stations instead of `loads`, by velocity and spin.
     std::function<ReferenceStations::Loads(Vec, Vec)> stations;
 
     // The floor under the damping of spin: docs/maintainers/physics.md, "Viscous floor".
@@ -149,7 +149,7 @@ private:
         const Six momentum = mass * s.twist, drag = dragged * s.twist;
         const double a = alpha(length(v), s.age);
         Vec p = upper(momentum), l = lower(momentum);
-        if (aerodynamic) { // the momentum that stays with the wake
+        if (aerodynamic) { // momentum that stays in the wake
             const Vec n = loads.normal_of_body(), arm = cross(loads.arm, n);
             const double lost = loads.shed(v, w) * added_along(n) * (dot(n, v) + dot(arm, w));
             p = p - lost * n, l = l - lost * arm;

@@ -1,5 +1,5 @@
-// The loads of stations (docs/maintainers/physics.md, "Stations") in SI units and double, implemented independently of the kernel: forces at points.
-// The wake is that of a body at rest until now: it remembers no stream, and sheds nothing.
+// Loads of stations (docs/maintainers/physics.md, "Stations") in SI units and double, implemented independently of the kernel: forces at points. The
+// wake is that of a body at rest until now, without memory or shed vortices.
 #pragma once
 
 #include "asset/asset_data.h"
@@ -14,7 +14,7 @@ namespace test {
 
 struct ReferenceStations {
     std::vector<lr::StationData> at; // at scale 1
-    lr::AerodynamicData whole;       // the wake's numbers
+    lr::AerodynamicData whole;       // for the numbers of the wake
     double scale = 1.0;
     double density = 0.0, viscosity = 0.0; // of the fluid
     double length = 0.0;                   // d, scale 1
@@ -23,7 +23,7 @@ struct ReferenceStations {
 
     struct Loads {
         Vec force{}, torque{};
-        Vec lost{}, lost_moment{}; // momentum of the fluid that has been shed
+        Vec lost{}, lost_moment{}; // momentum of shed fluid
     };
 
     double fluid_inertia_of(const lr_asset_info& info) const {
@@ -34,7 +34,7 @@ struct ReferenceStations {
 
     Loads operator()(Vec velocity, Vec spin) const {
         Loads sum;
-        // Streams that the spin makes are not those of the fall, which the wake remembers.
+        // The wake remembers the stream of the fall, not those of the spin.
         const Vec fall = velocity + cross(spin, arm);
         const double rim = length * scale * test::length(spin), share = dot(fall, fall);
         const Vec behind = -share / (share + rim * rim) * fall;
@@ -57,7 +57,7 @@ private:
         const double speed = test::length(stream);
         const double u[3] = {dot(chord, stream), dot(span, stream), dot(n, stream)};
 
-        // The plate in the stream that it follows.
+        // The plate in the stream that its attached part follows.
         const Vec followed = stream + whole.wake_share * behind;
         const double fx = dot(chord, followed), fy = dot(span, followed), along = std::hypot(fx, fy);
         const double incidence = dot(n, followed) - s.camber * std::abs(fx);
@@ -75,11 +75,11 @@ private:
         const double start = -half * streaming(light) * s.plate_drag * whole.start_drag * test::length(behind) *
                              dot(behind, stream) / (speed * speed);
         const double normal = std::max(lift + broadside + start, 0.0);
-        // Its attached part acts aft of the place, whichever way the stream goes; that point's stream resists.
+        // The attached part acts aft of the place for any direction of the stream, and the stream at that point damps.
         const Vec aft = -scale / along * (s.lift_arm[0] * fx * chord + s.lift_arm[1] * fy * span);
         const Vec point = place + std::min(lift / std::max(normal, 1e-30), 1.0) * aft;
         push(-normal * dot(n, velocity + cross(spin, point)) * n, point);
-        // Lift of camber and of the wake's lag: across the stream, it does no work.
+        // Lift of camber and of the wake's lag is normal to the stream, and does no work.
         push(-lift * (incidence - u[2]) * (n - u[2] / (speed * speed) * stream), place);
 
         const double reynolds = speed * length * scale / viscosity, late = reynolds / (reynolds + 8710.0);

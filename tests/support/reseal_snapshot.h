@@ -7,7 +7,7 @@
 
 namespace test {
 
-// src/world/snapshot/snapshot.cpp: 64-bit words, except the word at byte 24, go in turn to eight sums.
+// As in src/world/snapshot/snapshot.cpp: 64-bit words, except the one at byte 24, go in turn to eight sums.
 inline void seal(std::vector<unsigned char>& bytes) {
     constexpr uint64_t factor = 0x9e3779b97f4a7c15ull;
     const auto take = [](uint64_t& sum, uint64_t word) {

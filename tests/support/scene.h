@@ -61,7 +61,7 @@ inline lr_body_desc turned_anyhow(Random& random, const std::array<double, 3>& p
     for (float& q : d.orientation) q = random.real(-1.0, 1.0);
     return d;
 }
-// The same, anywhere in a cube about the origin; extent: m, half its edge.
+// In any orientation, anywhere in a cube about the origin; extent: m, half its edge.
 inline lr_body_desc strewn(Random& random, double extent) {
     const auto along = [&] { return random.uniform(-extent, extent); };
     return turned_anyhow(random, {along(), along(), along()});
@@ -94,7 +94,7 @@ inline lr_rigid_desc rigid_plate() {
     d.extents[0] = 0.2, d.extents[1] = 0.1, d.extents[2] = 0.001;
     return d;
 }
-// Its added mass is that of a sphere of its volume, with some rotational added mass.
+// With the added mass of a sphere of its volume, and some added inertia.
 inline lr_rigid_desc rigid_box(double x, double y, double z, double density) {
     lr_rigid_desc d = initialised(lr_rigid_desc_init);
     d.volume = x * y * z;
@@ -121,7 +121,7 @@ inline Asset make(const lr_ellipsoid_desc& d) {
     REQUIRE(lr_asset_create_ellipsoid(&d, &asset) == LR_OK);
     return Asset(asset);
 }
-// The paper's leaf, and the same with its weight off centre: a diagonal and a full 6x6.
+// The paper's leaf, and one with its weight off centre: a diagonal and a full 6x6 matrix.
 inline Asset leaf() {
     return make(ellipsoid(0.04, 0.01, 0.00005, 800.0));
 }
@@ -149,7 +149,7 @@ inline lr_asset_info info_of(const Asset& asset) {
     return info;
 }
 
-// full: puts a diagonal body on the path of full mass matrices, by loads slightly off the mirror plane along its widest face.
+// full: makes a diagonal body take the path of full mass matrices, by loads slightly off the mirror plane along its widest face.
 inline lr_batch add_batch(const World& w, lr_batch_desc d, const Asset& asset, uint32_t capacity, bool full = false) {
     d.asset = asset.get();
     d.capacity = capacity;
@@ -202,7 +202,7 @@ inline std::vector<Velocity> velocities_of(const World& w, lr_batch batch) {
     REQUIRE(lr_batch_write_velocities(w.get(), batch, all.data(), sizeof(Velocity), count, nullptr) == LR_OK);
     return all;
 }
-// Doctest's checks cost about a microsecond: one check for the whole run.
+// One check for the whole run, because doctest's checks cost about a microsecond.
 inline void steps(const World& w, int count, float dt, uint32_t substeps = 1) {
     lr_status status = LR_OK;
     for (int i = 0; i < count && status == LR_OK; ++i) status = lr_world_step(w.get(), dt, substeps);
@@ -211,7 +211,7 @@ inline void steps(const World& w, int count, float dt, uint32_t substeps = 1) {
 inline void set_wind(const World& w, float x, float y, float z) {
     REQUIRE(lr_world_set_uniform_wind(w.get(), x, y, z) == LR_OK);
 }
-// The same turbulence at every age; for the SPEED clock, that of a body at speed u0.
+// The same turbulence at every age or, for the SPEED clock, of a body at speed u0.
 inline void set_constant_table(const World& w, lr_batch batch, double chi, double epsilon, double c0, double u0 = 1.0,
                                double l = 0.01) {
     const float chis[1] = {narrow(chi)}, epsilons[1] = {narrow(epsilon)};

@@ -1,4 +1,4 @@
-// A snapshot's bytes as pieces: headers and columns, without a world. For tests that change a piece.
+// A snapshot's bytes as pieces (headers and columns), without a world, for tests that change a piece.
 #pragma once
 
 #include "body_contact/pair_cache.h"
@@ -10,7 +10,7 @@
 namespace lr {
 
 struct SnapshotPiece {
-    uint64_t key;          // identifies the piece: ascending in a snapshot, and the same in others
+    uint64_t key;          // identifies the piece in any snapshot; ascending
     uint64_t begin, words; // 32-bit words
 };
 
@@ -22,9 +22,8 @@ public:
     const unsigned char* bytes() const { return bytes_; }
     uint64_t words() const { return header_.size / 4; }
 
-    // The next piece that is not empty; together they are the whole snapshot. False at its end, and for invalid contents.
+    // The next piece that is not empty; all pieces together are the snapshot. False at its end, and for invalid contents.
     bool next(SnapshotPiece& piece);
-    bool sensible() const { return !wrong_ && at_ == words(); } // after the last
 
 private:
     bool take(SnapshotPiece& piece, uint64_t key, uint64_t words);

@@ -1,4 +1,4 @@
-// Bodies with stations, for tests: assets made from their data, with numbers of no real body.
+// Bodies with stations for tests: assets from data, with numbers of no real body.
 #pragma once
 
 #include "asset/asset_file.h"
@@ -28,18 +28,18 @@ inline lr::AssetData ellipsoid_data(const lr::shape::EllipsoidSpec& spec) {
     data.turbulence = lr::shape::decay_table(data, 1.0);
     return data;
 }
-// Neither gusts nor shed vortices: what remains takes energy only.
+// Without gusts and shed vortices the loads only take energy.
 inline void calm(lr::AerodynamicData& a) {
     a.intensity = a.shedding_noise = a.shedding_moment = a.shedding_rate_moment = 0.0;
 }
 
-// Rows: chord, span, normal, of a frame turned by some tenths of a radian. Without the C library's functions: its bits differ between systems.
+// Rows chord, span, normal of a frame turned by some tenths of a radian. Without the C library's functions, whose bits differ between systems.
 inline std::array<double, 9> turned_axes(Vec half_turn) {
     const Matrix3 r = rotation(normalised({half_turn[0], half_turn[1], half_turn[2], 1.0}));
     return {r[0][0], r[0][1], r[0][2], r[1][0], r[1][1], r[1][2], r[2][0], r[2][1], r[2][2]};
 }
 
-// Of a plate of this area (m^2), about as large as `width`, with every kind of load.
+// A plate of this area (m^2) and about this width, with every kind of load.
 inline lr::StationData some_station(double area, double width) {
     lr::StationData s;
     const double volume = area * width, rod = std::sqrt(width);
@@ -60,7 +60,7 @@ inline lr::StationData some_station(double area, double width) {
     return s;
 }
 
-// `count` of them about a body of the length d, each tilted another way. One number is drawn a statement: arguments have no order.
+// `count` stations about a body of length d, each tilted differently. One random number per statement, because arguments have no order.
 inline std::vector<lr::StationData> some_stations(size_t count, double d, uint64_t seed) {
     Random random(seed);
     std::vector<lr::StationData> all;
@@ -79,7 +79,7 @@ inline std::vector<lr::StationData> some_stations(size_t count, double d, uint64
     return all;
 }
 
-// Multiplies what is in proportion to the area of a station at its place: halves of it share the place.
+// Scales all loads that are proportional to area, for a part of a station at the same place.
 inline lr::StationData part_of(lr::StationData s, double share) {
     for (auto* v : {&s.drag, &s.drag_blunt, &s.drag_layer, &s.drag_stokes, &s.plate_lift, &s.plate_vortex, &s.spin_lift,
                     &s.spin_drag, &s.spin_drag_stream, &s.spin_drag_stokes})

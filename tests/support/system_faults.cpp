@@ -40,7 +40,7 @@ bool fails() {
 
 } // namespace
 
-// Seen by the shared library.
+// Visible to the shared library.
 #pragma GCC visibility push(default)
 extern "C" {
 

@@ -1,5 +1,5 @@
-// A small world with some of everything in a snapshot, for snapshots between processes, processors and releases. Uses only the C
-// API, + - x / and square roots, so that it is the same everywhere.
+// A small world with all parts of a snapshot, for snapshots between processes, processors and releases. Uses only the C API, + - x / and square
+// roots, so that it is the same everywhere.
 #pragma once
 
 #include "langevin_rigid_research.h"
@@ -15,7 +15,7 @@ public:
     static constexpr float dt = 1.0f / 60.0f;
     static constexpr uint32_t leaves = 70, discs = 33; // capacities
 
-    // An empty world with equal batches, as restoring needs; lived: the world to save.
+    // An empty world with equal batches, as restoring needs it. lived: the world to save.
     explicit TravellingScene(int32_t simd = LR_SIMD_AUTO, bool lived = true) {
         lr_world_desc wd;
         good_ = lr_world_desc_init(&wd, sizeof wd) == LR_OK;
@@ -44,7 +44,7 @@ public:
         for (int i = 0; i < count; ++i) need(lr_world_step(world_, dt, 2));
         return good_;
     }
-    // Continues after the snapshot, with inputs of all kinds, the same after each restore. Returns the hash.
+    // Continues after the snapshot with inputs of all kinds, the same after each restore. Returns the hash.
     uint64_t go_on() {
         for (int i = 0; i < 40 && good_; ++i) {
             if (i % 8 == 0) {

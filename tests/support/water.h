@@ -43,7 +43,7 @@ inline void no_turbulence(const World& w, lr_batch batch) {
     REQUIRE(lr_batch_set_load_gains(w.get(), batch, &gains) == LR_OK);
 }
 
-// Height of a floating ellipsoid's centre over the water, in half heights: density = f water + (1 - f) air.
+// Height of a floating ellipsoid's centre above the water, in half heights: density = f water + (1 - f) air.
 inline double draught(double density) {
     const double f = (density - air_density) / (water_density - air_density);
     double low = -1.0, high = 1.0;
@@ -54,8 +54,8 @@ inline double draught(double density) {
     return low;
 }
 
-// kg/s, by the waves that a body sends out as it heaves at its natural frequency: waterplane m^2, submerged volume m^3, its mass and that with its added
-// mass, kg; difference: of the waterplane's semi-axes, m.
+// kg/s, damping by the waves that a body radiates as it heaves at its natural frequency. waterplane: m^2; volume: submerged, m^3; mass, and `moved`
+// with added mass: kg; difference: of the waterplane's semi-axes, m.
 inline double heave_damping(double waterplane, double volume, double mass, double moved, double difference = 0.0) {
     const double gravity = 9.81, number = water_density * waterplane / moved, omega = std::sqrt(gravity * number);
     const double deep = (water_density * volume + 1.6 * (moved - mass)) / moved;

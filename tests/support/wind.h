@@ -61,7 +61,7 @@ inline Vec wind_at(const World& w, Vec x) {
     return vec(velocity);
 }
 
-// A source of each kind with a place, near the origin; each sample of the grid is unique. In this order:
+// A source of each kind near the origin, in this order; each sample of the grid is unique.
 enum class Source : size_t { gusts, rankine, lamb_oseen, round_blower, slot_blower, turbulence, grid, ground };
 inline std::vector<AnySource> one_of_each(const std::vector<float>& samples) {
     std::vector<AnySource> all;
