@@ -57,7 +57,6 @@ Json make_json(const AssetData& a) {
     std::vector<double> chi = a.turbulence.chi, epsilon = a.turbulence.epsilon;
     for (double& v : chi) v *= rate;
     for (double& v : epsilon) v *= dissipation;
-    // The looped samples and the period.
     const Json loop = a.turbulence.loop_end > a.turbulence.loop_begin
                           ? Json{{"begin", a.turbulence.loop_begin},
                                  {"end", a.turbulence.loop_end},
@@ -101,7 +100,7 @@ Json make_json(const AssetData& a) {
     return j;
 }
 
-#if defined(__MINGW32__) // "printf" means Microsoft's format there, but libstdc++ makes printf the C standard's
+#if defined(__MINGW32__) // there, "printf" means Microsoft's format; libstdc++ uses the C standard's
 #define LR_PRINTF gnu_printf
 #else
 #define LR_PRINTF printf

@@ -36,10 +36,10 @@
 namespace lr::baker {
 namespace {
 
-// Largest thickness over length of a sheet: in a thicker sheet the edges matter, which the zero-thickness formulation omits.
+// Largest thickness over length of a sheet. At the edges of a thicker one the zero-thickness formulation is wrong.
 constexpr double max_thickness_share = 0.2;
 constexpr double longest_body = 1e3; // m, at most the diagonal of its box
-// Half of the surface, exact where nothing lies behind something else, is the silhouette up to this.
+// Relative difference from half of the projected surface, which is exact if no part hides another, from which the silhouette is used.
 constexpr double hidden_share = 0.01;
 
 std::array<double, 3> to_array(const Eigen::Vector3d& v) {
@@ -179,7 +179,10 @@ private:
         std::vector<Face> sheets = skin.sheets();
         mesh_ = skin.mesh;
         solid_faces_ = skin.solid_faces;
-        if (!sheets.empty() && !(set_thickness(mesh_, sheets) && take_once(sheets))) return false;
+        if (!sheets.empty()) {
+            set_thickness(mesh_, sheets);
+            if (!take_once(sheets)) return false;
+        }
         mesh_.faces.resize(solid_faces_);
         mesh_.faces.insert(mesh_.faces.end(), sheets.begin(), sheets.end());
         drop_unused_vertices(mesh_);
@@ -190,11 +193,12 @@ private:
 
     bool finish_sheet() {
         std::vector<Face> sheets = mesh_.faces;
-        if (!set_thickness(mesh_, sheets) || (!options_.card && !take_once(sheets))) return false;
+        set_thickness(mesh_, sheets);
+        if (!options_.card && !take_once(sheets)) return false;
         if (sheets.size() == mesh_.faces.size()) return true;
         mesh_.faces = std::move(sheets);
         drop_unused_vertices(mesh_);
-        // The backs of sheets were counted as parts.
+        // The backs of sheets were counted as parts; counts again.
         const auto counts_parts = [](const Fault& f) { return f.id == FaultId::mesh_several_components; };
         std::erase_if(faults_, counts_parts);
         Faults again;
@@ -207,7 +211,7 @@ private:
         return take_double_sheets_once(mesh_, thickness_, options_.strict, sheets, faults_);
     }
 
-    // Where all that made the body mixed lies inside one sound solid, the more exact way of solids is open. A cavity can hold solids.
+    // If all extra faces lie inside one sound solid, it can be solved as a solid, which is more exact. Not with cavities, which can hold solids.
     bool take_as_one_solid(const BodyParts& skin) {
         const std::size_t inside = parts_.mesh.faces.size() - skin.mesh.faces.size();
         if (inside == 0 || skin.has_sheets() || !parts_.cavities.faces.empty()) return false;
@@ -223,7 +227,7 @@ private:
         return true;
     }
 
-    bool set_thickness(const Mesh& mesh, const std::vector<Face>& sheets) {
+    void set_thickness(const Mesh& mesh, const std::vector<Face>& sheets) {
         if (thickness_ == 0.0) {
             thickness_ = default_thickness * sheet_length(mesh, sheets);
             faults_.push_back(
@@ -232,7 +236,6 @@ private:
                  "Give --thickness if it is known."});
         }
         if (options_.sheet && options_.sheet->areal_density) density_ = *options_.sheet->areal_density / thickness_;
-        return true;
     }
 
     // Of the union of the solids, and of the sheets outside them.
@@ -276,7 +279,7 @@ private:
         solid_ = mixed_ ? mixed_properties() : properties_of(mesh_);
         MassProperties weighed;
         if (!read_mass(weighed)) return false;
-        // The layers lie on each other and displace their own volume: the sheet's mean thickness is that of all layers.
+        // The layers lie on each other and displace their own volume, so the sheet's mean thickness is that of all layers.
         if (is_sheet() && options_.mass) {
             thickness_ *= weighed.area / solid_.area;
             solid_.volume = weighed.volume;
@@ -355,7 +358,7 @@ private:
         if (options_.stations == 1) return;
         StationOptions how;
         how.most = options_.stations;
-        // A body of both is judged as what most of its surface is.
+        // A body of solids and sheets counts as whichever is most of its surface.
         how.thickness = is_sheet() || (mixed_ && 2 * solid_faces_ < mesh_.faces.size()) ? thickness_ : 0.0;
         how.solid_faces = solid_faces_;
         how.volume = solid_.volume;
@@ -388,7 +391,7 @@ private:
     }
 
     bool is_sheet() const { return sheet_; }
-    // Its mass is not that of what it displaces.
+    // The mass is not that of the displaced volume at `density`.
     bool weighs_less_or_more() const { return options_.mass || !parts_.cavities.faces.empty(); }
 
     std::vector<Eigen::Vector3d> both_sides() const {
@@ -419,7 +422,7 @@ private:
             return false;
         for (std::size_t i = 0; i < 36; ++i) {
             const auto row = static_cast<Eigen::Index>(i / 6), column = static_cast<Eigen::Index>(i % 6);
-            // Exactly symmetric bits; scaled products differ in the last one.
+            // Exactly symmetric: scaled products differ in the last bit.
             out_.added_mass[i] = 0.5 * (added.value(row, column) + added.value(column, row));
             out_.added_mass_error[i] = 0.5 * (added.error(row, column) + added.error(column, row));
         }
@@ -428,7 +431,7 @@ private:
         Eigen::Index broad = 0;
         out_.projected_area = solid_.projected_areas.maxCoeff(&broad);
         Eigen::Vector3d normal = solid_.axes.col(broad);
-        double layers = thickness_; // of a sheet, all that lie behind each other
+        double layers = thickness_; // of a sheet: of all layers that lie behind each other
         if (broad_area_ < (1.0 - hidden_share) * out_.projected_area) {
             layers *= out_.projected_area / broad_area_;
             out_.projected_area = broad_area_;
@@ -496,7 +499,7 @@ private:
                                "None needed if it shall float; else check --density and --fluid."});
         if (!options_.semi_axes && !options_.card)
             warn_of_size({solid_.extents.maxCoeff(), side_, options_.size, out_.mass, out_.u0}, faults_);
-        // Replaces -0 by 0, for readers of the report.
+        // Replaces -0 by 0 in the report.
         for (double& c : out_.center_of_buoyancy) c += 0.0;
         for (double& c : out_.added_mass) c += 0.0;
         out_.name = asset_name(options_);

@@ -17,7 +17,7 @@
 
 namespace lr::baker {
 
-// file: the unit that the mesh file states (Collada, FBX), else m.
+// file: the unit stated in the mesh file (Collada, FBX), else m.
 enum class Unit { m, cm, mm, file };
 
 double units_per_metre(Unit unit);
@@ -29,7 +29,7 @@ struct MeshArrays {
     std::span<const uint32_t> indices;
 };
 
-// Of a sheet: default_thickness times a typical extent of its parts.
+// The thickness is default_thickness times a typical extent of the sheet's parts.
 constexpr double choose_thickness = -1.0;
 
 // The mesh is the middle surface of a sheet.
@@ -38,11 +38,11 @@ struct SheetOptions {
     std::optional<double> areal_density; // kg/m^2; without it, `density` times the thickness
 };
 
-// A leaf of 8 cm then has 0.24 mm.
+// 0.24 mm for a leaf of 8 cm.
 constexpr double default_thickness = 0.003;
 
-// A second mesh that gives the mass. For a sheet: its layers, each face with the thickness and density of the sheet, also where
-// several coincide. Otherwise: the solid parts, of `density`.
+// A second mesh that gives the mass. For a sheet: its layers, each face with the sheet's thickness and density, also where several coincide.
+// Otherwise: solid parts of `density`.
 struct MassOptions {
     std::string path;                 // UTF-8
     std::optional<MeshArrays> arrays; // instead of a path
@@ -53,28 +53,28 @@ struct BakeOptions {
     std::string mesh_path;                          // UTF-8
     std::optional<std::array<double, 3>> semi_axes; // in `unit`
     Unit unit = Unit::file; // of the mesh and of all lengths here; with `file` the lengths are in m
-    // Of a mesh: the largest side of its bounding box, in m. Scales the mesh, the mass mesh and center_of_mass; not the thickness.
+    // Of a mesh: largest side of its bounding box, in m. Scales the mesh, the mass mesh and center_of_mass; not the thickness.
     std::optional<double> size;
     UpAxis up = UpAxis::z;             // axis of the mesh that becomes +z
     std::optional<std::string> mesh;   // bake only the objects of this name
     std::optional<SheetOptions> sheet; // the mesh is a sheet, not the boundary of a solid
     std::optional<double> thickness;   // of open parts, without `sheet`, in `unit`; by default as in SheetOptions
-    bool strict = false;               // refuse what is not one clean solid, instead of repairing it (find_parts)
-    bool fill = false;                 // close holes of open parts, which then are solid; not with `sheet` or `strict`
-    std::optional<CardOptions> card;   // the sheet is a card: mesh_path is an image, its width in `unit`
-    double density = 800.0;            // kg/m^3; leaf, paper
-    double fluid_density = 1.2;        // kg/m^3; air
-    double fluid_viscosity = 1.5e-5;   // m^2/s
+    bool strict = false; // refuse anything but one clean solid (or sheet), instead of repairing it (find_parts)
+    bool fill = false;   // close holes of open parts, which become solids; not with `sheet` or `strict`
+    std::optional<CardOptions> card;           // the sheet is a card: mesh_path is an image, its width in `unit`
+    double density = 800.0;                    // kg/m^3; leaf, paper
+    double fluid_density = 1.2;                // kg/m^3; air
+    double fluid_viscosity = 1.5e-5;           // m^2/s
     std::array<uint32_t, 3> cells{32, 32, 16}; // of the turbulence grid
     double intensity = 1.0;                    // of the turbulence in k0 = 3/2 (I U0)^2
     bool wake = false;                         // put the body into the stream of the turbulence table
     uint32_t stations = most_stations;         // at most; 1: the loads of a whole body
-    // Centre of mass of a ballasted body, in `unit` and the frame of the mesh (after `up`); default: the centroid. Inertia stays that
-    // of the uniform solid about its centroid; everything else is about this point.
+    // Centre of mass of a ballasted body, in `unit` and the frame of the mesh (after `up`); default: the centroid. The inertia stays that of the
+    // uniform solid about its centroid; everything else is about this point.
     std::optional<std::array<double, 3>> center_of_mass;
     std::optional<MassOptions> mass; // meshes only, in the unit and frame of the mesh; excludes center_of_mass
     std::optional<std::string> name; // default: the file name without its extension
-    // Contents used instead of the mesh file. mesh_path then only gives the name of the source and, for bytes, their format.
+    // Contents used instead of the mesh file. mesh_path then gives only the name of the source and, for bytes, their format.
     std::optional<std::span<const uint8_t>> mesh_bytes;
     std::optional<MeshArrays> mesh_arrays;
 };
@@ -86,8 +86,8 @@ using BakeTimings = std::vector<std::pair<std::string, double>>; // phase, s
 // Called with 0 at the start of a phase and with 1 at its end.
 using BakeProgress = std::function<void(const char* phase, double fraction)>;
 
-// Of the loads against those of many stations: root mean square over streams and spins, of force or moment, the larger. Zero for a flat compact
-// plate and for a thick body, which are not compared.
+// Difference of the loads from those of many stations: root mean square over streams and spins, the larger of forces and moments. Zero without
+// comparison, for a flat compact plate and a thick body.
 struct StationErrors {
     double with_stations = 0.0, without = 0.0;
 };
@@ -105,8 +105,7 @@ struct BakeHooks {
 bool bake(const BakeOptions& options, AssetData& out, Faults& faults, BakeTimings* timings = nullptr,
           const BakeProgress& progress = {}, const BakeHooks& hooks = {});
 
-// The input_hash, name and source that a bake with these options would write now, without baking. No hash if the input
-// cannot be read.
+// The input_hash, name and source that a bake with these options would write now. No hash if the input cannot be read.
 std::optional<uint64_t> find_input_hash(const BakeOptions& options);
 std::string asset_name(const BakeOptions& options);
 std::string source_name(const BakeOptions& options);

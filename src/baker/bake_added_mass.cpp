@@ -20,7 +20,7 @@ namespace {
 
 constexpr double rough_share = 0.25;
 
-// The narrowest face: what is wrong with a mesh that cannot be solved is most often there.
+// The narrowest face: most often the cause if the equations cannot be solved.
 std::string narrowest_face(const Mesh& mesh) {
     const auto narrowest = std::min_element(mesh.faces.begin(), mesh.faces.end(), [&](const Face& a, const Face& b) {
         return face_shape(mesh, a) < face_shape(mesh, b);
@@ -52,12 +52,13 @@ bool are_mostly_needles(const Mesh& mesh) {
     return 2.0 * narrow > all;
 }
 
-// The same body with needles joined to broad faces; a very thin solid, between whose sides the equations hardly have a solution, as one of its sides.
+// Solves with needles joined to broad faces. Of a very thin solid, between whose sides the equations hardly have a solution, it solves one side as a
+// sheet.
 bool solve_plainer(const BodyMesh& body, const AddedMassOptions& how, AddedMass& out, Faults& faults,
                    const Progress& report) {
     constexpr std::size_t most_dense = 5000, few_needles = 1000;
     constexpr double nowhere_else = 1e-4,
-                     thin = 0.05; // the distance that faces may move, over the size and the thickness
+                     thin = 0.05; // largest motion of faces, over the size and over the thickness
     const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
     const double size = box_sides(body.mesh).maxCoeff();
     const MassProperties solid = body.is_sheet ? MassProperties{} : compute_mass_properties(body.mesh);
@@ -110,7 +111,7 @@ bool solve(BodyMesh& body, const AddedMassOptions& how, AddedMass& out, Faults& 
         found = found_then;
         good = true;
     };
-    const bool needles = are_mostly_needles(body.mesh); // which take long and end nowhere
+    const bool needles = are_mostly_needles(body.mesh); // slow to solve, and rarely with a result
     if (needles) try_plainer();
     if (!good) {
         good = as_modelled(found);
@@ -142,10 +143,10 @@ bool solve_added_mass(BodyMesh body, const AddedMassOptions& how, AddedMass& out
     return good;
 }
 
-// A body with three mirror planes has a diagonal matrix, for which the runtime has a fast path, but its triangles rarely have
-// these planes. The error of a Galerkin energy is itself an energy: off the diagonal it is at most the geometric mean of the
-// errors of the two diagonal entries. Couplings below that, and too weak to be visible, are noise. All or none are removed,
-// which keeps the matrix positive; or those that a flat body's own mirror plane excludes, by the mean with its mirror image.
+// A body with three mirror planes has a diagonal matrix, for which the runtime has a fast path, but its triangles rarely have these planes. The error
+// of a Galerkin energy is itself an energy, so off the diagonal it is at most the geometric mean of the errors of the two diagonal entries. Smaller
+// couplings that are also too weak to be visible are noise. Removing all of them or none keeps the matrix positive, and so does the mean with the
+// mirror image in a flat body's own plane, which removes the couplings that this plane excludes.
 void drop_noise(AssetData& asset) {
     constexpr double visible = 2e-3;
     auto& m = asset.added_mass;

@@ -1,4 +1,4 @@
-// The added mass of a body by the way that fits its mesh.
+// Chooses the solver of the added mass that fits the mesh.
 #pragma once
 
 #include "asset/asset_data.h"

@@ -9,7 +9,7 @@
 namespace lr::baker {
 namespace {
 
-// Checked before minutes of mesh checks and hull.
+// Refused before minutes of mesh checks and hull.
 constexpr std::size_t max_faces = 1'000'000;
 
 std::string utf8(const std::filesystem::path& path) {
@@ -43,7 +43,7 @@ void add_memory(const BakeOptions& o, InputFiles& input) {
     }
 }
 
-// Readers of these formats open no other file. Readers of other formats can.
+// Whether readers of this format open no other file.
 bool stands_alone(const std::string& path) {
     std::string extension = to_path(path).extension().string();
     for (char& c : extension) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);

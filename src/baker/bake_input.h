@@ -9,7 +9,7 @@
 
 namespace lr::baker {
 
-// For meshes, not ellipsoids.
+// For meshes and cards, not ellipsoids.
 bool read_input(const BakeOptions& options, Mesh& mesh, InputFiles& input, Faults& faults);
 
 // Reads the mesh of options.mass. Call after read_input.

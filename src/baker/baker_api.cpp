@@ -26,7 +26,7 @@ class ProgressCall {
 public:
     explicit ProgressCall(const BakeProgress& progress) : progress_(progress) {}
 
-    // Solvers also report from their own threads, where the caller's function must not run and nothing can be thrown.
+    // Solvers also report from their own threads, where the caller's function must not run and an exception cannot be thrown.
     void operator()(const char* phase, double fraction) {
         if (!progress_ || std::this_thread::get_id() != thread_) return;
         share_ = std::max(share_, core::overall_progress(phase, fraction));

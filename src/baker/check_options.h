@@ -5,6 +5,6 @@
 
 namespace lr::baker {
 
-// The turbulence solver has the same limits, but would report them only after minutes of work on the added mass.
+// Same limits as the turbulence solver, which would report them only after minutes of added mass.
 bool check_options(const BakeOptions& options, Faults& faults);
 } // namespace lr::baker

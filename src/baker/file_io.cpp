@@ -87,8 +87,8 @@ std::string folder_of(const std::string& path) {
 constexpr const char* aside_prefix = ".lr_bake-";
 constexpr const char* aside_suffix = ".part";
 
-// The lock ends with the process at the latest: a temporary file that can be locked is abandoned. False if the file was removed before
-// it was locked. On file systems without locks a killed process leaves its temporary files.
+// The lock ends with the process, so a temporary file that can be locked is abandoned. False if the file was removed before it was locked. On file
+// systems without locks, a killed process leaves its temporary files.
 bool lock(int fd) {
     while (::flock(fd, LOCK_EX) != 0 && errno == EINTR) {
     }
@@ -96,8 +96,8 @@ bool lock(int fd) {
     return ::fstat(fd, &info) == 0 && info.st_nlink != 0;
 }
 
-// A temporary file in the target's folder, unnamed if the file system supports that: a kill then leaves it only in the moment
-// between linking and renaming.
+// A temporary file in the target's folder, without a name where the file system allows: a killed process then leaves it behind only between linking
+// and renaming.
 class AsideFile {
 public:
     AsideFile(std::string shown, std::string target, mode_t mode)
@@ -119,7 +119,7 @@ public:
         if (::rename(name_.c_str(), target_.c_str()) != 0) return cannot_write(faults, shown_, errno);
         name_.clear();
         file_.close(); // already flushed, so closing cannot fail
-        // Without syncing the folder a power cut could restore the old file. File systems that refuse it are no problem.
+        // Without syncing the folder, a power cut could restore the old file. File systems may refuse to.
         const Descriptor folder(::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
         if (folder.get() >= 0) ::fsync(folder.get());
         return true;
@@ -265,7 +265,7 @@ void clear_abandoned(const std::string& path) {
         if (file.get() < 0 || ::fstat(file.get(), &open_one) != 0 || !S_ISREG(open_one.st_mode) ||
             ::flock(file.get(), LOCK_EX | LOCK_NB) != 0)
             continue;
-        // The file can have been renamed to its target since it was opened, and another file can have its name.
+        // Since it was opened, the file can have been renamed to its target and another file can have its name.
         if (::fstatat(in, entry->d_name, &named_one, AT_SYMLINK_NOFOLLOW) == 0 && named_one.st_ino == open_one.st_ino)
             ::unlinkat(in, entry->d_name, 0);
     }
@@ -283,7 +283,7 @@ bool write_files(const std::vector<OutputFile>& files, Faults& faults) {
         else if (!write_directly(file, faults))
             return false;
     }
-    const SignalsHeld held; // a signal between creating and renaming a temporary file would leave it behind
+    const SignalsHeld held; // a signal between creation and renaming would leave a temporary file
     std::vector<AsideFile> staged;
     staged.reserve(aside.size());
     for (const OutputFile* file : aside) {

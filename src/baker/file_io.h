@@ -28,11 +28,11 @@ struct OutputFile {
     std::span<const uint8_t> bytes;
 };
 
-// Removes temporary files of killed bakes in the output's folder, or in this folder if the path ends with a slash. Files that another
-// process still writes stay.
+// Removes temporary files of killed bakes in the output's folder, or in this folder if the path ends with a slash. Files that another process still
+// writes stay.
 void clear_abandoned(const std::string& path_utf8);
 
-// Writes all files or none: each is written to a temporary file in its target's folder, flushed to disk, then renamed to
-// the target. Signals are blocked meanwhile. Devices and pipes are written directly. Fault 103.
+// Writes all files or none: each to a temporary file in its target's folder, flushed to disk, then renamed to the target. Signals are blocked
+// meanwhile. Devices and pipes are written directly. Fault 103.
 bool write_files(const std::vector<OutputFile>& files, Faults& faults);
 } // namespace lr::baker

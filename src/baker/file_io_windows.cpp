@@ -259,7 +259,7 @@ bool is_same_file(const std::string& a, const std::string& b) {
     return !error && CompareStringOrdinal(p.c_str(), -1, q.c_str(), -1, TRUE) == CSTR_EQUAL;
 }
 
-// A writer opens its file exclusively until all are written; the hour covers the time between that and renaming.
+// Keeps files younger than an hour: a writer opens its file exclusively until all are written, but not from then until renaming.
 void clear_abandoned(const std::string& path) {
     const std::wstring folder = folder_of(to_wide(path));
     WIN32_FIND_DATAW found{};
@@ -280,7 +280,7 @@ void clear_abandoned(const std::string& path) {
 }
 
 bool write_files(const std::vector<OutputFile>& files, Faults& faults) {
-    const SignalsHeld held; // a signal between creating and renaming a temporary file would leave it behind
+    const SignalsHeld held; // a signal between creation and renaming would leave a temporary file
     std::vector<AsideFile> staged;
     staged.reserve(files.size());
     for (const OutputFile& file : files) {

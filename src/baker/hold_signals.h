@@ -1,5 +1,5 @@
-// Blocks signals that end the program during the object's lifetime: in this thread; on Windows, whose console events run in a thread of
-// their own, in the process.
+// Blocks signals that end the program during the object's lifetime: in this thread. On Windows, where console events run in a thread of their own, in
+// the process.
 #pragma once
 
 #if defined(_WIN32)

@@ -1,4 +1,4 @@
-// Lengths for people to read.
+// Readable lengths.
 #pragma once
 
 #include <cstdio>
@@ -8,10 +8,10 @@ namespace lr {
 
 // "7 cm": in metres from 1 m on, in centimetres from 1 cm on, else in millimetres.
 inline std::string length_text(double metres, int digits = 3, const char* space = " ") {
-    const bool long_one = metres >= 1.0, middle = metres >= 0.01;
-    const double factor = long_one ? 1.0 : middle ? 100.0 : 1000.0;
+    const bool in_m = metres >= 1.0, in_cm = metres >= 0.01;
+    const double factor = in_m ? 1.0 : in_cm ? 100.0 : 1000.0;
     char text[40];
-    std::snprintf(text, sizeof text, "%.*g%s%s", digits, metres * factor, space, long_one ? "m" : middle ? "cm" : "mm");
+    std::snprintf(text, sizeof text, "%.*g%s%s", digits, metres * factor, space, in_m ? "m" : in_cm ? "cm" : "mm");
     return text;
 }
 } // namespace lr

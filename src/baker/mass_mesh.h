@@ -1,4 +1,4 @@
-// The weight of a second mesh, of --mass-from.
+// Mass properties of the second mesh, --mass-from.
 #pragma once
 
 #include "baker/mesh/mass_properties.h"
@@ -10,6 +10,6 @@ struct WeighOptions {
     double thickness = 0.0; // of sheets; 0: default_thickness of their length
 };
 
-// Of the layers of a sheet, or of solid parts, which are repaired as the first mesh is, unless strict. For density 1.
+// Of the layers of a sheet, or of solid parts, repaired as the first mesh is unless strict. For density 1.
 bool weigh(Mesh& mesh, const WeighOptions& how, MassProperties& out, Faults& faults);
 } // namespace lr::baker

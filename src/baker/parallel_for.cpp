@@ -34,7 +34,7 @@ void parallel_for(std::size_t count, unsigned threads, const std::function<void(
         try {
             others.emplace_back(run, thread);
         } catch (const std::exception&) {
-            break; // the system allows no more threads; the running ones do all the work
+            break; // no more threads are allowed; the running ones do all the work
         }
     }
     run(0);

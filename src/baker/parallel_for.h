@@ -6,7 +6,7 @@
 
 namespace lr::baker {
 
-// 0: one per processor.
+// The wanted number or (0) one per processor, at most 64.
 unsigned thread_count(unsigned wanted);
 
 // Calls work(index, thread) for each index below `count`, in any order; thread is below `threads`. Rethrows an exception

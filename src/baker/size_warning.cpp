@@ -13,7 +13,7 @@ std::string three_digits(double x) {
     std::snprintf(text, sizeof text, "%.3g", x);
     return text;
 }
-// As --size takes it.
+// In the form that --size takes.
 std::string size_text(double metres) {
     return length_text(metres, 3, "");
 }

@@ -1,4 +1,4 @@
-// A body of 60 m that was modelled in centimetres falls like a house, not like a leaf.
+// Warns of a wrong unit: a leaf of 60 m, modelled in centimetres, falls like a house.
 #pragma once
 
 #include "asset/input_faults.h"
@@ -13,6 +13,6 @@ struct BodySize {
     std::optional<double> given; // m, BakeOptions::size
     double mass, fall_speed;     // kg, m/s
 };
-// Fault 304 if the size, the mass or the speed is not that of a body that flutters. It says which --size to type.
+// Fault 304 if size, mass or speed are not those of a body that flutters, with the --size to give.
 void warn_of_size(const BodySize& body, Faults& faults);
 } // namespace lr::baker

@@ -19,12 +19,11 @@
 #include <numbers>
 #include <numeric>
 
-// The potential phi of a moving body, grad phi . n = q on its surface, from the hypersingular integral equation
+// The potential phi of a moving body, with grad phi . n = q on its surface, solves the hypersingular integral equation
 //   W phi = -(1/2 + K') q
-// with continuous linear elements, tested by the same elements (Galerkin). W reduces to integrals of 1/r between surface curls
-// (Maue 1949, Nedelec 1982). Hence closed forms for constant panels suffice, the matrix is symmetric and positive, and the
-// energy, the added mass -integral phi q, converges twice as fast as phi. Unlike equations of the second kind it stays well
-// posed for a thin solid, where the doublets of both sides nearly cancel.
+// in continuous linear elements (Galerkin). W reduces to integrals of 1/r between surface curls (Maue 1949, Nedelec 1982), so closed forms for
+// constant panels suffice, the matrix is symmetric and positive, and the added mass -integral phi q, an energy, converges twice as fast as phi.
+// Unlike an equation of the second kind it stays well posed for a thin solid, where the doublets of both sides nearly cancel.
 
 namespace lr::baker {
 namespace {
@@ -33,34 +32,35 @@ namespace {
 constexpr std::size_t max_panels = 1000000;
 // Matrix entries in near blocks: 4 GB, three times the need of the largest sphere.
 constexpr std::size_t max_stored_entries = 1000000000;
-// Without patience: pairs of near panels, of which a regular mesh has twelve for each, and points of their integrals.
+// Without patience: pairs of near panels (a regular mesh has twelve for each panel), and points of their integrals.
 constexpr std::size_t few_pairs = 4000000, few_pairs_each = 60;
 constexpr double few_points = 4e8;
-// Iterations for sheets, of which those whose layers do not nearly coincide need fewer than fifty, and pairs of far clusters in all iterations,
-// 10 microseconds each. The error of the energy is the square of the tolerance.
+// Without patience. Sheets need fewer than fifty iterations unless layers nearly coincide. Far pairs count in all iterations and take 10 microseconds
+// each. The error of the energy is the square of the tolerance.
 constexpr std::size_t few_iterations = 100, few_far_pairs = 700000;
 constexpr double hasty_tolerance = 1e-4;
-// Error estimate over the largest entry of the block above which a solid is solved again, on finer panels up to this number.
+// A solid whose error estimate, over the largest entry of its block, is larger is solved again on at most this many finer panels.
 constexpr double good_estimate = 0.0025;
 constexpr std::size_t max_refined_panels = 5000;
-// Without patience: one above which a coarser surface is better, if finer panels would be too many.
+// Without patience: error estimate above which a coarser surface is solved instead, if finer panels would be too many.
 constexpr double poor_estimate = 0.05;
 // The error of a box with two triangles per side comes from the size of the panels, not from the strips.
 constexpr std::size_t min_refined_panels = 1000;
 constexpr double refined_turn = 0.1; // of the normal along an edge, radians
-// Error estimate of a sheet above which two solutions tell more than one: narrow strips, folds of few faces.
+// Error estimate of a sheet above which extrapolation from coarse and fine panels is better than one solution: narrow strips, folds of few faces.
 constexpr double rough_sheet = 0.05;
 constexpr std::size_t least_halved = 500, most_quartered = 40000;
-// The estimate knows nothing of the flow around rims that are not cut into all strips. Needles from rim to rim are up to 1.7 times further off than it.
+// Factor on the estimate where rims have fewer than all strips, since it does not see the flow around them. For needles from rim to rim the true
+// error is up to 1.7 times the estimate.
 constexpr double rim_doubt = 2.0;
 // Condition of the scaled matrix above which phi has less than about six digits.
 constexpr double max_condition = 1e10;
 
-// Error of the quadrature over neighbouring panels on a sphere, independent of the number of panels.
+// Relative error of the quadrature over neighbouring panels, measured on spheres; it does not depend on the number of panels.
 constexpr double quadrature_floor = 5e-4;
 
-// Constant potentials have no energy: W is singular in these directions. Adds the square of the mean of each, which fixes the
-// constant and does not change the added mass.
+// W is singular for constant potentials, which have no energy. Adds the square of the mean of each: this fixes the constant and leaves the added mass
+// unchanged.
 void fix_constants(const Mesh& mesh, const SurfaceBasis& basis, const std::vector<Panel>& panels,
                    Eigen::MatrixXd& matrix) {
     if (basis.constants.empty()) return;
@@ -93,8 +93,8 @@ double clamp_to_positive(Matrix6& matrix) {
     return -lowest;
 }
 
-// Reference scale of each entry for a body of size one: the largest diagonal entry of its block. The rotation of a round body
-// has no added inertia; its scale is a hundredth of the mass.
+// Scale of each entry for a body of size one: the largest diagonal entry of its block. A round body has no added inertia, so the scale of rotation is
+// at least a hundredth of that of translation.
 Matrix6 entry_scale(const Matrix6& matrix) {
     const double mass = std::max(matrix.diagonal().head<3>().maxCoeff(), 1e-300);
     Eigen::Matrix<double, 6, 1> scale;
@@ -126,8 +126,7 @@ double inverse_norm(const SingleCholesky& factor, Eigen::Index size) {
     return norm;
 }
 
-// Iterative refinement: each round divides the residual by about 1e7 over the condition, until the rounding of the residual
-// stops it.
+// Iterative refinement. Each round divides the residual by about 1e7 over the condition, down to the rounding of the residual.
 bool solve_refined(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right, Solution& out) {
     constexpr int max_rounds = 8;
     constexpr double good = 1e-12, enough = 1e-10;
@@ -160,11 +159,11 @@ bool solve_in_double(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right
     return true;
 }
 
-// Sheets that cross or nearly coincide can leave the matrix, whose diagonal is one, without a solution: the quadratures of their panels are too coarse.
-// Holds the potential at zero where a pivot is next to nothing, which makes the energy smaller.
+// Sheets that cross or nearly coincide can make the matrix indefinite, because the quadratures of their panels are too coarse. Holds the potential at
+// zero at each pivot below `least` (the diagonal is one), which makes the energy smaller.
 bool solve_without_weak(Eigen::MatrixXd& matrix, Eigen::MatrixXd& right, Solution& out) {
     constexpr float least = 0.01F;
-    constexpr double most = 0.6; // of the unknowns: of two layers half are without effect
+    constexpr double most = 0.6; // of the unknowns: where two layers coincide, half of them have no effect
     const std::vector<Eigen::Index> weak = SingleCholesky().weak_unknowns(matrix, least);
     if (static_cast<double>(weak.size()) > most * static_cast<double>(matrix.rows())) return false;
     for (const Eigen::Index i : weak) {
@@ -191,13 +190,13 @@ bool refuse_singular(bool sheet, Faults& faults) {
                 faults);
 }
 
-bool refuse_dear(Faults& faults) {
+bool refuse_costly(Faults& faults) {
     return fail(FaultId::mesh_too_many_faces,
                 "Too many faces are close to too many others: the added mass needs too much time and memory.",
                 "Remesh: avoid long faces beside short ones.", faults);
 }
 
-// This and the next function set `image` to W times the positions.
+// solve_dense and solve_fast set `image` to W times the vertex positions, for the check of the quadrature in solve_surface.
 bool solve_dense(const Mesh& unit, const SurfaceBasis& basis, const Eigen::MatrixXd& position, const Progress& report,
                  const AddedMassOptions& options, BoundaryOperators& op, RigidModes& phi, Eigen::MatrixXd& image,
                  AddedMass& out, Faults& faults) {
@@ -205,7 +204,7 @@ bool solve_dense(const Mesh& unit, const SurfaceBasis& basis, const Eigen::Matri
     if (!options.patient) limits.points = few_points;
     op = assemble_boundary_operators(unit, basis, report, limits);
     Eigen::MatrixXd& matrix = op.hypersingular;
-    if (matrix.size() == 0) return refuse_dear(faults);
+    if (matrix.size() == 0) return refuse_costly(faults);
     if (position.cols() > 0) image = matrix.selfadjointView<Eigen::Lower>() * position;
     fix_constants(unit, basis, op.panels, matrix);
     const Eigen::VectorXd scaling = matrix.diagonal().cwiseSqrt().cwiseInverse();
@@ -215,7 +214,7 @@ bool solve_dense(const Mesh& unit, const SurfaceBasis& basis, const Eigen::Matri
     report(0.85);
     Eigen::MatrixXd right = scaling.asDiagonal() * op.right_side;
     Solution solution;
-    // Without patience the factors in double take too long for large sheets, and rarely help them.
+    // Without patience: factors in double precision take too long for large sheets, and rarely help.
     const bool try_double = options.patient || !basis.sheet || matrix.rows() < 3000;
     if (!solve_refined(matrix, right, solution) && !(try_double && solve_in_double(matrix, right, solution)) &&
         !(basis.sheet && solve_without_weak(matrix, right, solution)))
@@ -236,10 +235,10 @@ bool solve_fast(const Mesh& unit, const SurfaceBasis& basis, const Eigen::Matrix
     NearLimits limits;
     if (!options.patient) limits = {std::max(few_pairs, few_pairs_each * unit.faces.size()), few_points};
     if (!assemble_without_matrix(unit, basis, options.threads, share(0.0, 0.5), op, near, limits))
-        return refuse_dear(faults);
+        return refuse_costly(faults);
     FastSystem system(op, near, basis, options.threads);
     if (system.stored_entries() > (options.patient ? max_stored_entries : max_stored_entries / 5))
-        return refuse_dear(faults);
+        return refuse_costly(faults);
     system.assemble(share(0.2, 0.5));
     if (position.cols() > 0) image = system.multiply(position);
     FastSystem::Result result;
@@ -255,8 +254,8 @@ bool solve_fast(const Mesh& unit, const SurfaceBasis& basis, const Eigen::Matrix
     return true;
 }
 
-// Solves for a body of size one around the centre. Closed bodies: `curved` has the gap between flat panels and the curved
-// surface; the error estimate includes `geometry.curved`, and `geometry` receives its geometric parts.
+// For a body of size one around the centre. Closed bodies: `curved` has the gap between flat panels and the curved surface. The error estimate
+// includes `geometry.curved`; `geometry` receives all geometric errors.
 bool solve_surface(const Mesh& unit, const SurfaceBasis& basis, const CurvedSurface* curved, const Doubts& doubts,
                    GeometryErrors& geometry, AddedMass& out, Faults& faults, const AddedMassOptions& options,
                    const Progress& report) {
@@ -328,7 +327,7 @@ bool check_size(const Mesh& mesh, Faults& faults) {
     return true;
 }
 
-// Scales to size one around the centre, so that unit and position affect only the last digits.
+// Scales to size one around the centre, so that the mesh's unit and position affect only the last digits.
 Mesh scale_to_unit(const Mesh& mesh, const Eigen::Vector3d& centre, double& size) {
     size = 0.0;
     for (const Eigen::Vector3d& v : mesh.vertices) size = std::max(size, (v - centre).norm());
@@ -354,7 +353,7 @@ bool is_within(double share, const AddedMass& m) {
     return (m.error.array() <= share * entry_scale(m.value).array()).all();
 }
 
-// Refines where the surface is curved and at creases, within the budget.
+// Refines where the surface is curved and at creases, to at most this many panels.
 Mesh refine(const Mesh& unit, std::size_t most, std::vector<uint32_t>& origin) {
     std::vector<uint32_t> first(unit.faces.size());
     std::iota(first.begin(), first.end(), 0U);
@@ -364,7 +363,7 @@ Mesh refine(const Mesh& unit, std::size_t most, std::vector<uint32_t>& origin) {
         Mesh fine = refine_solid(curved, {min_refined_panels, strips}, &origin);
         if (fine.faces.size() <= most) return fine;
     }
-    // Of a long thin bar at least the flow along it.
+    // Too many strips for a long thin bar: at least the flow along it is resolved.
     origin = first;
     Refinement halved{min_refined_panels, 1};
     halved.most_halved = most / 2;
@@ -373,9 +372,9 @@ Mesh refine(const Mesh& unit, std::size_t most, std::vector<uint32_t>& origin) {
     return curved;
 }
 
-// The limit of finer panels, by those of coarse panels whose rims are whole, in two strips, and by fine ones, half as large, in two strips. Two strips
-// leave a quarter of the error of one, and where the fine panels at the rim are narrower, less; half as large panels leave half of it at sharp folds, and
-// less where the flow is smooth.
+// Extrapolates to infinitely fine panels from three solutions: rims in one strip, in two strips, and panels half as large with rims in two strips.
+// Two strips leave a quarter of the error of one, or less where panels at the rim are narrower. Half as large panels leave half of the error at sharp
+// folds, and less where the flow is smooth.
 AddedMass extrapolated(const AddedMass& whole, const AddedMass& cut, AddedMass fine) {
     const Matrix6 by_strips = cut.value - whole.value, by_panels = fine.value - cut.value;
     fine.value += by_strips / 5.0 + by_panels / 3.0;
@@ -385,9 +384,13 @@ AddedMass extrapolated(const AddedMass& whole, const AddedMass& cut, AddedMass f
     return fine;
 }
 
-// The other triangles of bent quads: all diagonals the same way couple motions, as those of a screw, that a smooth surface does not. False if no quad is bent.
-bool turn_diagonals(Mesh& mesh) {
-    constexpr double square = 1.25, trapezoid = 0.5, flat = 0.01; // of one diagonal over the other, or over it
+// Swaps the diagonals of bent quads. Diagonals that all run the same way couple motions as a screw does, which a smooth surface does not. False if no
+// quad is bent.
+bool swap_diagonals(Mesh& mesh) {
+    constexpr double
+        square = 1.25,
+        trapezoid = 0.5,
+        flat = 0.01; // ratio of the diagonals; distance of their midpoints, and gap between them, over a diagonal
     const std::vector<HalfEdge> halves = sorted_half_edges(mesh);
     std::vector<char> taken(mesh.faces.size(), 0);
     bool any = false;
@@ -417,12 +420,12 @@ bool turn_diagonals(Mesh& mesh) {
     return any;
 }
 
-// Half of what the other diagonals change, by any solution: smooth surfaces lie between both. Nothing for many faces, between which it is little.
+// Half of the change by swapped diagonals, since a smooth surface lies between both. Zero for many faces, where the change is small.
 template <class Solve> Matrix6 diagonals_error(const Mesh& mesh, const Solve& solve) {
     constexpr std::size_t few = 1000;
-    Mesh turned = mesh;
+    Mesh swapped = mesh;
     AddedMass first, second;
-    if (mesh.faces.size() > few || !turn_diagonals(turned) || !solve(mesh, first) || !solve(turned, second))
+    if (mesh.faces.size() > few || !swap_diagonals(swapped) || !solve(mesh, first) || !solve(swapped, second))
         return Matrix6::Zero();
     return 0.5 * (first.value - second.value).cwiseAbs();
 }
@@ -460,12 +463,12 @@ bool compute_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMa
         if (fine.faces.size() <= unit.faces.size()) break;
         AddedMass refined;
         Faults found_then;
-        // Refinement cannot reduce the uncertainty of the shape between the vertices.
+        // Finer panels cannot tell the shape between the given vertices: the doubts stay those of the given faces.
         better = solve_solid(restore_curved_volume(fine), doubts.of(origin), geometry, refined, found_then, options,
                              [&](double f) { report(first_share + (1.0 - first_share) * f); });
         if (better) {
             out = refined;
-            reading = geometry.reading; // of the faces as they are given, with the better velocity
+            reading = geometry.reading; // doubts of the given faces, with the velocity of the finer panels
             found = found_then;
         } else if (found_then.back().id != FaultId::mesh_too_many_faces) {
             break;
@@ -473,7 +476,7 @@ bool compute_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMa
     }
     const bool poor = good && !better && !options.patient && !is_within(poor_estimate, out);
     if (poor)
-        refuse_dear(faults);
+        refuse_costly(faults);
     else
         faults.insert(faults.end(), found.begin(), found.end());
     if (!good) return false;
@@ -484,7 +487,7 @@ bool compute_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMa
             const CurvedSurface facets = as_facets(faces);
             return solve_solid(facets, Doubts(facets), unused, m, unread, options, [](double) {});
         });
-    // How the faces are read has nothing to do with how well the solution does for them: independent errors add in squares.
+    // The errors of shape and of discretisation are independent: squares add.
     out.error = (out.error.array().square() + reading.array().square()).sqrt().matrix().eval();
     scale_to_size(size, out);
     report(1.0);

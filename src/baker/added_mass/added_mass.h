@@ -30,14 +30,13 @@ struct AddedMassOptions {
     // Triangles up to which the matrix is dense. Above, expansions make time and memory grow about linearly.
     std::size_t max_dense = 8000;
     unsigned threads = 0; // with expansions; 0: one per processor. Does not affect the result.
-    // False: gives up where it would take more than some seconds or a gigabyte, as needles and layers that nearly coincide do.
+    // False: gives up where it would take more than some seconds or a gigabyte, as for needles and nearly coincident layers.
     bool patient = true;
-    // One solution of the panels as they are, of a sheet as they are refined: no faces that stand for a curve, no other readings, no finer panels. For
-    // references.
+    // For references: one solution on the given panels (of a sheet, refined ones), without curvature, finer panels or error of shape.
     bool as_given = false;
 };
 
-// The mesh must be closed and outward (check_and_repair). If false, `out` is zero, or rough: without patience, an error above 5 %.
+// The mesh must be closed and outward (check_and_repair). If false, `out` is zero or, without patience, has an error above 5 %.
 bool compute_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMass& out, Faults& faults,
                         const Progress& progress = {}, const AddedMassOptions& options = {});
 

@@ -175,9 +175,9 @@ private:
         }
     }
 
-    // Outer quadrature on panel t, closed forms on the panels around it. All panels close to a part of t use one set of outer points
-    // there: on a thin body the double layer of a single panel is nearly a step, only the sum over neighbours is smooth. q is linear
-    // on a panel, so all modes follow from integrals with the barycentric coordinates of t.
+    // Outer quadrature on panel t, closed forms on the panels around it. All panels close to a part of t share the outer points there: on a thin body
+    // the double layer of one panel is nearly a step, and only the sum over neighbours is smooth. q is linear on a panel, so all modes follow from
+    // integrals with the barycentric coordinates of t.
     void integrate_near(std::size_t t, NearWork& work) {
         work.layers.clear();
         sort_near(t, work);
@@ -196,15 +196,15 @@ private:
             if (basis_.sheet && size_ratio(t, pair) > most_unlike) continue;
             (pair.touching || level_[t] > 0 ? work.batch : work.apart).push_back(&pair);
         }
-        // Unused lanes cost nothing.
+        // Fills the last vector of the batch with pairs that would need fewer points: its spare lanes are free.
         const std::size_t spare =
             std::min((near_batch - work.batch.size() % near_batch) % near_batch, work.apart.size());
         work.batch.insert(work.batch.end(), work.apart.end() - static_cast<std::ptrdiff_t>(spare), work.apart.end());
         work.apart.resize(work.apart.size() - spare);
-        if (level_[t] > 0) share_out(t, work);
+        if (level_[t] > 0) assign_sources(t, work);
     }
 
-    // Points of all near integrals, by those of every n-th panel.
+    // Estimate of the points of all near integrals, from every n-th panel.
     double near_points() {
         constexpr std::size_t stride = 16;
         NearWork work;
@@ -244,13 +244,14 @@ private:
             add_pair(t, *work.batch[i], velocity, &work.sums[fields * i], 1, work);
     }
 
-    // Gives each panel of the batch to the largest parts of t that are apart from it, or to the smallest parts.
-    void share_out(std::size_t t, NearWork& work) const {
+    // Each source panel uses the largest parts of t that are apart from it, or else the smallest parts.
+    void assign_sources(std::size_t t, NearWork& work) const {
         work.sources.resize(parts_.size());
         for (std::vector<uint32_t>& sources : work.sources) sources.clear();
-        for (uint32_t i = 0; i < work.batch.size(); ++i) give(t, 0, i, out_.panels[work.batch[i]->panel], work);
+        for (uint32_t i = 0; i < work.batch.size(); ++i)
+            assign_source(t, 0, i, out_.panels[work.batch[i]->panel], work);
     }
-    void give(std::size_t t, std::size_t at, uint32_t index, const Panel& panel, NearWork& work) const {
+    void assign_source(std::size_t t, std::size_t at, uint32_t index, const Panel& panel, NearWork& work) const {
         constexpr double apart = 3.0; // distance from the centre of a part, over its radius
         const Panel& outer = out_.panels[t];
         const TrianglePart& part = parts_[at];
@@ -260,7 +261,7 @@ private:
         if (smallest || is_beyond(panel, centre, apart * part.size * outer.radius))
             work.sources[at].push_back(index);
         else
-            for (std::size_t k = 1; k <= 4; ++k) give(t, 4 * at + k, index, panel, work);
+            for (std::size_t k = 1; k <= 4; ++k) assign_source(t, 4 * at + k, index, panel, work);
     }
     static bool is_beyond(const Panel& panel, const Eigen::Vector3d& point, double distance) {
         const double square = (panel.centroid - point).squaredNorm();
@@ -361,14 +362,14 @@ private:
         return layer;
     }
 
-    // The value with the outer rule on the smaller panel, where the inner potential varies least.
+    // The outer rule is on the smaller panel, where the inner potential varies least.
     double near_single_layer(std::size_t t, const NearPair& pair, const NearPair& mirror) const {
         const double ratio = size_ratio(t, pair);
         if (ratio < 1.0 / most_unlike) return pair.single_layer;
         if (ratio > most_unlike) return mirror.single_layer;
         return 0.5 * (pair.single_layer + mirror.single_layer);
     }
-    static constexpr double most_unlike = 1.0 / 0.7; // of panels whose two outer rules are as good
+    static constexpr double most_unlike = 1.0 / 0.7; // between these size ratios both outer rules are equally good
     double size_ratio(std::size_t t, const NearPair& pair) const {
         return out_.panels[t].radius / out_.panels[pair.panel].radius;
     }

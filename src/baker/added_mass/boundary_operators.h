@@ -18,12 +18,12 @@ struct BoundaryOperators {
     std::vector<Panel> panels;
     Eigen::MatrixXd hypersingular; // W_ij = double integral of curl psi_i . curl psi_j G
     RigidModes moments;            // integral psi_i q_m
-    // - integral q_m (1/2 + K) psi_i, K the double layer; on a sheet, where both sides cancel in K, - integral psi_i q_m
+    // -integral q_m (1/2 + K) psi_i, K the double layer. On a sheet both sides cancel in K: -integral psi_i q_m.
     RigidModes right_side;
     std::vector<double> self; // double integral of G over each panel
 };
 
-// Bounds of the work of integrals over near panels: needles and near-coincident layers have all panels near each other.
+// Bounds of the work on near panels: among needles and nearly coincident layers, all panels are near each other.
 struct NearLimits {
     std::size_t pairs = 40000000; // 2.5 GB; a sphere of a million panels needs a quarter of it
     double points = std::numeric_limits<double>::infinity(); // of the closed forms, about 10 ns each
@@ -50,7 +50,7 @@ bool assemble_without_matrix(const Mesh& mesh, const SurfaceBasis& basis, unsign
 
 // Surface curl grad psi x n of the hat functions at the corners of a panel.
 inline Eigen::Vector3d hat_curl(const Panel& panel, std::size_t corner) {
-    // It is the opposite edge over twice the area, without the rounding of a cross product
+    // The opposite edge over twice the area, without the rounding of a cross product.
     return (panel.corner[(corner + 2) % 3] - panel.corner[(corner + 1) % 3]) / (2.0 * panel.area);
 }
 } // namespace lr::baker

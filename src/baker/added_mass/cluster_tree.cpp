@@ -72,7 +72,7 @@ private:
         out_.clusters[at].second_child = static_cast<int32_t>(second);
     }
 
-    // Separate items that reach across half of the cluster, because each would enlarge a small cluster that contains it.
+    // Splits off items that reach across half of the cluster, because each would enlarge a small cluster that contains it.
     uint32_t part_by_reach(uint32_t begin, uint32_t end) {
         Eigen::AlignedBox3d box;
         for (uint32_t i = begin; i < end; ++i) box.extend(items_.position[out_.order[i]]);
@@ -91,7 +91,7 @@ private:
             const double x = items_.position[a][axis], y = items_.position[b][axis];
             return x != y ? x < y : a < b;
         });
-        // multiples of 8 fill the vectors at the leaves
+        // Multiples of 8, so that leaves fill whole vectors.
         const uint32_t half = (end - begin) / 2;
         return begin + (half >= 16 ? (half + 4) / 8 * 8 : half);
     }

@@ -10,8 +10,8 @@ namespace lr::baker {
 namespace {
 
 constexpr std::size_t cells = 128;
-// Overlap of a function beyond its cell, in diagonals of the cell. Both sides of a thin solid share functions: potentials common
-// to both sides have so little energy that patches alone would need hundreds of iterations.
+// Overlap of a function beyond its cell, in diagonals of the cell. Functions span both sides of a thin solid: potentials common to both sides have so
+// little energy that patches alone would need hundreds of iterations.
 constexpr double reach = 0.4;
 } // namespace
 
@@ -37,7 +37,7 @@ CoarseSpace::CoarseSpace(const FastHypersingular& matrix, const ModeOperator& ap
                         weights_[k].value * y[i * mode_lanes + lane];
         progress(static_cast<double>(first + lanes) / static_cast<double>(size_));
     }
-    // Functions can be linearly dependent, and low degrees have errors: directions with almost no energy are omitted.
+    // Omits directions with almost no energy: functions can be linearly dependent, and expansions of low degree have errors.
     const Eigen::VectorXd scale = product.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
     const Eigen::MatrixXd scaled = scale.asDiagonal() * (0.5 * (product + product.transpose())) * scale.asDiagonal();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled);

@@ -23,7 +23,7 @@ void add(ModeVectors& a, const Modes& factor, const ModeVectors& b) {
         for (std::size_t m = 0; m < mode_lanes; ++m) a[i + m] += factor[m] * b[i + m];
 }
 
-// The Lanczos matrix of a search: steps alpha, ratios beta (Golub and Van Loan, Matrix Computations, 10.2).
+// Condition of the Lanczos matrix from steps alpha and ratios beta (Golub and Van Loan, Matrix Computations, 10.2).
 double condition_of(const std::vector<double>& alpha, const std::vector<double>& beta) {
     const auto n = static_cast<Eigen::Index>(alpha.size());
     if (n == 0) return 1.0;

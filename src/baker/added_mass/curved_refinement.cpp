@@ -17,9 +17,9 @@ namespace {
 constexpr double max_sagitta = 0.15;
 
 // Midpoints of the edges to be split.
-class Middles {
+class EdgeMidpoints {
 public:
-    Middles(const Mesh& mesh, double turn) {
+    EdgeMidpoints(const Mesh& mesh, double turn) {
         const std::vector<std::array<CornerNormal, 3>> normals = corner_normals(mesh);
         struct Side {
             std::size_t face, corner;
@@ -67,7 +67,7 @@ private:
     std::map<Edge, Eigen::Vector3d> points_;
 };
 
-Mesh split(const Mesh& mesh, const Middles& middles, std::vector<uint32_t>* origin) {
+Mesh split(const Mesh& mesh, const EdgeMidpoints& middles, std::vector<uint32_t>* origin) {
     Mesh out;
     out.name = mesh.name;
     out.vertices = mesh.vertices;
@@ -101,7 +101,7 @@ Mesh split(const Mesh& mesh, const Middles& middles, std::vector<uint32_t>* orig
         } else {
             std::size_t whole = 0;
             while (middle[whole] != UINT32_MAX) ++whole;
-            // a b is not split; p is on b c, q on c a
+            // Edge a b is not split; p is on b c, q on c a.
             const uint32_t a = f[whole], b = f[(whole + 1) % 3], c = f[(whole + 2) % 3];
             const uint32_t p = middle[(whole + 1) % 3], q = middle[(whole + 2) % 3];
             out.faces.push_back({p, c, q});
@@ -121,7 +121,7 @@ Mesh refine_curved(const Mesh& mesh, double turn, std::size_t panel_limit, std::
     constexpr int max_levels = 4;
     Mesh fine = mesh;
     for (int level = 0; level < max_levels; ++level) {
-        const Middles middles(fine, turn);
+        const EdgeMidpoints middles(fine, turn);
         if (middles.points().empty() || middles.panels_of(fine) > panel_limit) break;
         fine = split(fine, middles, origin);
     }

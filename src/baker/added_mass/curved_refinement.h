@@ -9,6 +9,6 @@ namespace lr::baker {
 
 // Repeatedly splits the edges of a closed mesh along which the normal turns by more than `turn` radians, with midpoints on the curve
 // that has these normals at its ends. Creases stay creases and follow the surfaces on both sides. Stops before exceeding `panel_limit`.
-// origin, one entry for each face: new faces have that of the face they were cut from.
+// origin: the original face of each face, updated by the cuts.
 Mesh refine_curved(const Mesh& mesh, double turn, std::size_t panel_limit, std::vector<uint32_t>* origin = nullptr);
 } // namespace lr::baker

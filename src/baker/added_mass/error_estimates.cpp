@@ -13,8 +13,8 @@
 namespace lr::baker {
 namespace {
 
-// Groups the corners of panels over which the surface current is continuous: those at one vertex with the same unknowns. Front
-// and back can be swapped, which changes the sign of both the jump and the normal.
+// Groups the panel corners between which the surface current is continuous: at one vertex with the same unknowns. Swapping front and back changes the
+// sign of both jump and normal, so such corners are one group.
 std::vector<std::array<uint32_t, 3>> group_corners(const Mesh& mesh, const SurfaceBasis& basis, std::size_t& count) {
     struct Corner {
         uint32_t vertex;
@@ -52,14 +52,14 @@ Drive drive_at(const Panel& panel, std::size_t corner) {
     return q;
 }
 
-// The parts of a sum are estimates, so that what cancels between them is known less well than each: on symmetric solids, entries that should be zero
-// are off by up to a tenth of it. size: the sum of the parts' sizes.
-Matrix6 but_for(const Matrix6& sum, const Matrix6& size) {
+// Absolute value of a sum of estimates. Terms that cancel are known less well than their sum: on symmetric solids, zero entries are off by up to a
+// tenth of them. size: sum of the absolute terms.
+Matrix6 with_cancelled(const Matrix6& sum, const Matrix6& size) {
     constexpr double uncancelled = 0.1;
     return sum.cwiseAbs() + uncancelled * (size - sum.cwiseAbs());
 }
 
-constexpr double needle = 0.25; // width over length, below which a panel counts more and more as one
+constexpr double needle = 0.25; // width over length below which a panel is gradually treated as a needle
 
 // The longest side of a panel, and the width across it.
 struct Shape {
@@ -73,7 +73,7 @@ struct Shape {
     double length, width;
 };
 
-// Of the needles side by side with each panel: the mean square of the distance from their centre, by direction.
+// Second moments of area, over the area, of the row of needles that share long edges with each panel.
 std::vector<Eigen::Matrix3d> spreads(const Mesh& mesh, const std::vector<Panel>& panels,
                                      const std::vector<Shape>& shapes) {
     struct Moments {
@@ -118,12 +118,12 @@ std::vector<Currents> surface_currents(const SurfaceBasis& basis, const std::vec
     return currents;
 }
 
-// The error of linear elements. Of the potential: the energy of the difference between the surface current and its average at the vertices
-// (Zienkiewicz and Zhu 1987), each panel with its own inductance. The factor allows for the interaction of panels: on cubes of
-// 192 to 4800 triangles the error is 1.4 to 1.7 times the sum, on thin plates 0.3 times.
-// Elements too coarse for a flow have hardly any current, and so hardly any difference: where facets of a few panels press the fluid to and fro as
-// the body spins, the error is up to 200 times that sum. The drive of the flow shows it: the normal velocity jumps at creases, and its difference from
-// its average at the vertices has the energy of a panel's own sources, times a factor measured on 148 solids (tests/baker/test_error_estimates.cpp).
+// Error of linear elements, in two parts. Potential: the energy of the difference between the surface current and its average at the vertices
+// (Zienkiewicz and Zhu 1987), each panel with its own inductance. The factor is for the interaction of panels: on cubes of 192 to 4800 triangles the
+// error is 1.4 to 1.7 times the sum, on thin plates 0.3 times.
+// Normal velocity: elements too coarse for a flow have hardly any current, so hardly any difference. Where facets of a few panels press the fluid to
+// and fro as the body spins, the error is up to 200 times the first part. There the normal velocity jumps at creases: its difference from its average
+// at the vertices has the energy of a panel's own sources, times a factor measured on 148 solids (tests/baker/test_error_estimates.cpp).
 Matrix6 discretisation_error(const Mesh& mesh, const SurfaceBasis& basis, const BoundaryOperators& op,
                              const std::vector<Currents>& currents) {
     constexpr double factor = 1.8, drive_factor = 2.2;
@@ -165,8 +165,8 @@ Matrix6 discretisation_error(const Mesh& mesh, const SurfaceBasis& basis, const 
             const Drive all = jumps.colwise().sum();
             sum += drive_factor / 12.0 * op.self[t] * (jumps.transpose() * jumps + all.transpose() * all);
         }
-        // Side by side, needles have the inductance of a surface as broad as they are long, or as their part: around a thin bar they
-        // cancel. On discs of 128 to 4000 needles the error is up to 2.5 times the sum with that.
+        // Needles side by side have the inductance of a surface as broad as they are long, or of their whole row if that is narrower: around a thin
+        // bar they cancel. On discs of 128 to 4000 needles the error is up to 2.5 times the sum with that.
         const auto [side, length, width] = shapes[t];
         if (shapes[t].is_needle()) {
             const Currents along = differences[(side + 1) % 3] - differences[side];
@@ -191,7 +191,7 @@ Doubts::Doubts(const CurvedSurface& surface) : gap(surface.doubt) {
         const Face& f = surface.mesh.faces[t];
         const Panel panel =
             make_panel(surface.mesh.vertices[f[0]], surface.mesh.vertices[f[1]], surface.mesh.vertices[f[2]]);
-        // Slopes press the fluid in and out on the scale of a face.
+        // Slopes move fluid in and out on the scale of a face.
         energy.emplace_back(factor * self_interaction(panel) / (2.0 * std::numbers::pi * panel.area) * surface.tilt[t]);
     }
 }
@@ -208,7 +208,7 @@ Doubts Doubts::of(const std::vector<uint32_t>& origin) const {
 GeometryErrors geometry_errors(const BoundaryOperators& op, const std::vector<Currents>& currents,
                                const CurvedSurface& surface, const Doubts& doubts) {
     constexpr double factor = 0.2; // measured on ellipsoids up to 1:20 and 20:1
-    // First order changes of the inertia of a body that is nearly round cancel, and then those of second order count.
+    // First-order changes of the inertia cancel for a body that is nearly round; those of second order remain.
     constexpr double uncancelled = 0.25;
     GeometryErrors errors;
     Matrix6 sum = Matrix6::Zero(), all = Matrix6::Zero(), slopes = Matrix6::Zero();
@@ -232,7 +232,7 @@ GeometryErrors geometry_errors(const BoundaryOperators& op, const std::vector<Cu
         doubtful += panel.area * std::abs(doubts.gap[t]);
     }
     const double second = std::min(0.5, doubtful / std::max(volume, 1e-300));
-    errors.reading = (1.0 + second) * but_for(sum, all) + slopes.cwiseAbs();
+    errors.reading = (1.0 + second) * with_cancelled(sum, all) + slopes.cwiseAbs();
     errors.reading.bottomRightCorner<3, 3>() += uncancelled * (all - sum.cwiseAbs()).bottomRightCorner<3, 3>();
     return errors;
 }

@@ -46,7 +46,7 @@ void FastHypersingular::place_unknowns() {
             items_.position[i] = panels_[part.panel].corner[part.corner];
             for (std::size_t k = 1; k < 3; ++k) ring.push_back(panels_[part.panel].corner[(part.corner + k) % 3]);
         }
-        // each neighbour is a corner of two panels
+        // Each neighbour is a corner of two panels.
         const auto before = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
             return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
         };

@@ -14,8 +14,8 @@ using ModeVectors = std::vector<double>;
 
 class FastHypersingular {
 public:
-    // Unknowns in near clusters interact as in the dense matrix (blocks in single precision), far ones as layers of doublets.
-    // The latter requires basis functions that are continuous or end in zero. Keeps references to panels and parts.
+    // Unknowns in near clusters interact as in the dense matrix (blocks in single precision), far ones as layers of doublets, which requires basis
+    // functions that are continuous or end in zero. Keeps references to panels and parts.
     FastHypersingular(const std::vector<Panel>& panels, const BasisParts& parts, unsigned threads);
 
     // Entries in memory after assembly: near blocks, and moments of all unknowns.

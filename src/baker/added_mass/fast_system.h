@@ -17,10 +17,9 @@ public:
     FastSystem(const FastSystem&) = delete;
     FastSystem& operator=(const FastSystem&) = delete;
 
-    // Numbers that the matrix will keep in memory: linear in the number of panels, unless many panels are so long that they are
-    // close to much of the surface.
+    // Numbers that the matrix will keep in memory: linear in the number of panels, unless many long panels are close to much of the surface.
     std::size_t stored_entries() const { return matrix_.stored_entries(); }
-    // Pairs of clusters that interact through expansions in each iteration, 4 microseconds each.
+    // Pairs of clusters that interact through expansions in each iteration.
     std::size_t far_pairs() const { return matrix_.tree().far.size(); }
 
     // Call once, before multiply and solve.

@@ -14,26 +14,25 @@
 namespace lr::baker {
 namespace {
 
-// Faces of the surface that is solved. Fewer, if the equations are singular: near-coincident layers and needles.
+// Most faces of the solved surface, reduced while the equations are singular, as for nearly coincident layers and needles.
 constexpr std::size_t most_faces[] = {5000, 2500, 1000, 400};
-// With the strips that refine its free rims: what a dense matrix holds.
+// Including the strips that refine its free rims: the limit of a dense matrix.
 constexpr std::size_t most_panels = 8000;
-constexpr double rough = 0.1;         // above it the hull may tell more
-constexpr double too_much_lost = 0.2; // of the largest added mass: then a coarser surface is tried
-constexpr double needle = 1e-4;       // face_shape() of faces that coarser meshes do without
+constexpr double rough = 0.1;         // error estimate above which the hull is tried as a bound
+constexpr double too_much_lost = 0.2; // result of make_positive above which a coarser surface is tried
+constexpr double needle = 1e-4;       // face_shape() below which coarser meshes leave a face out
 constexpr double trapped_error =
     0.05;                            // of the trapped fluid's inertia: a box of 48 cells has 1 to 2 %, thin walls more
-constexpr double nearly_full = 0.1;  // of the convex hull, that is hollow
-constexpr double coarse_error = 2.0; // relative, times the size of the cubes over that of the body
+constexpr double nearly_full = 0.1;  // hollow share of the convex hull
+constexpr double coarse_error = 2.0; // relative, times the size of cubes over that of the body
 
 Eigen::Vector3d normal_of(const Mesh& mesh, const Face& f) {
     const Eigen::Vector3d& a = mesh.vertices[f[0]];
     return (mesh.vertices[f[1]] - a).cross(mesh.vertices[f[2]] - a).normalized();
 }
 
-// The surface to solve.
 struct Shell {
-    BodyParts parts; // copies and needles included: they bound the region
+    BodyParts parts; // copies and needles included, since they bound the region
     Mesh skin;
     double cube = 0.0;
 };
@@ -58,7 +57,8 @@ double size_of(const Mesh& mesh) {
     return box.sizes().maxCoeff();
 }
 
-// Of fluid that moves with a body, about a point `arm` before its centroid; own: of its turning about the centroid.
+// Inertia of fluid that moves with a body, about a point. arm: from the point to the fluid's centroid; own: inertia of its turning about the
+// centroid.
 Matrix6 fluid_inertia(double volume, const Eigen::Vector3d& arm, const Eigen::Matrix3d& own) {
     Eigen::Matrix3d across;
     across << 0, -arm.z(), arm.y(), arm.z(), 0, -arm.x(), -arm.y(), arm.x(), 0;
@@ -67,7 +67,7 @@ Matrix6 fluid_inertia(double volume, const Eigen::Vector3d& arm, const Eigen::Ma
     return m;
 }
 
-// About the centre: translation carries the fluid as if frozen.
+// Inertia of the fluid inside the solids, about the centre. In translation it moves as if frozen; overlaps of parts are in the error.
 Matrix6 trapped_fluid(const BodyParts& parts, const Eigen::Vector3d& centre, Matrix6& error) {
     error.setZero();
     Mesh solids{parts.mesh.vertices, parts.solids(), {}};
@@ -86,8 +86,8 @@ Matrix6 trapped_fluid(const BodyParts& parts, const Eigen::Vector3d& centre, Mat
     return fluid_inertia(moments.volume, centroid - centre, own);
 }
 
-// Rounding and coarseness can leave less than nothing in a direction in which the body hardly moves fluid. Returns how much less, over the most, and
-// adds that and what it adds to the values to the error of such directions and all like them.
+// Raises eigenvalues below a thousandth of the largest: rounding and coarseness can make them negative in directions in which the body hardly moves
+// fluid. Adds the change to the error of all such directions. Returns the most negative one over the largest.
 double make_positive(Matrix6& m, Matrix6& error, double size) {
     Eigen::Matrix<double, 6, 1> scale;
     scale.head<3>().setOnes();
@@ -107,7 +107,7 @@ double make_positive(Matrix6& m, Matrix6& error, double size) {
     return less / largest;
 }
 
-// The convex hull, with few faces; one side of it where it is flat.
+// The convex hull with few faces; where it is flat, only one side.
 struct Hull {
     Mesh mesh;
     bool is_flat = false;
@@ -138,8 +138,8 @@ bool make_hull(const Mesh& mesh, Hull& out) {
     return true;
 }
 
-// The hull instead of the body: for one that nearly fills it, and as the last resort where no surface can be solved. Fluid in its hollows can go
-// along with the body or not. share: of the hull, that is hollow.
+// Takes the hull for the body: if the body nearly fills it, and as the last resort. Fluid in hollows may move with the body or not. share: hollow
+// part of the hull.
 bool solve_hull(const Hull& hull, double share, const Eigen::Vector3d& centre, AddedMass& out, Faults& faults,
                 const Progress& progress, AddedMassOptions options) {
     Faults found;
@@ -169,7 +169,7 @@ Matrix6 frozen(const MassProperties& body, const Eigen::Vector3d& centre = {0, 0
     return fluid_inertia(body.volume, body.centroid - centre, body.inertia);
 }
 
-// displaced: the inertia of the fluid in the body's place.
+// displaced: inertia of the fluid that the body displaces.
 void bound(const Hull& hull, const Matrix6& displaced, const Eigen::Vector3d& centre, AddedMass& out,
            const AddedMassOptions& options) {
     AddedMass most, between = out;
@@ -240,7 +240,7 @@ bool compute_mixed_added_mass(const BodyParts& parts, const Eigen::Vector3d& cen
         bool fits = false;
         while (!(fits = refine_sheet(shell.skin, refinement).faces.size() <= most_panels) && refinement.strips > 1)
             refinement.creases = --refinement.strips > 1;
-        if (!fits && round + 1 < std::size(most_faces)) continue; // the way without a dense matrix takes a minute here
+        if (!fits && round + 1 < std::size(most_faces)) continue; // without a dense matrix this takes a minute
         found.clear();
         if (!compute_sheet_added_mass(shell.skin, centre, refinement, out, found, progress, options)) continue;
         Matrix6 error;

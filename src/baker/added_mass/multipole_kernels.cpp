@@ -264,7 +264,7 @@ HWY_NOINLINE void transposed_product(const float* block, size_t rows, size_t col
 HWY_NOINLINE void normal_gradient(const double* charges, size_t count, const double* point, const double* normal,
                                   double* sum) {
     const D d;
-    // first the kernels of a batch of charges, then all modes of each
+    // First the kernels of a batch of charges, then all modes of each.
     constexpr size_t batch = 64;
     HWY_ALIGN double kernel[batch];
     const V px = hn::Set(d, point[0]), py = hn::Set(d, point[1]), pz = hn::Set(d, point[2]);

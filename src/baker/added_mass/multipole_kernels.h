@@ -9,8 +9,8 @@ namespace lr::baker {
 // Vectors have one value for each of the six rigid modes, padded: value[i * mode_lanes + mode].
 constexpr std::size_t mode_lanes = 8;
 
-// Largest degree of solid harmonics in expansions. The interaction of two clusters at the smallest distance of ClusterTree then
-// has an error of at most 1e-4; each degree less doubles it, approximately.
+// Largest degree of solid harmonics in expansions. Two clusters at the smallest distance of ClusterTree then interact with an error of at most 1e-4;
+// each degree less about doubles it.
 constexpr std::size_t expansion_order = 8;
 constexpr std::size_t expansion_terms = (expansion_order + 1) * (expansion_order + 2) / 2;
 // Values of all modes, real and imaginary part of each term: value[(2 * term(l, m) + part) * mode_lanes + mode].
@@ -21,10 +21,10 @@ constexpr std::size_t term(std::size_t l, std::size_t m) {
     return l * (l + 1) / 2 + m;
 }
 
-// With R_l^m = r^l P_l^m e^(i m phi) / (l + m)! (no Condon-Shortley phase) a multipole expansion about a centre is the sum of
-// charge R_l^m(position); a local expansion has the coefficients of Re R_l^m and Im R_l^m of the potential. For m = 0
-// multipoles have half of that and locals twice, which avoids exceptions in the formulas.
-// All functions add to their result and use degrees up to `order`. Multipoles about a parent's centre from a child's; offset: child - parent.
+// With R_l^m = r^l P_l^m e^(i m phi) / (l + m)! (no Condon-Shortley phase) a multipole expansion about a centre is the sum of charge R_l^m(position);
+// a local expansion has the coefficients of Re R_l^m and Im R_l^m of the potential. At m = 0 multipoles are halved and locals doubled, which spares
+// the formulas a special case.
+// All functions add to their result and use degrees up to `order`. shift_multipole: from a child's centre to its parent's; offset: child - parent.
 void shift_multipole(const double* child, const double* offset, std::size_t order, double* parent);
 // The transpose of shift_multipole.
 void shift_local(const double* parent, const double* offset, std::size_t order, double* child);

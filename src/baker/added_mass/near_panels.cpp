@@ -45,7 +45,7 @@ private:
         if (found_.size() > most_) return;
         const Cluster &a = tree_.clusters[i], &b = tree_.clusters[j];
         const double reach = a.radius + b.radius + near_ratio * (largest_[i] + largest_[j]);
-        // with a margin for the rounding of radii and distance
+        // Margin for the rounding of radii and distance.
         if (i != j && (a.centre - b.centre).squaredNorm() > (1.0 + 1e-9) * reach * reach) return;
         if (a.is_leaf() && b.is_leaf()) {
             compare(i, j);

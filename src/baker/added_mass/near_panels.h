@@ -15,8 +15,8 @@ struct NearPair {
     double single_layer; // double integral of 1/r, outer rule on the row's panel
 };
 
-// pairs[t]: the panels near t, ascending; level[t]: refinement level of the outer rule on t, which must resolve the hat
-// functions of much finer neighbours. False, with invalid results, if there are more than `most` pairs.
+// pairs[t]: panels near t, ascending. level[t]: refinement level of the outer rule on t, which must resolve the hat functions of much finer
+// neighbours. False, with invalid results, if there are more than `most` pairs.
 bool find_near_panels(const std::vector<Panel>& panels, std::size_t most, std::vector<std::vector<NearPair>>& pairs,
                       std::vector<std::size_t>& level);
 } // namespace lr::baker

@@ -55,7 +55,7 @@ PanelPotential panel_potential(const Panel& panel, const Eigen::Vector3d& point)
     for (std::size_t k = 0; k < 3; ++k) {
         const double sum = distance[k] + distance[(k + 1) % 3];
         const double excess = sum - panel.edge_length[k];
-        // On the edge L is infinite, but its factors d_e and h are zero and dominate.
+        // On the edge L is infinite, but its factors d_e and h are zero.
         line[k] = excess > 1e-14 * sum ? std::log((sum + panel.edge_length[k]) / excess) : 0.0;
         result.single_layer += panel.edge_normal[k].dot(to[k]) * line[k];
     }
@@ -73,7 +73,7 @@ double self_interaction(const Panel& panel) {
     const double half = 0.5 * (panel.edge_length[0] + panel.edge_length[1] + panel.edge_length[2]);
     double sum = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
-        // half - edge, without cancellation for slivers
+        // half - edge, without cancellation for slivers.
         const double rest =
             0.5 * (panel.edge_length[(k + 1) % 3] + panel.edge_length[(k + 2) % 3] - panel.edge_length[k]);
         sum += std::log(std::max(rest, 1e-15 * half) / half) / panel.edge_length[k];

@@ -44,11 +44,11 @@ struct TriangleRule {
 // Exact to degree 6 (Dunavant 1985, 12 points), on 4^levels equal parts of the triangle.
 TriangleRule dunavant_rule(int levels);
 
-// A part of a triangle that is halved again and again in all directions. Quarters are at 4 i + 1 to 4 i + 4.
+// A part of a triangle that is cut into quarters again and again. Part i has its quarters at 4 i + 1 to 4 i + 4.
 struct TrianglePart {
-    TriangleRule rule; // dunavant_rule(0) on the part: weights have the sum of its share of the area
+    TriangleRule rule; // dunavant_rule(0) on the part; weights add up to its share of the area
     Eigen::Vector3d centre;
-    double size; // 1: the triangle
+    double size; // relative to the triangle
 };
 // The triangle, its 4 quarters, their 16, and so on.
 std::vector<TrianglePart> triangle_parts(int levels);

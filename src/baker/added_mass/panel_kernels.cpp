@@ -133,14 +133,14 @@ HWY_NOINLINE void near_panels(const OuterRule& outer, const double* sources, dou
                 hn::IfThenElseZero(out_of_plane, hn::Mul(constant(-2.0), arc_tangent(numerator, denominator)));
             const auto ratio = [&](V from, V to, V length) HWY_ATTR {
                 const V sum = hn::Add(from, to), excess = hn::Sub(sum, length);
-                // On the edge the integral is infinite, but its factors e and height are zero and dominate.
+                // On the edge the integral is infinite, but its factors e and height are zero.
                 const auto off = hn::Gt(excess, hn::Mul(constant(1e-14), sum));
                 const V above = hn::Add(sum, length);
                 return reduce_ratio(above, hn::IfThenElse(off, excess, above));
             };
             const Ratio q0 = ratio(r0, r1, field(F::edge_length)), q1 = ratio(r1, r2, field(F::edge_length + 1)),
                         q2 = ratio(r2, r0, field(F::edge_length + 2));
-            // one division for the three
+            // One division for three.
             const V u01 = hn::Mul(q0.under, q1.under);
             const V inverse = hn::Div(constant(1.0), hn::Mul(u01, q2.under)), inverse2 = hn::Mul(inverse, q2.under);
             const V l0 = log_ratio(q0.exponent, hn::Mul(q0.over, hn::Mul(q1.under, inverse2))),
@@ -219,7 +219,7 @@ HWY_NOINLINE void far_panels(const double* panels, size_t count, const std::arra
     for (size_t at = 0; at < near_batch; at += hn::Lanes(d)) {
         V t[far_fields];
         for (size_t k = 0; k < far_fields; ++k) t[k] = hn::Load(d, target + k * near_batch + at);
-        // 1/(4 pi) is in both areas
+        // 1/(4 pi) is in both areas.
         const V scale = hn::Mul(t[9], constant(12.566370614359172));
         for (size_t s = 0; s < count; ++s) {
             const double* const f = panels + s * far_fields;

@@ -9,8 +9,8 @@
 
 namespace lr::baker {
 
-// Whether to cut from a to c instead of from b to d: the shorter diagonal or, if both are equal within rounding, the one with the lowest
-// vertex. The choice then does not change with the orientation or the winding of the body.
+// Whether to cut from a to c instead of from b to d: the shorter diagonal or, if equal within rounding, the one with the lowest vertex. The choice
+// does not change with the orientation or winding of the body.
 inline bool prefers_diagonal(const std::vector<Eigen::Vector3d>& vertices, uint32_t a, uint32_t c, uint32_t b,
                              uint32_t d) {
     constexpr double tie = 1e-9;

@@ -29,7 +29,7 @@ public:
             for (std::size_t k = 0; k < 3; ++k) faces_of_[side(t, k)].push_back(t);
     }
 
-    // Halves the longest edge until there are enough panels, and none is much longer than they are wide on average.
+    // Halves the longest edge until there are enough panels and most_long holds.
     void halve_longest(std::size_t panels, std::size_t most_halved) {
         struct Candidate {
             float square; // single precision keeps equal edges equal when the body is turned
@@ -55,8 +55,8 @@ public:
         }
     }
 
-    // A panel with all corners on rims could not represent the jump of the potential: it gets a vertex inside. The narrow
-    // sides of a thin solid stay unchanged.
+    // A panel with all corners on rims could not represent a jump of the potential, so it gets a vertex inside. Narrow sides of a thin solid stay
+    // unchanged.
     void open_corners() {
         const std::vector<uint8_t> rim = find_rim();
         std::vector<Edge> chords;
@@ -108,7 +108,7 @@ public:
                 faces.push_back(f);
                 continue;
             }
-            // a is the only corner of its kind
+            // a: the only corner of its kind.
             std::size_t k = 0;
             while ((rim[f[k]] != 0) != (on_rim == 1)) ++k;
             const uint32_t a = f[k], b = f[(k + 1) % 3], c = f[(k + 2) % 3];
@@ -128,7 +128,7 @@ public:
 private:
     Edge side(uint32_t t, std::size_t k) const { return make_edge(mesh_.faces[t][k], mesh_.faces[t][(k + 1) % 3]); }
 
-    // Panels between lines n and n + 1; `left` precedes `right` around the panel if the lines start at one vertex.
+    // Panels between lines n and n + 1. fan: both lines start at one vertex; then `left` precedes `right` around the panel.
     void add_strip(const std::vector<uint32_t>& left, const std::vector<uint32_t>& right, std::size_t n, bool fan,
                    std::vector<Face>& faces) const {
         const uint32_t a = left[n], b = left[n + 1], c = right[n + 1], d = right[n];
@@ -165,7 +165,7 @@ private:
         return n.dot(mesh_.vertices[apex] - mesh_.vertices[edge[0]]) < 0.0;
     }
 
-    // Wound in any way: by the directions of both faces away from the edge.
+    // By the directions of both faces away from the edge, since winding is arbitrary.
     bool is_fold(const Edge& edge, const std::vector<uint32_t>& faces) const {
         const Eigen::Vector3d along = (mesh_.vertices[edge[1]] - mesh_.vertices[edge[0]]).normalized();
         std::array<Eigen::Vector3d, 2> away;

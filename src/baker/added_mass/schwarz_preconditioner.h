@@ -5,8 +5,8 @@
 
 namespace lr::baker {
 
-// Rank-one terms that give constant potentials c, which have no energy in W, the energy of a single unknown:
-// D c c^T D / c^T D c, D the diagonal of W.
+// Constant potentials c have no energy in W. These rank-one terms give each the energy of a single unknown: D c c^T D / c^T D c, with D the diagonal
+// of W.
 class ConstantTerms {
 public:
     ConstantTerms(const SurfaceBasis& basis, const FastHypersingular& matrix);

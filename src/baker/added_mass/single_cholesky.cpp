@@ -104,8 +104,8 @@ HWY_NOINLINE void solve_rows(float* a, const float* l, size_t m, size_t n, size_
     solve_rows(a + half * stride, l + half * stride + half, m, n - half, stride, packed);
 }
 
-// Where a pivot is not above `least`, leaves out its unknown, whose number it appends to `weak`; false without such a list. first: number of the
-// first unknown.
+// An unknown whose pivot is at most `least` is left out, and its number appended to `weak`; without that list the result is false. first: number of
+// the first unknown.
 HWY_NOINLINE bool factorise(float* a, size_t n, size_t stride, Packed& packed, float least, size_t first,
                             std::vector<size_t>* weak) {
     if (n == tile) {
@@ -114,7 +114,7 @@ HWY_NOINLINE bool factorise(float* a, size_t n, size_t stride, Packed& packed, f
             float* const column = a + j * stride;
             for (size_t p = 0; p < j; ++p) {
                 const float factor = a[p * stride + j];
-                // from the start of a vector: entries above the diagonal are never read
+                // From the start of a vector: entries above the diagonal are never read.
                 for (size_t i = j / hn::Lanes(d) * hn::Lanes(d); i < n; i += hn::Lanes(d))
                     hn::StoreU(hn::Sub(hn::LoadU(d, column + i),
                                        hn::Mul(hn::LoadU(d, a + p * stride + i), hn::Set(d, factor))),
@@ -144,7 +144,7 @@ HWY_NOINLINE void substitute(const float* l, float* x, size_t n) {
     const hn::CappedTag<float, right_sides> d;
     for (size_t lane = 0; lane < right_sides; lane += hn::Lanes(d)) {
         float* const y = x + lane;
-        // four columns at a time: n is a multiple of four
+        // Four columns at a time: n is a multiple of four.
         for (size_t j = 0; j < n; j += 4) {
             const float* const column = l + j * n;
             hn::Vec<decltype(d)> value[4];
@@ -164,7 +164,7 @@ HWY_NOINLINE void substitute(const float* l, float* x, size_t n) {
         }
         for (size_t j = n; j-- > 0;) {
             const float* const column = l + j * n;
-            // four sums, because each addition waits for the previous one
+            // Four sums, because each addition waits for the previous one.
             auto s0 = hn::LoadU(d, y + j * right_sides), s1 = hn::Zero(d), s2 = s1, s3 = s1;
             size_t i = j + 1;
             const auto term = [&](size_t at) HWY_ATTR {

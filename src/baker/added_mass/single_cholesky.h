@@ -13,7 +13,7 @@ public:
     // Reads the lower triangle. False if a pivot is not positive.
     bool factorise(const Eigen::MatrixXd& matrix) { return factorise(matrix, 0.0F, nullptr); }
 
-    // The unknowns without which all pivots are above `least`: those whose pivots are not, one after the other.
+    // Unknowns to leave out, one after the other, so that all pivots are above `least`.
     std::vector<Eigen::Index> weak_unknowns(const Eigen::MatrixXd& matrix, float least);
 
     // Replaces right sides by solutions, to single precision.

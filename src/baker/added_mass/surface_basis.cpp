@@ -56,7 +56,7 @@ private:
         return flaps;
     }
 
-    // The space between two consecutive faces around an edge has one potential at the edge's vertices.
+    // Between two consecutive faces around an edge the potential has one value at each of the edge's vertices.
     void join_sides_at_edges() {
         std::vector<Flap> flaps = find_flaps();
         for (std::size_t first = 0, last = 0; first < flaps.size(); first = last) {
@@ -97,7 +97,7 @@ private:
         });
     }
 
-    // Around a vertex only differences matter: in each group of spaces separated by faces, one potential is zero.
+    // Around a vertex only differences matter: one potential is zero in each group of spaces separated by faces.
     void number_spaces() {
         DisjointSets groups(6 * mesh_.faces.size());
         for (std::size_t t = 0; t < mesh_.faces.size(); ++t)
@@ -129,7 +129,7 @@ private:
             }
     }
 
-    // The potential of each chamber is free up to a constant: one constant for every chamber of a connected part but one.
+    // The potential of each chamber is free up to a constant: a connected part has one constant for every chamber but one.
     void find_constants() {
         DisjointSets parts(6 * mesh_.faces.size());
         for (std::size_t t = 0; t < mesh_.faces.size(); ++t)

@@ -32,8 +32,7 @@ struct SurfaceBasis {
 // One unknown for each vertex, which must belong to a face; one constant for each connected part.
 SurfaceBasis closed_basis(const Mesh& mesh);
 
-// Panels without thickness, open or closed, wound in any way, any number at an edge. The potential has one value for each space
-// between the panels around a vertex; its jump is zero at a free rim. One constant for each enclosed chamber. Panels must not
-// coincide.
+// Panels without thickness, open or closed, wound in any way, any number at an edge; they must not coincide. Around a vertex the potential has one
+// value for each space between panels; its jump is zero at a free rim. One constant for each enclosed chamber.
 SurfaceBasis sheet_basis(const Mesh& mesh);
 } // namespace lr::baker

@@ -11,7 +11,7 @@
 namespace lr::baker {
 namespace {
 
-// Largest motion of a vertex over its shortest edge: a limit for meshes that are rough instead of curved.
+// Largest motion of a vertex over its shortest edge: a limit for meshes that are rough rather than curved.
 constexpr double max_share = 0.1;
 
 struct Corner {
@@ -96,8 +96,8 @@ private:
         return shared >= 2 && normal_[f].dot(normal_[g]) > crease_cosine;
     }
 
-    // A mesh with 16 faces or more around a turn stands for a curved surface, one with 8 or fewer for facets. The finest turn at the vertex tells:
-    // the rim of a thin ellipsoid turns sharply across, but little along. Coplanar faces tell nothing, they can be halves of a quadrilateral.
+    // With 16 faces or more in a full turn a mesh samples a curved surface, with 8 or fewer it has facets. The finest turn at the vertex decides: the
+    // rim of a thin ellipsoid turns sharply across, but little along. Coplanar faces do not count, since they can be halves of a quadrilateral.
     double smoothness(const std::vector<Corner>& group) const {
         constexpr double round_turn = std::numbers::pi / 8.0, facet_turn = std::numbers::pi / 4.0;
         constexpr double flat = 0.1; // of the sharpest turn: edges below count less and less
@@ -117,8 +117,8 @@ private:
         return smooth;
     }
 
-    // A surface with second fundamental form II is above its triangle by 1/2 sum lambda_a lambda_b II(e_ab, e_ab), on average
-    // 1/24 sum II(e, e). II(e, e) is the change of the normal along edge e, to second order.
+    // A surface with second fundamental form II is above its triangle by 1/2 sum lambda_a lambda_b II(e_ab, e_ab), on average 1/24 sum II(e, e). To
+    // second order II(e, e) is the change of the normal along edge e, times e.
     void find_gaps(std::size_t face) {
         const FaceBends bends = bends_of(mesh_, mesh_.faces[face], corner_normal_[face]);
         for (std::size_t k = 0; k < 3; ++k) {
@@ -130,14 +130,14 @@ private:
         tilt_[face] = mean_square_tilt(face, bends.doubtful);
     }
 
-    // The second fundamental form II with II(e_k, e_k) = bend[k] along the three edges tilts the surface at x by II(x - centroid), and the
-    // second moment of a triangle is a 36th of the sum of e_k e_k^T.
+    // Mean square slope of the surface with II(e_k, e_k) = bend[k] along its three edges. At x it is II(x - centroid), and the second moment of a
+    // triangle is a 36th of the sum of e_k e_k^T.
     Eigen::Matrix3d mean_square_tilt(std::size_t face, const std::array<double, 3>& bend) const {
         constexpr double steepest = 1.0;
         const Face& f = mesh_.faces[face];
         const Eigen::Vector3d e0 = at(f[1]) - at(f[0]), e1 = at(f[2]) - at(f[1]);
         const double mixed = 0.5 * (bend[2] - bend[0] - bend[1]); // II(e0, e1)
-        // vectors in the plane with products one and zero with e0 and e1
+        // In the plane: products with e0 and e1 are one and zero, or zero and one.
         const Eigen::Vector3d across = normal_[face] / (2.0 * area_[face]);
         const Eigen::Vector3d dual0 = e1.cross(across), dual1 = across.cross(e0);
         const Eigen::Vector3d along0 = bend[0] * dual0 + mixed * dual1, along1 = mixed * dual0 + bend[1] * dual1;
@@ -150,8 +150,7 @@ private:
         return sum;
     }
 
-    // On a crease each side has its own offset along its own normal: least squares, without motion along the
-    // crease.
+    // On a crease each side has an offset along its own normal: least squares, without motion along the crease.
     Eigen::Vector3d shift(uint32_t vertex, const std::vector<std::vector<Corner>>& groups) const {
         Eigen::Matrix3d normal_matrix = Eigen::Matrix3d::Zero();
         Eigen::Vector3d right = Eigen::Vector3d::Zero();
@@ -195,7 +194,7 @@ Eigen::Vector3d least_motion(const Eigen::Matrix3d& normal_matrix, const Eigen::
 }
 
 FaceBends bends_of(const Mesh& mesh, const Face& face, const std::array<CornerNormal, 3>& normals) {
-    // Sufficient for meshes graded by thirds; a long straight side between tight bends stays straight.
+    // Sufficient for meshes graded by thirds. A long straight side between tight bends stays straight.
     constexpr double most_broad = 1.5, most_other_end = 3.0;
     const auto limited = [](double x, double limit) {
         return x * limit <= 0.0 ? 0.0 : std::abs(x) < std::abs(limit) ? x : limit;
@@ -211,7 +210,7 @@ FaceBends bends_of(const Mesh& mesh, const Face& face, const std::array<CornerNo
         end[k] = limited(last, most_other_end * first);
     }
     for (std::size_t k = 0; k < 3; ++k) {
-        // II(a + b, a + b) <= 2 II(a, a) + 2 II(b, b), unless the surface is a saddle: between a flat vertex and an edge, a face is a facet.
+        // II(a + b, a + b) <= 2 II(a, a) + 2 II(b, b) unless the surface is a saddle: a face between a flat vertex and an edge is a facet.
         const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
         const double bend = std::abs(start[k] + end[k]);
         const double most = 2.0 * (std::abs(start[i] + end[i]) + std::abs(start[j] + end[j]));

@@ -79,10 +79,11 @@ double camber_of(const Part& strip, const Vector3d& at, const Vector3d& chord, c
     const Section section = section_of(strip, at, chord, normal);
     const double length = section.trailing - section.leading;
     if (!(length > 0.0)) return 0.0;
-    // x = leading + length (1 - cos t)/2: heights at odd half steps, slopes and weights between them; the outermost stand for the edges too.
+    // x = leading + length (1 - cos t)/2. Heights are at odd half steps, slopes and weights between them; the first and last slope also cover the
+    // ends.
     const Angle half = half_step();
     Angle t = half;
-    double before = 0.0, x_before = 0.0, sum = 0.0; // of the slope times cos t - 1
+    double before = 0.0, x_before = 0.0, sum = 0.0; // sum: of slope times (cos t - 1)
     bool begun = false;
     for (int i = 0; i < steps; ++i) {
         const double x = section.leading + 0.5 * length * (1.0 - t.cosine);

@@ -13,11 +13,11 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double cells_along = 12.0; // along the size of the body
-// Chosen by the drag of cones and half a sphere. shallow: a cap with a rise of a tenth of its diameter is as good as flat.
+// Fitted to the drag of cones and of half a sphere. shallow: a cap with a rise of a tenth of its diameter counts as flat.
 constexpr double share_caught = 1.56, shallow = 0.06, most_caught = 0.7, least_parallel = 0.3;
-// Walls of a bowl have no leading edge: at this size they stall at half of the squared sine.
+// Walls of a bowl have no leading edge: at this hollow the squared sine of the stall angle is halved.
 constexpr double early_stall = 0.12;
-// A flat bottom meets a stream as any plate does; a wall that leans by 40 degrees is wholly a bowl's.
+// A flat bottom counts as a plate; a wall that leans by 40 degrees belongs wholly to the bowl.
 constexpr double leaning = 2.5;
 
 struct Cell {
@@ -25,7 +25,7 @@ struct Cell {
     double area = 0.0;
 };
 
-// Places of the surface, a few hundred for any mesh.
+// Area of the surface in cells of a grid, a few hundred for any mesh.
 std::vector<Cell> cells_of(const Part& faces, double step) {
     std::map<std::tuple<int64_t, int64_t, int64_t>, Cell> found;
     for (const Facet& f : faces) {

@@ -1,4 +1,4 @@
-// Bowls: on their convex side a stream parts early, in their hollow it is caught.
+// Bowls: a stream separates early on their convex side and is caught in their hollow.
 #pragma once
 
 #include "asset/asset_data.h"
@@ -6,10 +6,10 @@
 
 namespace lr::baker {
 
-// Towards the convex side; as long as the share by which the normal force of a stream onto that side is less, and of one into the hollow more, than that
-// of as many plates. Zero for flat surfaces and tubes.
+// Direction of the convex side. The length is the relative change of the normal force against as many plates: less for a stream onto the convex side,
+// more for one into the hollow. Zero for flat surfaces and tubes.
 Eigen::Vector3d hollow_of(const Part& part, double size);
 
-// The station that stands for these faces of a body with this hollow: its share of it, an early stall, and the normal force of its open sides alone.
+// Adjusts the station of these faces of a body with this hollow: its share of the hollow, an early stall, and normal force only on open sides.
 void shape_as_wall(const Part& part, const Eigen::Vector3d& hollow, StationData& out);
 } // namespace lr::baker

@@ -15,9 +15,9 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double much_thicker = 4.0;  // than the thinnest quarter of the surface
-constexpr double least_size = 0.03;   // of the body: thickness of a lump
+constexpr double least_size = 0.03;   // smallest thickness of a lump, over the size of the body
 constexpr double least_area = 0.04;   // of the surface
-constexpr double farthest = 2.5;      // root mean squares of the distance from the lump's middle
+constexpr double farthest = 2.5;      // root mean square distances from the lump's middle
 constexpr std::size_t leaf_faces = 8; // of the tree
 
 struct Ray {
@@ -36,7 +36,7 @@ double distance(const Ray& ray, const Facet& f) {
     return u >= 0.0 && v >= 0.0 && u + v <= 1.0 ? e2.dot(q) / det : missed;
 }
 
-// Boxes around halves of the faces. The nearest hit does not depend on how they are halved.
+// Bounding boxes around halves of the faces. The nearest hit does not depend on the halving.
 class FaceTree {
 public:
     explicit FaceTree(const Part& part) : part_(part), order_(part.size()) {

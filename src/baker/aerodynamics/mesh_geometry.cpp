@@ -32,7 +32,7 @@ std::vector<Skin> faces_of(const Mesh& mesh, double sides) {
     return skin;
 }
 
-// Adds the side faces along free edges, as high as the sheet is thick.
+// Adds side faces along free edges, as high as the thickness.
 void add_rim(const Mesh& mesh, std::size_t solid_faces, double thickness, std::vector<Skin>& skin) {
     const std::vector<HalfEdge> halves = sorted_half_edges(mesh);
     for (std::size_t i = 0; i < halves.size();) {
@@ -51,15 +51,15 @@ void add_rim(const Mesh& mesh, std::size_t solid_faces, double thickness, std::v
     }
 }
 
-// How much of an edge this is for a stream: none between faces that turn by 30 degrees, as those of a coarse round body do; one from 60 degrees on.
+// Weight of an edge as a sharp one: none between faces that turn by 30 degrees, as on a coarse round body; one from 60 degrees on.
 double sharpness(const Eigen::Vector3d& m, const Eigen::Vector3d& n) {
     constexpr double round = 0.8660254037844387, sharp = 0.5;
     return std::clamp((round - m.dot(n)) / (round - sharp), 0.0, 1.0);
 }
 
-// Of the rim seen along each axis, the share that is a sharp edge: the stream leaves there.
+// Sharp share of the rim seen along each axis, where the stream leaves the body.
 std::array<double, 3> sharp_rims(const Mesh& mesh, const std::array<double, 9>& axes) {
-    // From hidden to seen; faces that are nearly edge on are neither, so that noise does not decide.
+    // 1 seen, -1 hidden. Faces nearly edge-on are in between, so that noise does not decide.
     const auto seen = [](double cosine) { return std::clamp(10.0 * cosine, -1.0, 1.0); };
     const auto normal = [&](std::size_t face) {
         const Face& f = mesh.faces[face];
@@ -85,8 +85,8 @@ std::array<double, 3> sharp_rims(const Mesh& mesh, const std::array<double, 9>& 
 
 using Rows = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-// Relative difference below which half of the projected surface, exact for bodies that hide nothing, replaces the union,
-// which is only as accurate as its lines.
+// Relative difference below which half of the projected surface replaces the union: it is exact if the body hides nothing, and the union is only as
+// accurate as its lines.
 constexpr double accuracy = 1e-5;
 
 struct Seen {
@@ -104,9 +104,9 @@ Seen look(const std::vector<Skin>& skin, const Rows& axes, const Eigen::Vector3d
         FlatTriangle t;
         for (std::size_t v = 0; v < 3; ++v) t[v] = {axes.row(i).dot(s.corners[v]), axes.row(j).dot(s.corners[v])};
         const Eigen::Vector2d a = t[1] - t[0], b = t[2] - t[0];
-        const double one = 0.25 * s.sides * std::abs(a.x() * b.y() - a.y() * b.x());
-        area += one;
-        moment += one / 3.0 * (t[0] + t[1] + t[2]);
+        const double projected = 0.25 * s.sides * std::abs(a.x() * b.y() - a.y() * b.x());
+        area += projected;
+        moment += projected / 3.0 * (t[0] + t[1] + t[2]);
         flat.push_back(t);
     }
     const Silhouette whole = union_silhouette(std::move(flat));
@@ -120,10 +120,9 @@ Seen look(const std::vector<Skin>& skin, const Rows& axes, const Eigen::Vector3d
     return {whole.area, placed(hides ? whole.centroid : moment / area)};
 }
 
-// The load of a stream acts at the centroid of the silhouette: across the largest silhouette at its centroid, along its normal
-// at the centroid of the next largest. Offsets from the centre of buoyancy within the noise of a mesh are zeroed, or a symmetric
-// body would lose the kernel's fast path. If one component exceeds the noise, the others are kept too: a plane turns by the
-// difference of its sides.
+// Stream loads act at the centroid of the silhouette: across the largest silhouette at its centroid, along its normal at the centroid of the next
+// largest. Offsets from the centre of buoyancy within the noise of a mesh are zeroed, or a symmetric body would lose the kernel's fast path. If one
+// component exceeds the noise, the others stay too: a plane turns by the difference of its sides.
 Eigen::Vector3d centre_of_loads(const std::array<Seen, 3>& seen, double size) {
     constexpr double noise = 5e-4, rounding = 1e-6;
     std::array<Eigen::Index, 3> order{0, 1, 2};

@@ -9,8 +9,8 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-// Relative to the largest moment. Smaller off-diagonal entries are rounding of a mesh in single precision: zeroing them gives
-// a body with a mirror plane an axis exactly perpendicular to it.
+// Relative to the largest moment. Smaller off-diagonal entries are rounding of a mesh in single precision: zeroing them gives a body with a mirror
+// plane an axis exactly normal to it.
 constexpr double rounding = 1e-6;
 // Moments that differ by less than this fraction of the largest count as equal.
 constexpr double equal = 1e-2;
@@ -57,7 +57,7 @@ std::array<double, 9> rows(const std::array<Vector, 3>& v) {
     return out;
 }
 
-// The single axis takes the place of the nearest body axis; the others are as close to theirs as possible.
+// The only defined axis replaces the nearest body axis; the others stay as close to theirs as possible.
 std::array<double, 9> about(Vector single) {
     size_t at = 0;
     for (size_t i = 1; i < 3; ++i)
@@ -73,15 +73,15 @@ std::array<double, 9> about(Vector single) {
     return rows(out);
 }
 
-// The order with the largest product of |cosines|; the first of equal ones, which keeps cyclic order.
+// The order with the largest sum of |cosines|; the first of equal ones, which keeps cyclic order.
 std::array<double, 9> in_body_order(const std::array<Vector, 3>& v) {
     constexpr size_t orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
     const size_t* best = orders[0];
     double most = -1.0;
     for (const auto& order : orders) {
-        double near = 0.0;
-        for (size_t i = 0; i < 3; ++i) near += std::abs(v[order[i]][i]);
-        if (near > most + 1e-9) most = near, best = order;
+        double sum = 0.0;
+        for (size_t i = 0; i < 3; ++i) sum += std::abs(v[order[i]][i]);
+        if (sum > most + 1e-9) most = sum, best = order;
     }
     std::array<Vector, 3> out{};
     for (size_t i = 0; i < 3; ++i) {
@@ -90,7 +90,7 @@ std::array<double, 9> in_body_order(const std::array<Vector, 3>& v) {
             for (double& x : out[i]) x = -x;
     }
     const Vector third = cross(out[0], out[1]);
-    // Far from the body axes the nearest signs can be left-handed: then the last row changes sign.
+    // Far from the body axes the nearest signs can be left-handed.
     if (third[0] * out[2][0] + third[1] * out[2][1] + third[2] * out[2][2] < 0.0)
         for (double& x : out[2]) x = -x;
     return rows(out);

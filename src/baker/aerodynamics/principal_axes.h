@@ -5,9 +5,8 @@
 
 namespace lr::shape {
 
-// Principal axes of a symmetric positive matrix (row-major, an inertia): rows are unit vectors, right-handed, row i nearest to
-// body axis i; exactly the body axes if these are principal within rounding. If two or three moments agree within a hundredth
-// (disc, square, cube), the matrix does not define the axes: they then follow the body axes as closely as the remaining axis
-// allows, instead of the noise of a mesh. The same bits with every C library.
+// Principal axes of a symmetric positive matrix (row-major, an inertia): rows are unit vectors, right-handed, row i nearest to body axis i; exactly
+// the body axes if these are principal within rounding. If two or three moments agree within a hundredth (disc, square, cube), the matrix does not
+// define the axes. They then follow the body axes as closely as the remaining axis allows, not the noise of a mesh. Same bits with every C library.
 std::array<double, 9> principal_axes(const std::array<double, 9>& inertia);
 } // namespace lr::shape

@@ -9,16 +9,16 @@ namespace lr::baker {
 namespace {
 
 constexpr std::size_t even_lines = 2048;
-// With more slabs, evenly spaced lines are as good as slabs between corners.
+// Above this number, evenly spaced lines are as good as slabs between corners.
 constexpr std::size_t most_slabs = 8192;
-// Limit of all intervals: a million long needles then take seconds, with fewer lines.
+// Most intervals in all lines: a million long needles then take seconds, with fewer lines.
 constexpr double most_intervals = 2e7;
 
 struct Slab {
     double at, width; // middle
 };
 
-// Slabs between neighbouring corners, at most `step` wide; even slabs if there are too many corners.
+// Slabs between neighbouring corners, at most `step` wide; evenly spaced if there are too many corners.
 std::vector<Slab> make_slabs(std::vector<double> corners, double step) {
     const double low = corners.front(), high = corners.back();
     const double tiny = 1e-12 * (high - low);

@@ -15,7 +15,7 @@ Vector3d vector_of(const std::array<double, 3>& a) {
     return {a[0], a[1], a[2]};
 }
 
-// Over rho/2, against the normal; u: the stream as seen with camber. Stations stall more gently than a whole plate.
+// Normal force over rho/2, against the normal. u: the stream with camber as incidence. Stations stall more gradually than a whole plate.
 double normal_force(const StationData& t, const Vector3d& u, bool whole) {
     const double along = u.x() * u.x() + u.y() * u.y(), s2 = along + u.z() * u.z();
     if (!(s2 > 0.0) || !(t.plate_drag > 0.0)) return 0.0;

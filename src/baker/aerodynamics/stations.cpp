@@ -24,21 +24,24 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double good_error = 0.08;     // no more stations below
-constexpr double bad_error = 0.2;       // warned of
-constexpr double flat = 0.015;          // mean squared sine of the tilt: a cap with a rise of 0.04 diameters
-constexpr double bent_chord = 0.008;    // of the tilt along the chord, above which the chord is cut too: less is camber
-constexpr double off_centre = 0.05;     // centre of mass from the middle of the area, over the extent
-constexpr double thick = 0.1;           // volume over the area to the power 3/2; half of a sphere's
-constexpr double convex = 0.9;          // volume over the hull's
-constexpr double slender = 3.0;         // root mean square of the span over that of the chord
+constexpr double good_error = 0.08; // below it, no more stations
+constexpr double bad_error = 0.2;   // above it, a warning
+// Mean squared sine of the tilt, below which a surface is flat: a cap with a rise of 0.04 diameters.
+constexpr double flat = 0.015;
+// Mean squared slope along the chord, above which the chord is cut too; less is camber.
+constexpr double bent_chord = 0.008;
+constexpr double off_centre = 0.05;     // distance of the centre of mass from the middle of the area, over the extent
+constexpr double thick = 0.1;           // volume over the area to the power 3/2, half of a sphere's
+constexpr double convex = 0.9;          // volume over that of the hull
+constexpr double slender = 3.0;         // ratio of the root mean squares of span and chord
 constexpr double hiding = 0.36;         // share of the surface in the lee of the rest; a hemispherical bowl has 1/3
-constexpr double far_from_convex = 0.5; // volume over the hull's
-constexpr double deep = 0.45;           // hollow: a bowl, whose bottom counts; not a tube, which falls across its axis
+constexpr double far_from_convex = 0.5; // volume over that of the hull
+// Hollow above which a body is a bowl, whose bottom counts, and not a tube, which falls across its axis.
+constexpr double deep = 0.45;
 constexpr double reynolds = 1e4;
 
-// Munk's moment puts the lift of a short wing further ahead of its middle than thin wings have it, at the quarter chord. Falls of discs fit best with
-// Munk's alone, caps and curled leaves need more of the quarter chord: a third of the way.
+// Munk's moment puts the lift of a short wing ahead of the quarter chord of a thin wing. Measured falls of discs fit best with Munk's alone, caps and
+// curled leaves need more of the quarter chord: a third of the way.
 constexpr double quarter = 0.25, aft_share = 1.0 / 3.0;
 
 struct Plan {
@@ -49,7 +52,7 @@ struct Plan {
     bool lump = false;   // one station, whatever its shape
 };
 
-// In a stream along the span: lift of a slender wing acts near its front edge, that of a long one at the quarter.
+// Centre of lift in a stream along the span: near the front edge of a slender wing, at the quarter of a long one.
 double slender_arm(const shape::Wing& wing) {
     const double aspect = wing.chord * wing.chord / wing.area;
     return 0.5 - quarter * aspect / (aspect + 0.35);
@@ -72,7 +75,7 @@ std::size_t broadside_of(const AerodynamicData& loads) {
                                     loads.broadside.begin());
 }
 
-// The faces that look along the normal, without rims.
+// Faces along the normal, without rims.
 Part faces_along(const Part& part, const Vector3d& normal) {
     Part out;
     for (const Facet& f : part)
@@ -80,7 +83,7 @@ Part faces_along(const Part& part, const Vector3d& normal) {
     return out;
 }
 
-// How unlike fore and aft are: third moment and offset of the centre of mass, which is the origin, over the root mean square.
+// Asymmetry of fore and aft: third moment, and offset of the centre of mass (the origin), over the root mean square.
 double lopsided(const Part& part, const PartMoments& m, const Vector3d& axis, double size) {
     double third = 0.0;
     for (const Facet& f : refined(part, size / 24.0)) {
@@ -91,7 +94,7 @@ double lopsided(const Part& part, const PartMoments& m, const Vector3d& axis, do
     return square > 0.0 ? std::abs(third) / (m.area * square * root) + std::abs(axis.dot(m.centroid)) / root : 0.0;
 }
 
-// Mean square by which the slope along the chord differs from its mean in the same strip: a twist of the wing is no bend.
+// Mean square deviation of the slope along the chord from its mean in the same strip, so that a twist of the wing is no bend.
 double bend_along_chord(const Part& faces, const Plan& plan) {
     constexpr std::size_t strips = 16;
     std::array<std::array<double, 3>, strips> sums{};
@@ -123,7 +126,7 @@ Plan plan_of(Part part, const AerodynamicData& loads, double size) {
     const double shortest = std::max(solver.eigenvalues()[1], 0.0), longest = solver.eigenvalues()[2];
     Vector3d length = solver.eigenvectors().col(2);
     length = (length - out.normal.dot(length) * out.normal).normalized();
-    // Equal moments define no axes: the body's are as good.
+    // Equal moments define no axes; the body's are used.
     if (!(longest >= 1.05 * shortest) || !(length.squaredNorm() > 0.5)) {
         length = out.normal.unitOrthogonal();
         Vector3d best = across * row(loads.axes, (broad + 1) % 3);
@@ -132,11 +135,11 @@ Plan plan_of(Part part, const AerodynamicData& loads, double size) {
         if (best.squaredNorm() > 1e-6) length = best.normalized();
     }
     const Vector3d width = out.normal.cross(length);
-    // A strip is as long as its span. Other wings fly along the axis in which fore and aft differ.
+    // A strip's span is its length. Other wings fly along the axis in which fore and aft differ.
     const bool along = longest < slender * slender * shortest &&
                        lopsided(faces, m, length, size) > lopsided(faces, m, width, size) + 0.05;
     out.chord = along ? length : width;
-    // The leading edge is where the weight is, or where the camber line is flatter.
+    // The leading edge is on the heavier side, or where the camber line is flatter.
     const auto extent = [](const std::pair<double, double>& e) { return e.second - e.first; };
     out.span = out.normal.cross(out.chord);
     out.wing.chord = extent(extent_of(faces, out.chord));
@@ -145,9 +148,9 @@ Plan plan_of(Part part, const AerodynamicData& loads, double size) {
     const double ahead = -out.chord.dot(m.centroid);
     bool turn = ahead < 0.0;
     if (std::abs(ahead) < 0.02 * out.wing.chord) {
-        const double one = camber_of(part, m.centroid, out.chord, out.normal);
-        const double other = camber_of(part, m.centroid, -out.chord, out.normal);
-        turn = std::abs(other) > std::abs(one) * (1.0 + 1e-6) + 1e-6;
+        const double forward = camber_of(part, m.centroid, out.chord, out.normal);
+        const double backward = camber_of(part, m.centroid, -out.chord, out.normal);
+        turn = std::abs(backward) > std::abs(forward) * (1.0 + 1e-6) + 1e-6;
     }
     if (turn) {
         out.chord = -out.chord;
@@ -158,7 +161,7 @@ Plan plan_of(Part part, const AerodynamicData& loads, double size) {
     return out;
 }
 
-// Arms in one line that meet are one wing.
+// Treats adjoining arms in one line as one wing.
 void join_arms(std::vector<Plan>& plans) {
     const auto middle = [](const Plan& p) { return moments_of(p.part).centroid; };
     std::vector<shape::Wing> joined;
@@ -193,7 +196,7 @@ struct Grid {
     std::size_t count() const { return along_span * along_chord; }
 };
 
-// Moves a place along the part's own line to this distance along a direction.
+// Moves a place along the part's own line to this distance along the direction.
 void move_to(Vector3d& place, const Matrix3d& second, const Vector3d& direction, double node) {
     const Vector3d along = second * direction;
     const double square = direction.dot(along);
@@ -208,7 +211,7 @@ StationData station_of(const Part& part, const Plan& plan, const Grid& grid, dou
     if (!whole_chord) move_to(m.centroid, m.second, plan.chord, chord_node);
     const Vector3d normal = common_normal(m, plan.normal);
     Vector3d span = plan.span - normal.dot(plan.span) * normal;
-    if (!(span.squaredNorm() > 1e-6)) span = normal.cross(plan.chord); // a piece that lies across the span
+    if (!(span.squaredNorm() > 1e-6)) span = normal.cross(plan.chord); // a piece across the span
     span.normalize();
     const Vector3d chord = span.cross(normal);
     shape::SurfaceMeasures measures(rows_of(chord, span, normal), to_array(m.centroid), body.size);
@@ -216,7 +219,7 @@ StationData station_of(const Part& part, const Plan& plan, const Grid& grid, dou
     shape::AerodynamicGeometry g = measures.geometry();
     g.volume = body.options.volume * m.area / body.area;
     StationData out = shape::default_station(g, plan.wing);
-    // Several places have the velocities of a spin across them; what it does to each in itself is left out, as it vanishes with their number.
+    // Spin: several stations have different velocities in it. Its effect within each is omitted, since it vanishes with their number.
     if (grid.along_span > 1) out.spin_lift[0] = out.spin_drag[0] = out.spin_drag_stream[0] = 0.0;
     if (!whole_chord) out.spin_lift[1] = out.spin_drag[1] = out.spin_drag_stream[1] = 0.0;
     out.place = to_array(m.centroid);
@@ -225,12 +228,12 @@ StationData station_of(const Part& part, const Plan& plan, const Grid& grid, dou
     const double own_chord =
         width > 0.0 ? std::min((whole_chord ? g.area[2] : plan.wing.area) / width, plan.wing.chord) : 0.0;
     const double aspect = plan.wing.area > 0.0 ? plan.wing.span * plan.wing.span / plan.wing.area : 0.0;
-    // By strips, until share_added_mass.
+    // Added mass by strips; share_added_mass scales it.
     out.separated_shedding = 0.25 * std::numbers::pi * own_chord * g.area[2] * aspect / (1.0 + aspect);
     out.lift_arm = {-quarter * (whole_chord ? own_chord : g.extent[0]),
                     -slender_arm(plan.wing) * (whole_chord ? plan.wing.span : g.extent[1]), 0.0};
     if (whole_chord && !plan.lump) out.camber = std::clamp(camber_of(part, m.centroid, chord, normal), -0.5, 0.5);
-    // Creeping flow is the body's, by area; along this part's axes.
+    // Creeping flow: the body's drag, shared by area, along this part's axes.
     for (std::size_t k = 0; k < 3; ++k)
         for (std::size_t i = 0; i < 3; ++i) {
             const double cosine = row(out.axes, k).dot(row(body.loads.axes, i));
@@ -239,7 +242,7 @@ StationData station_of(const Part& part, const Plan& plan, const Grid& grid, dou
     return out;
 }
 
-// The rest of the body's couple in creeping flow, beside that of the drag at the places.
+// Couple in creeping flow: the part of the body's that the drag at the stations does not give.
 void share_stokes_couple(std::vector<StationData>& stations, const std::vector<double>& shares,
                          const AerodynamicData& loads) {
     std::array<double, 3> rest = loads.spin_drag_stokes;
@@ -285,7 +288,7 @@ std::vector<Wrench> sum_of_loads(const std::vector<StationData>& stations, const
     return out;
 }
 
-// A plan cut in one way, and what it bears.
+// A plan cut in one way, with its loads.
 struct Choice {
     Grid grid;
     std::vector<Wrench> loads;
@@ -303,7 +306,7 @@ std::vector<Choice> choices_of(const Plan& plan, std::size_t most, const LoadsWi
     return out;
 }
 
-// For each plan the first of about its size: arms of a cross must be cut alike, or a symmetric body would have a preferred side.
+// For each plan the first of about its size. Arms of a cross must be cut alike, or a symmetric body would have a preferred side.
 std::vector<std::size_t> first_alike(const std::vector<Plan>& plans) {
     const auto close = [](double a, double b) { return std::abs(a - b) < 0.05 * a; };
     std::vector<std::size_t> out;
@@ -319,7 +322,7 @@ std::vector<std::size_t> first_alike(const std::vector<Plan>& plans) {
     return out;
 }
 
-// The fewest stations with a good error, or the least error, of all combinations.
+// Of all combinations, the one of fewest stations with a good error, else the one of least error.
 std::vector<Grid> best_grids(const std::vector<std::vector<Choice>>& choices, const std::vector<std::size_t>& like,
                              std::size_t most, const std::vector<Wrench>& reference) {
     std::vector<Grid> best, grids(choices.size());
@@ -352,7 +355,7 @@ std::vector<Grid> best_grids(const std::vector<std::vector<Choice>>& choices, co
     return best;
 }
 
-// Share of the surface, as seen along the axes of the loads, that other parts cover.
+// Share of the surface that other parts hide, as seen along the axes of the loads.
 double share_hidden(const Part& part, const AerodynamicData& loads) {
     double seen = 0.0, faces = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -434,10 +437,10 @@ Stations make_stations(const Mesh& mesh, const AerodynamicData& loads, const Vec
     const std::vector<Wrench> reference = loads_with(stations_of(plans, fine, body));
     Vector3d lift;
     const StationData whole = as_station(loads, center, lift);
-    std::vector<Wrench> one;
+    std::vector<Wrench> loads_of_whole;
     for (const Motion& motion : motions)
-        one.push_back(loads_of(whole, motion, options.viscosity, options.length, &lift));
-    out.error_one = difference(one, reference);
+        loads_of_whole.push_back(loads_of(whole, motion, options.viscosity, options.length, &lift));
+    out.error_one = difference(loads_of_whole, reference);
     if (out.error_one <= good_error) return out;
 
     std::vector<std::vector<Choice>> choices;
@@ -456,7 +459,7 @@ Stations make_stations(const Mesh& mesh, const AerodynamicData& loads, const Vec
 void share_added_mass(const AerodynamicData& loads, const std::array<double, 36>& added_mass,
                       std::vector<StationData>& stations) {
     const Vector3d n = row(loads.axes, broadside_of(loads));
-    constexpr double least = 0.05; // share of stations that all stand edgewise
+    constexpr double least = 0.05; // least share of the sum, if all stations stand edgewise
     double whole = 0.0, sum = 0.0, all = 0.0;
     for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j)

@@ -1,4 +1,4 @@
-// Stations: parts of a body that see a stream of their own; docs/maintainers/physics.md, "Partition".
+// Stations: parts of a body that each see their own stream; docs/maintainers/physics.md, "Partition".
 #pragma once
 
 #include "asset/asset_data.h"
@@ -12,7 +12,7 @@ namespace lr::baker {
 
 struct StationOptions {
     double thickness = 0.0;      // m, of a sheet; 0: the mesh bounds a solid
-    std::size_t solid_faces = 0; // of a sheet with solids: the first faces of the mesh, which bound them
+    std::size_t solid_faces = 0; // of a sheet with solids: the first faces of the mesh bound solids
     double volume = 0.0;         // m^3, of the body
     double hull_volume = 0.0;    // m^3
     double length = 1.0;         // m, of the Reynolds number
@@ -20,20 +20,20 @@ struct StationOptions {
     std::size_t most = most_stations;
 };
 
-// Why a body has the stations that it has.
+// Reason for a body's number of stations.
 enum class StationFit {
-    one,    // flat and compact, or thick: the loads of the whole body
-    fits,   // the error is within the bound
-    coarse, // not even with the most stations
-    hidden, // parts lie in each other's lee: no sum of parts is right
-    hollow, // a thick body far from convex
+    one,    // one station: the body is flat and compact, or thick
+    fits,   // the error is within bad_error
+    coarse, // the error is larger even with the most stations
+    hidden, // one station: parts lie in each other's lee, so no sum over parts is right
+    hollow, // one station: a thick body far from convex
 };
 
 struct Stations {
     std::vector<StationData> at;
     StationFit fit = StationFit::one;
-    double error =
-        0.0; // of the loads of `at`, against many stations: root mean square over motions, of force or moment, the larger
+    // Error of the loads of `at` against many stations: difference() over test_motions().
+    double error = 0.0;
     double error_one = 0.0; // the same with the loads of the whole body
 };
 
@@ -41,8 +41,8 @@ struct Stations {
 Stations make_stations(const Mesh& mesh, const AerodynamicData& loads, const Eigen::Vector3d& center,
                        const StationOptions& options);
 
-// From the added masses of strips, scaled so that their sum along the body's broadside normal is that of the matrix: where attached lift acts, and the
-// momentum that separated streams leave behind.
+// Sets where attached lift acts, and the momentum that separated streams leave behind, from the added masses of strips. These are scaled so that
+// their sum along the body's broadside normal is that of the matrix.
 void share_added_mass(const AerodynamicData& loads, const std::array<double, 36>& added_mass,
                       std::vector<StationData>& stations);
 } // namespace lr::baker

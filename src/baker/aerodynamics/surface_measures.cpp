@@ -21,8 +21,8 @@ Point middle(const Point& a, const Point& b) {
     return {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2])};
 }
 
-// Means over a triangle of c^2 and |c|^3, with c linear and these values at the corners. The mean of c^n is 2/((n+1)(n+2))
-// times the complete homogeneous polynomial of degree n.
+// Means over a triangle of c^2 and |c|^3, with c linear from the corners' values. The mean of c^n is 2/((n+1)(n+2)) times the complete homogeneous
+// polynomial of degree n.
 double mean_square(const Point& c) {
     return (c[0] * c[0] + c[1] * c[1] + c[2] * c[2] + c[0] * c[1] + c[1] * c[2] + c[2] * c[0]) / 6.0;
 }
@@ -51,9 +51,8 @@ double mean_cube(Point c) {
     return std::abs(h3()) / 10.0;
 }
 
-// Mean over a triangle of the cube of the distance to axis k, by a seven-point rule of degree five (Radon 1948) on parts
-// no longer than half their distance from the axis. The integrand is smooth except on the axis, where it is so small
-// that ten halvings leave an error of 1e-6 of the whole.
+// Mean over a triangle of the cube of the distance to axis k, by a seven-point rule of degree five (Radon 1948) on parts no longer than half their
+// distance from the axis. The integrand is smooth except on the axis, where it is so small that ten halvings leave an error of 1e-6 of the whole.
 double mean_reach_cubed(const Point& a, const Point& b, const Point& c, size_t k, int halvings) {
     const size_t i = (k + 1) % 3, j = (k + 2) % 3;
     const auto square = [&](double x, double y) { return x * x + y * y; };

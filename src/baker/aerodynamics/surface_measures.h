@@ -7,7 +7,7 @@
 
 namespace lr::shape {
 
-// Sums over triangles. All but `rub` are exact: n is constant and n.(e_k x r) linear on a triangle.
+// Sums over triangles. All but `rub` are exact, since n is constant and n.(e_k x r) linear on a triangle.
 class SurfaceMeasures {
 public:
     using Point = std::array<double, 3>;

@@ -17,12 +17,14 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double steep_share = 0.08;  // of the area, tilted by more than 60 degrees: regrouped
+// Share of the area tilted by more than 60 degrees, above which a part is regrouped.
+constexpr double steep_share = 0.08;
 constexpr double folded = 0.03;       // mean squared sine of the tilt, above which a fold with flat sides is regrouped
-constexpr double flat_sides = 0.1;    // what is left of it within the sides
-constexpr double least_share = 0.04;  // of the area, in a group
-constexpr double good_sectors = 0.88; // their mean compactness
-constexpr double walls_apart = 0.25;  // root mean square along the normal over the root of half the area: two walls
+constexpr double flat_sides = 0.1;    // largest tilt within its sides, over that of the whole
+constexpr double least_share = 0.04;  // least share of the area in a group
+constexpr double good_sectors = 0.88; // mean compactness of sectors
+// Root mean square height along the normal, over the root of half the area, above which a group is two walls.
+constexpr double walls_apart = 0.25;
 constexpr int directions = 24, offsets = 23;
 
 void add(Part& part, const Vector3d& a, const Vector3d& b, const Vector3d& c, const Facet& from) {
@@ -30,7 +32,7 @@ void add(Part& part, const Vector3d& a, const Vector3d& b, const Vector3d& c, co
     if (twice > 0.0) part.push_back({{a, b, c}, from.sides, from.normal, 0.25 * twice * from.sides, from.open});
 }
 
-// Lloyd's iteration of two axes over the normals. Returns the misfit; `second` receives the faces of the second axis.
+// Lloyd's iteration: fits two axes to the normals. Returns the misfit; `second` marks faces of the second axis.
 double two_axes(const Part& part, Vector3d a, Vector3d b, std::vector<char>& second) {
     second.assign(part.size(), 0);
     double misfit = 0.0;
@@ -82,7 +84,7 @@ Frame frame_across(const Vector3d& normal) {
     return {x, normal.cross(x)};
 }
 
-// Dots of each square of a grid as one.
+// Joins the dots in each square of a grid.
 std::vector<Dot> joined(const std::vector<Dot>& dots, double step) {
     std::map<std::pair<int64_t, int64_t>, Dot> squares;
     for (const Dot& d : dots) {
@@ -99,7 +101,7 @@ std::vector<Dot> joined(const std::vector<Dot>& dots, double step) {
 }
 
 std::vector<Dot> dots_of(const Part& part, const Vector3d& normal) {
-    constexpr std::size_t most_dots = 50000; // dense meshes
+    constexpr std::size_t most_dots = 50000; // dense meshes have more, which are joined
     const Frame frame = frame_across(normal);
     double size = 0.0;
     for (const Vector3d& e : {frame.x, frame.y}) {
@@ -118,7 +120,7 @@ struct Line {
     double cosine = 1.0, sine = 0.0, offset = 0.0, score = -1.0;
 };
 
-// Area by compactness of both sides.
+// Mean compactness of both sides by area; -1 if one is too small.
 double score_of(const std::vector<Dot>& dots, const Line& line) {
     Outline below, above;
     for (const Dot& d : dots) (line.cosine * d.at.x() + line.sine * d.at.y() < line.offset ? below : above).add(d);
@@ -132,7 +134,7 @@ struct Turn {
     Turn plus(const Turn& a) const { return {cosine * a.cosine - sine * a.sine, sine * a.cosine + cosine * a.sine}; }
 };
 
-// Even sectors about the centroid.
+// Equal sectors about the centroid.
 struct Sectors {
     std::size_t count = 0;
     Turn first, width;
@@ -166,7 +168,7 @@ double score_of(const std::vector<Dot>& dots, const Sectors& sectors) {
     return sum / area;
 }
 
-// The fewest sectors that are compact, or the best.
+// The fewest sectors that are compact, or else the best.
 Sectors best_sectors(const std::vector<Dot>& dots, std::size_t most) {
     // Cosines of 2 pi/n for n = 3 to 8.
     const double cosines[] = {-0.5, 0.0, 0.25 * (std::sqrt(5.0) - 1.0), 0.5, 0.6234898018587336, std::sqrt(0.5)};
@@ -201,7 +203,7 @@ Sectors best_sectors(const std::vector<Dot>& dots, std::size_t most) {
 Line best_line(const std::vector<Dot>& dots) {
     Line best;
     double step = 0.0;
-    // A turn by pi/24, without the C library's sine.
+    // cos and sin of pi/24, without the C library's sine.
     const double cosine = std::sqrt(0.5 + 0.5 * std::sqrt(0.5 + 0.5 * std::sqrt(0.75))),
                  sine = std::sqrt(1.0 - cosine * cosine);
     Line line;
@@ -224,7 +226,7 @@ Line best_line(const std::vector<Dot>& dots) {
         line.sine = sine * line.cosine + cosine * line.sine;
         line.cosine = c;
     }
-    // Downhill in smaller and smaller steps, so that the line does not depend on the frame.
+    // Descends in smaller and smaller steps, so that the line does not depend on the frame.
     double turn = 0.06;
     for (int round = 0; round < 12; ++round) {
         bool better = false;
@@ -248,7 +250,7 @@ Line best_line(const std::vector<Dot>& dots) {
     return best;
 }
 
-// Triangles divided until no edge is longer; length_of gives its square.
+// Divides triangles until no edge is longer; length_of gives the square of a length.
 template <class Length> Part divided(const Part& part, double longest, const Length& length_of) {
     Part out, rest = part;
     while (!rest.empty()) {
@@ -274,7 +276,7 @@ template <class Length> Part divided(const Part& part, double longest, const Len
     return out;
 }
 
-// Divided in all directions, or, where these are too many triangles, along one only.
+// Divides in all directions or, where that gives too many triangles, along one only.
 Part refined_along(const Part& part, const Vector3d& direction, double longest) {
     constexpr double most = 200000.0;
     double count = 0.0;
@@ -311,7 +313,7 @@ std::pair<Part, Part> cut(const Part& part, const Vector3d& direction, double of
             (above ? out.second : out.first).push_back(f);
             continue;
         }
-        // The corner alone on its side.
+        // k: the corner alone on its side.
         std::size_t k = 0;
         while ((h[k] > 0.0) != (above == 1)) ++k;
         const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
@@ -380,7 +382,7 @@ std::vector<Part> split_by_normal(Part part, std::size_t most) {
     double steep = 0.0;
     for (const Facet& f : part)
         if (std::abs(f.normal.dot(n)) < 0.5) steep += f.area;
-    // Two beginnings: a fold, whose sides tilt both ways from their mean; and a wing with a keel at right angles.
+    // Two starts: a fold, whose sides tilt both ways from their mean; and a wing with a keel at right angles.
     std::vector<char> fold, keel;
     const double as_fold = two_axes(part, n + e, n - e, fold), as_keel = two_axes(part, n, e, keel);
     const bool is_keel = as_keel < as_fold * (1.0 - 1e-9);
@@ -411,7 +413,7 @@ std::vector<Part> split_walls(Part part) {
 std::vector<Slice> sliced(const Part& part, const Vector3d& direction, std::size_t n) {
     const auto [low, high] = extent_of(part, direction);
     if (n < 2 || !(high > low)) return {{part, direction.dot(moments_of(part).centroid)}};
-    // The distribution of the area as points, on -1..1.
+    // Area as weighted points on -1..1.
     const double centre = 0.5 * (low + high), scale = 0.5 * (high - low);
     std::vector<std::pair<double, double>> points;
     double area = 0.0;
@@ -420,7 +422,7 @@ std::vector<Slice> sliced(const Part& part, const Vector3d& direction, std::size
         area += f.area;
     }
     std::sort(points.begin(), points.end());
-    // Stieltjes' recurrence of the orthogonal polynomials, and Golub and Welsch's eigenvalues (1969).
+    // Stieltjes' recurrence for orthogonal polynomials, and eigenvalues by Golub and Welsch (1969).
     const auto size = static_cast<Eigen::Index>(n);
     Eigen::MatrixXd jacobi = Eigen::MatrixXd::Zero(size, size);
     std::vector<double> now(points.size(), 1.0 / std::sqrt(area)), before(points.size(), 0.0);

@@ -59,7 +59,7 @@ uint16_t sample(const png_byte* at, bool wide) {
     return wide ? static_cast<uint16_t>(at[0] << 8 | at[1]) : static_cast<uint16_t>(at[0] * 257);
 }
 
-// Weights of Rec. 709 as integers, so that every machine gets the same mask.
+// Rec. 709 weights as integers, so that every machine gets the same mask.
 uint16_t luminance(uint32_t r, uint32_t g, uint32_t b) {
     return static_cast<uint16_t>((2126 * r + 7152 * g + 722 * b + 5000) / 10000);
 }
@@ -87,7 +87,7 @@ void take_row(Rows& rows, MaskChannel channel, png_byte channels, bool wide, png
     }
 }
 
-// libpng exits by longjmp: no local object in here can have a destructor.
+// libpng exits by longjmp, so no local object here may have a destructor.
 bool decode(png_structp png, png_infop info, MaskChannel channel, Rows& rows) {
     if (setjmp(png_jmpbuf(png))) return false;
     png_set_user_limits(png, max_image_side, max_image_side);
@@ -100,7 +100,7 @@ bool decode(png_structp png, png_infop info, MaskChannel channel, Rows& rows) {
     rows.has_alpha = transparent_color || (png_get_color_type(png, info) & PNG_COLOR_MASK_ALPHA) != 0;
     if (channel == MaskChannel::alpha && !rows.has_alpha) return true;
     png_set_expand(png);
-    // Without interlace handling libpng delivers the pixels of each pass: no second copy of the image is needed.
+    // Without interlace handling libpng delivers the pixels of each pass, and no second copy of the image is needed.
     const bool interlaced = png_get_interlace_type(png, info) != PNG_INTERLACE_NONE;
     png_read_update_info(png, info);
     const png_byte channels = png_get_channels(png, info);

@@ -11,8 +11,8 @@
 
 namespace lr::baker {
 
-// luminance: for a black-and-white mask in an image of its own. key: how far the colour is from that around the leaf, opaque from
-// half of the range of a channel on.
+// luminance: of a separate black-and-white mask image. key: distance of the colour from the background colour `key`, fully opaque from half of a
+// channel's range on.
 enum class MaskChannel { alpha, luminance, key };
 
 using KeyColour = std::array<uint8_t, 3>; // sRGB

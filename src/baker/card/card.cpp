@@ -20,19 +20,19 @@ namespace {
 constexpr std::size_t max_file_bytes = std::size_t{1} << 30;
 constexpr std::size_t max_triangles = 200000;
 constexpr int most_listed = 8;
-// Largest displacement of an outline by simplification, in pixels. The stairs of a mask without grey levels deviate by half a pixel
-// from the intended line; grey levels place a line within about a tenth.
+// Largest displacement of an outline by simplification, in pixels. Stairs of a mask without grey levels deviate by half a pixel from the intended
+// line; grey levels place it within about a tenth.
 constexpr double stairs_tolerance = 0.7;
 constexpr double grey_tolerance = 0.2;
-// The same in edge lengths: a mesh cannot represent finer detail.
+// The same in edge lengths, since a mesh cannot represent finer detail.
 constexpr double edge_tolerance = 0.02;
-// Of a frayed outline: its length over triangles times edge length, and its corners over triangles.
+// Limits above which an outline is frayed: its length over triangles times edge length, and its corners over triangles.
 constexpr double most_outline = 1.0, most_corners = 0.5, spare_corners = 150.0;
-constexpr double same_area = 0.05;  // change of the area by smoothing that stops the search for a better one
-constexpr double most_change = 0.1; // above it pinholes are better closed
+constexpr double same_area = 0.05;  // change of the area by smoothing that is small enough to stop
+constexpr double most_change = 0.1; // change of the area above which closing pinholes is better
 constexpr double short_edge = 0.25; // in edge lengths: see simplify_outlines
 
-// Whoever asks for more than the usual --speck wants pinholes closed.
+// A --speck above the default asks to close pinholes.
 bool keeps_pinholes(const CardOptions& options) {
     return options.speck <= CardOptions{}.speck;
 }
@@ -145,15 +145,14 @@ private:
         return true;
     }
 
-    // Smooths an outline that is longer than the wanted triangles can follow, such as noise or a fern's leaflets: its mesh would
-    // take minutes and describe what the flow does not see. The opacity is averaged over squares of twice the width each time, and
-    // the threshold moved until the area is the one before.
+    // Smooths an outline that is too long for the wanted triangles, such as noise or a fern's leaflets: its mesh would take minutes and have detail
+    // that does not affect the flow. Averages the opacity over squares, twice as wide each time, and moves the threshold to keep the area.
     bool smooth_frayed(AlphaMask& mask) {
         const double traced = area_;
         const bool frayed = is_frayed();
         double best = HUGE_VAL; // change of the area
         std::vector<Loop> loops;
-        // A regular pattern has the same mean opacity everywhere: a threshold takes all of it or nothing, until squares are large.
+        // In a regular pattern the mean opacity is the same everywhere, so a threshold takes all or nothing until squares are large.
         for (std::size_t reach = 1; frayed && reach <= 64 && best > same_area; reach *= 2) {
             AlphaMask blurred = only_region(mask);
             blur(blurred, reach);
@@ -198,7 +197,7 @@ private:
         return true;
     }
 
-    // By smoothing, over the longer side: what is dense fills, what is sparse goes.
+    // Shift of the centre by smoothing, over the longer side: dense parts fill up, sparse ones vanish.
     double moved_by() const {
         const auto centre = [](const std::vector<Loop>& loops) {
             Eigen::Vector3d sum = Eigen::Vector3d::Zero(); // moments, area
@@ -216,8 +215,8 @@ private:
         return (centre(loops_) - centre(region_)).norm() / box.sizes().maxCoeff();
     }
 
-    // Whether the outline is longer than about the sides of the wanted triangles or, simplified as for the mesh, has more corners
-    // than these can take: each corner costs at least one.
+    // Whether the outline is longer than about the sides of the wanted triangles or, simplified as for the mesh, has too many corners for them: each
+    // corner costs at least one.
     bool is_frayed() const {
         double length = 0.0;
         for (const Loop& loop : loops_) length += perimeter(loop);
@@ -236,7 +235,7 @@ private:
                           short_edge * edge);
     }
 
-    // The opacity within the chosen regions and near them, without the others.
+    // The opacity in and near the chosen regions, zero elsewhere.
     AlphaMask only_region(const AlphaMask& mask) const {
         if (options_.all_pieces || report_.pieces == 1) return mask;
         AlphaMask kept{mask.width, mask.height, std::vector<uint16_t>(mask.opacity.size(), 0)};
@@ -261,8 +260,8 @@ private:
         return kept;
     }
 
-    // The mean over squares of 2 reach + 1 pixels: along each line of the image, then across the lines, one line after the other: strides of a power of two
-    // are slow.
+    // Mean over squares of 2 reach + 1 pixels: along the rows, then down the columns. Columns are summed row by row, because strides of a power of
+    // two are slow.
     static void blur(AlphaMask& mask, std::size_t reach) {
         const std::size_t width = mask.width, height = mask.height;
         const double share = 1.0 / static_cast<double>(2 * reach + 1);
@@ -294,7 +293,7 @@ private:
         }
     }
 
-    // The opacity that as many pixels reach as the area has.
+    // The threshold above which as many pixels lie as the area has.
     static double level_of_area(const AlphaMask& mask, double area) {
         std::vector<std::size_t> count(65536, 0);
         for (const uint16_t value : mask.opacity) ++count[value];
@@ -395,7 +394,7 @@ bool read_card_memory(const void* bytes, std::size_t size, const CardOptions& op
         Faults found;
         bool good = CardMesher(options, keeps, where, out, report, found).run(bytes, size);
         if (!good && keeps && found.back().id == FaultId::image_too_ragged) {
-            // Small holes fray the outline: with all of them closed it may be simple enough.
+            // Small holes fray the outline: it may be simple enough with all of them closed.
             CardOptions closing = options;
             closing.speck = CardOptions{}.speck;
             found.clear();

@@ -25,7 +25,7 @@ constexpr std::size_t max_points = 1 << 24;
 // corner k to k + 1.
 class Tracer {
 public:
-    // least_hole: pixels^2; holes as large are kept, also if they are specks.
+    // least_hole: pixels^2; holes at least as large are kept even if they are specks.
     Tracer(const AlphaMask& mask, double level, double speck, double least_hole = HUGE_VAL)
         : mask_(mask), level_(level), speck_(speck), least_hole_(least_hole),
           visited_((mask.width + 1) * (mask.height + 1), false) {}
@@ -67,7 +67,7 @@ private:
             loop_.push_back(crossing(x + dx[entry], y + dy[entry], value[entry], entry, value[(entry + 1) % 4]));
             std::size_t exit = entry;
             if (in(entry + 2) && !in(entry + 3)) {
-                // In a saddle, leaving on the right joins the opaque corners, leaving on the left separates them.
+                // In a saddle, leaving on the right joins the opaque corners; leaving on the left separates them.
                 const double determinant = value[0] * value[2] - value[1] * value[3];
                 const double twist = value[0] + value[2] - value[1] - value[3];
                 const bool joined = twist > 0.0 ? determinant > level_ * twist : determinant < level_ * twist;
@@ -125,7 +125,8 @@ private:
     std::size_t points_ = 0, crossings_ = 0, abrupt_ = 0;
 };
 
-// A fern has holes by the thousand, each a pinhole and all a fifth of its area: the largest are kept, until the others hardly count.
+// A fern has thousands of holes, each a pinhole, together a fifth of its area. The largest are kept until the others hardly count; returns the area
+// of the smallest that is kept.
 double least_hole_that_counts(const Tracer& traced) {
     constexpr double uncounted = 0.01; // of the largest region
     constexpr std::size_t most = 5000; // noise has more
@@ -139,8 +140,8 @@ double least_hole_that_counts(const Tracer& traced) {
     return least;
 }
 
-// Tells whether a point lies inside an outline, by the even-odd rule; points of different loops never coincide. Edges are listed by row, since a hole
-// meets few of them.
+// Even-odd test whether a point lies inside an outline; points of different loops never coincide. Edges are listed by row, since a hole meets few
+// rows.
 class Inside {
 public:
     explicit Inside(std::span<const Eigen::Vector2d> loop) : loop_(loop) {

@@ -29,11 +29,10 @@ struct Outlines {
     double speck_area = 0.0, pinhole_area = 0.0; // total, pixels^2
 };
 
-// Marching squares with linear interpolation between pixel centres; at a saddle the opaque corners are joined if the bilinear
-// interpolant is opaque at its saddle point (Nielson and Hamann 1991, The asymptotic decider). Loops never touch.
-// threshold: of the opacity, above 0 and below 1. Ignores regions and closes holes smaller than `speck` times the largest
-// region; with `keep_pinholes` only such holes are closed as are less than a hundredth of it together. Restores corners that the
-// pixel grid has cut off. Faults 222 and 224.
+// Marching squares with linear interpolation between pixel centres. At a saddle the opaque corners are joined if the bilinear interpolant is opaque
+// at its saddle point (Nielson and Hamann 1991, The asymptotic decider). Loops never touch. threshold: of the opacity, above 0 and below 1. Ignores
+// regions and closes holes smaller than `speck` times the largest region; with `keep_pinholes` the largest of these holes stay, until the closed ones
+// are together less than a hundredth of it. Restores corners that the pixel grid has cut off. Faults 222 and 224.
 bool trace_outlines(const AlphaMask& mask, double threshold, double speck, bool keep_pinholes, const std::string& where,
                     Outlines& out, Faults& faults);
 } // namespace lr::baker

@@ -62,7 +62,7 @@ int CornerRestorer::crossings(const Cell& cell) const {
     return (in[0] != in[1]) + (in[1] != in[2]) + (in[2] != in[3]) + (in[3] != in[0]);
 }
 
-// Whether the triangle to be added only overlaps cells of this part of the outline and empty cells.
+// Whether the added triangle overlaps only empty cells and cells of this part of the outline.
 bool CornerRestorer::is_free(const Loop& loop, std::size_t i, std::size_t j, const Eigen::Vector2d& corner) {
     const std::size_t n = loop.size();
     std::set<Cell> own, empty;

@@ -37,7 +37,7 @@ double segment_distance(const Point& a, const Point& b, const Point& c, const Po
                      distance_to_segment(d, a, b)});
 }
 
-// Edges by the cells that they cross. An edge is named by its first vertex; readers check the vertex, as entries can be stale.
+// Edges by the cells that they cross. An edge is named by its first vertex; readers check the vertex, because entries can be stale.
 class EdgeGrid {
 public:
     EdgeGrid(const Point& low, const Point& high, double cell) : low_(low), cell_(cell) {
@@ -160,7 +160,7 @@ private:
         const Point ad = pd - pa;
         const double length = (pc - pb).norm(),
                      limit = tolerance_ + (length < shortest_ ? std::min(length, 0.2 * shortest_) : 0.0);
-        // The line of points p with area(a p d) = area(a b c d).
+        // Points p with area(a p d) = area(a b c d) form a line.
         const double twice_area = cross(pb - pa, pc - pa) + cross(pc - pa, pd - pa);
         Collapse best{std::numeric_limits<double>::max(), first, version_[first], b.stands_for, pb};
         const auto consider = [&](const Point& p) {
@@ -225,7 +225,7 @@ private:
         const uint32_t b = c.first, d2 = vertices_[b].after, a = vertices_[b].before, d = vertices_[d2].after;
         const Point &pa = position(a), &pd = position(d);
         const double reach = c.moved / part_of_gap;
-        // The adjacent parts of the same outline are always near; they must only not be crossed.
+        // Adjacent parts of the same outline are always near, and must only not be crossed.
         std::vector<uint32_t> along;
         double length = 0.0;
         for (uint32_t v = a; length <= 4.0 * reach && vertices_[v].before != d; v = vertices_[v].before) {

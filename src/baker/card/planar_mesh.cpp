@@ -16,11 +16,12 @@ constexpr uint32_t none = UINT32_MAX;
 constexpr double too_large = 0.75;     // circumradius over edge length; 0.577 in an equilateral triangle
 constexpr double seed_clearance = 0.7; // of lattice points to the outline, in edge lengths
 constexpr double finest = 0.03;        // triangles below this fraction of the edge length are not split for their shape
-// 1/2 over sin(wanted_angle), and 1/2 over tan(wanted_angle/2). Literals, because sin and tan differ between machines.
+// 1/2 over sin(a), and 1/2 over tan(a/2), of the wanted angle a = 25 degrees; literals, because sin and tan differ between machines.
 constexpr double best_ratio = 1.1831007915762493, height = 2.2553542518310286;
 constexpr int max_flip_rounds = 80;
 constexpr int smoothing_rounds = 12;
-constexpr double sharp = 0.5; // cosine of the angle between sides; at sharper corners their splits must match
+// Cosine of the angle between sides; at sharper corners the splits of both sides must match.
+constexpr double sharp = 0.5;
 
 int64_t dot(const GridPoint& o, const GridPoint& a, const GridPoint& b) {
     return (int64_t{a.x} - o.x) * (int64_t{b.x} - o.x) + (int64_t{a.y} - o.y) * (int64_t{b.y} - o.y);
@@ -147,8 +148,8 @@ private:
         }
     }
 
-    // Splits at the middle or, next to a sharp corner, at a power of two from the corner: both sides then split at equal distances
-    // and do not encroach on each other endlessly.
+    // Splits at the middle or, next to a sharp corner, at a power of two from the corner, so that both sides split at equal distances and do not
+    // encroach on each other endlessly.
     bool split(std::size_t index) {
         const Segment s = segments_[index];
         const GridPoint a = points_[s.from], b = points_[s.to];
@@ -171,8 +172,8 @@ private:
         return true;
     }
 
-    // Whether a point is behind the segment, or sees it from the front under more than 120 degrees. With full circles (90 degrees)
-    // the splits of one tooth of a serrated leaf would propagate to all others.
+    // Whether a point is behind the segment, or sees it from the front under more than 120 degrees. With full circles (90 degrees) splits of one
+    // tooth of a serrated leaf would propagate to all others.
     bool encroaches(const GridPoint& p, const Segment& s) const {
         return is_too_close(p, points_[s.from], points_[s.to]);
     }
@@ -235,7 +236,7 @@ private:
             stack.pop_back();
             for (std::size_t k = 0; k < 3; ++k) {
                 const uint32_t a = face[k], b = face[(k + 1) % 3];
-                if (is_wall(key(b, a))) return false; // the flood reaches a segment from behind: the loops cross
+                if (is_wall(key(b, a))) return false; // the flood reaches a segment from behind, so the loops cross
                 if (!is_wall(key(a, b))) reach(face_at(b, a));
             }
         }
@@ -296,7 +297,7 @@ private:
         }
     }
 
-    // Whether the outline forces the angle: at a tip, and between points on the two sides of a tip.
+    // Whether the outline forces the angle: at a tip, and between the two sides of a tip.
     bool is_forced(const Face& f, const Circle& circle) const {
         if (tip_[f[0]] || tip_[f[1]] || tip_[f[2]]) return true;
         const uint32_t a = side_[f[circle.shortest_at]], b = side_[f[(circle.shortest_at + 1) % 3]];
@@ -421,7 +422,7 @@ private:
     const std::size_t max_points_;
     std::vector<GridPoint> points_;
     std::vector<uint32_t> side_;      // the side of the outline that a point is inside of
-    std::vector<char> sharp_;         // corners that are sharp, inwards or outwards
+    std::vector<char> sharp_;         // corners that are sharp, convex or concave
     std::vector<char> tip_;           // corners that are sharp within the region
     std::vector<uint32_t> after_tip_; // for each side, the next side if a tip is between them
     std::vector<Segment> segments_;

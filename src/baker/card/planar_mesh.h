@@ -11,12 +11,9 @@ struct PlanarMesh {
     std::vector<Face> faces; // counter-clockwise
 };
 
-// Degrees; guaranteed except at sharper corners of the outline and in parts narrower than a few hundredths of the edge
-// length.
-constexpr double wanted_angle = 25.0;
-
-// loops: must not touch or cross; the region is on their left. Edges are about `edge` long, shorter in narrow parts. False if
-// that needs more than `max_faces`, or if loops touch.
+// loops: must not touch or cross; the region is on their left. Edges are about `edge` long, shorter in narrow parts. Angles are at least 25 degrees
+// except at sharper corners of the outline and in parts narrower than a few hundredths of `edge`. False if that needs more than `max_faces`, or if loops
+// touch.
 bool triangulate_region(const std::vector<Loop>& loops, double edge, std::size_t max_faces, PlanarMesh& out);
 
 // Degrees.

@@ -90,7 +90,7 @@ private:
         if (soup_.polygons.size() > part.first_polygon) soup_.parts.push_back(std::move(part));
     }
 
-    // glTF places a skinned mesh by its joints as they stand, not by its node. Returns whether that mirrors it.
+    // glTF places a skinned mesh by its joints in their current pose, not by its node. Returns whether that mirrors it.
     bool pose(const aiMesh& mesh, uint32_t base, bool mirrored) {
         std::vector<double> weights(mesh.mNumVertices, 0.0);
         std::vector<Eigen::Vector3d> posed(mesh.mNumVertices, Eigen::Vector3d::Zero());
@@ -145,9 +145,8 @@ private:
     std::vector<std::string> above_;
 };
 
-// Units in assimp 5.2: Collada's <unit> multiplies the root node's transform, which is otherwise the identity (the rotation by
-// the up axis is switched off). FBX keeps its own unit, which the metadata give in centimetres. This function brings both to
-// one form: positions in the file's unit, and that unit separately.
+// Units in assimp 5.2: Collada's <unit> multiplies the root node's transform, which is otherwise the identity (the rotation by the up axis is
+// switched off); FBX has its unit in the metadata, in centimetres. Both become positions in the file's unit, and that unit in metres.
 Eigen::Matrix4d take_unit(const aiScene& scene, const std::string& extension, PolygonSoup& soup) {
     Eigen::Matrix4d root = to_eigen(scene.mRootNode->mTransformation);
     double unit = 0.0;
@@ -200,8 +199,8 @@ private:
     std::size_t at_ = 0;
 };
 
-// Opens the scene's file and regular files in its folder or below, links followed, for reading; none when reading from memory. A
-// model from elsewhere can name any file of the machine.
+// Opens for reading the scene's file and regular files in its folder or below, links followed; none when reading from memory. A downloaded model
+// could otherwise name any file of the machine.
 class FileAccess final : public Assimp::IOSystem {
 public:
     FileAccess(const SceneFile& file, std::string& refused)
@@ -252,7 +251,7 @@ private:
 
     bool may_open(const std::string& path) const {
         std::error_code error;
-        // A relative path to nothing would stay relative, and seem to lie outside.
+        // weakly_canonical leaves a relative path to a missing file relative, which would seem to lie outside.
         const std::filesystem::path target =
             std::filesystem::weakly_canonical(std::filesystem::absolute(to_path(path), error), error);
         if (error || folder_.empty()) return false;
@@ -265,7 +264,7 @@ private:
     std::string& refused_; // the first path
 };
 
-// Whether assimp reads it only as a plain GLB; then `glb` is that, and if it is empty, `why` says why.
+// Whether assimp needs this file as a plain GLB. Sets `glb` to that or, if it cannot be made, `why` to the reason.
 bool needs_plain_glb(const SceneFile& file, const FileAccess& files, std::string& glb, std::string& why) {
     const std::string_view bytes_of_file(static_cast<const char*>(file.bytes), file.size);
     if (file.extension != "gltf" && file.extension != "glb") return false;
@@ -298,9 +297,10 @@ bool read_with_assimp(const SceneFile& file, PolygonSoup& soup, Faults& faults) 
     };
     const auto fail = [&](const char* why) {
         if (!refused.empty()) return report_refused(Severity::error);
-        UnknownFile told = explain_unknown_file({static_cast<const char*>(file.bytes), file.size}, file.extension, why);
-        faults.push_back(
-            {FaultId::mesh_unreadable, Severity::error, file.where, std::move(told.what), std::move(told.remedy)});
+        UnknownFile explained =
+            explain_unknown_file({static_cast<const char*>(file.bytes), file.size}, file.extension, why);
+        faults.push_back({FaultId::mesh_unreadable, Severity::error, file.where, std::move(explained.what),
+                          std::move(explained.remedy)});
         return false;
     };
     try {

@@ -15,7 +15,7 @@ struct SceneFile {
     const void* bytes = nullptr;
     std::size_t size = 0;
     std::string extension;
-    // Collada has ids and names; assimp returns one of them.
+    // Collada: names objects by id instead of by name, since assimp keeps only one of the two.
     bool collada_ids = false;
 };
 

@@ -17,14 +17,14 @@
 namespace lr::baker {
 namespace {
 
-// Of the largest extent: vertices at open edges that belong together, in files with few digits.
+// Distance over the largest extent below which vertices are joined: seams of files with few digits.
 constexpr double weld = 1e-5;
 constexpr double crack = 1e-6;
-// Holes of a part, over its area: a seam that does not meet, a missing cap of a stem.
+// Share of a part's area up to which its holes are closed: a seam that does not meet, a missing cap of a stem.
 constexpr double small_holes = 0.01;
-constexpr double missing_faces = 0.05; // where each hole has the corners of a triangle or quad
-constexpr double any_holes = 0.75;     // OpenParts::filled: half a ball has 0.5, a curved leaf 0.9 and more
-constexpr double no_volume = 1e-6;     // over area^(3/2)
+constexpr double missing_faces = 0.05; // the same, if each hole has the corners of a triangle or quad
+constexpr double any_holes = 0.75; // the same, for OpenParts::filled: half a ball has 0.5, a curved leaf 0.9 and more
+constexpr double no_volume = 1e-6; // over area^(3/2)
 
 std::array<uint32_t, 3> sorted(Face f) {
     std::sort(f.begin(), f.end());
@@ -48,7 +48,7 @@ public:
         if (open_ == OpenParts::all_sheets)
             sheets = mesh_.faces;
         else
-            for (const std::vector<uint32_t>& part : connected()) sort_out(part, sheets);
+            for (const std::vector<uint32_t>& part : connected()) classify(part, sheets);
         out.mesh = mesh_;
         out.mesh.faces.clear();
         find_cavities(out.cavities);
@@ -68,7 +68,7 @@ private:
         bool inward = false;     // in the file
         std::size_t turned = 0;
     };
-    // How often something was done, and where first.
+    // How often a repair was made, and where first.
     struct Count {
         std::size_t number = 0;
         Eigen::Vector3d first = Eigen::Vector3d::Zero();
@@ -100,14 +100,14 @@ private:
         drop_flat();
         joined_ = join_near_vertices(mesh_, weld);
         if (joined_ > 0) drop_flat();
-        // A vertex inside an edge: where a face without area was dropped, and at T-junctions.
+        // Vertices inside an edge: T-junctions, also where a face without area was dropped.
         joined_ += close_cracks(mesh_, crack);
         drop_flat(false);
         find_copies();
     }
 
-    // Of each set of corners one face stays. Where as many face one way as the other, it is a wall between two solids, or a sheet drawn from
-    // both sides: `wall_` remembers it.
+    // Keeps one face of each set of corners. Where as many face one way as the other, it is a wall between two solids or a sheet drawn from both
+    // sides, marked in `wall_`.
     void find_copies() {
         std::map<std::array<uint32_t, 3>, std::pair<std::size_t, int>> seen; // place among the kept, balance
         std::vector<Face> kept;
@@ -150,8 +150,8 @@ private:
         return sum;
     }
 
-    // Looks for a closed surface in a part, with its walls and without them; the larger one is its solid.
-    void sort_out(const std::vector<uint32_t>& part, std::vector<Face>& sheets) {
+    // Looks for a closed surface in a part, once with its walls and once without. The larger one is its solid.
+    void classify(const std::vector<uint32_t>& part, std::vector<Face>& sheets) {
         std::vector<Face> all, bare, walls;
         for (const uint32_t i : part) {
             all.push_back(mesh_.faces[i]);
@@ -175,10 +175,10 @@ private:
         sheets.insert(sheets.end(), flaps.begin(), flaps.end());
     }
 
-    // A solid that faces the other way than the one around it, as the walls of a hollow do.
+    // A solid wound opposite to the one around it, as the walls of a hollow are.
     void find_cavities(Mesh& out) {
         constexpr std::size_t samples = 64;
-        Mesh as_wound{mesh_.vertices, {}, {}}; // in the file, which may have all inside out
+        Mesh as_wound{mesh_.vertices, {}, {}}; // as in the file, where all faces may be inside out
         for (const Solid& s : solids_)
             for (const Face& f : s.faces) as_wound.faces.push_back(s.inward ? Face{f[0], f[2], f[1]} : f);
         const double sum = as_wound.faces.empty() ? 0.0 : compute_mass_properties(as_wound).volume;
@@ -237,7 +237,7 @@ private:
         return whole;
     }
 
-    // Removes patches with a free edge, until none is left. A patch is connected across edges of two faces.
+    // Removes patches with a free edge until none is left. A patch is connected across edges of two faces.
     std::vector<Face> peel(std::vector<Face> faces, std::vector<Face>& rest) const {
         while (!faces.empty()) {
             const std::vector<HalfEdge> halves = half_edges(faces);
@@ -258,11 +258,11 @@ private:
         return faces;
     }
 
-    // Closes each loop of free edges by a fan, if all of a part's loops are small.
+    // Closes each loop of free edges by a fan, if the loops of the part are small.
     Count fill_small_holes(std::vector<Face>& faces) {
         Count filled;
         std::map<uint32_t, std::vector<uint32_t>> next;
-        std::set<std::pair<uint32_t, uint32_t>> backward; // as a cap runs along a face
+        std::set<std::pair<uint32_t, uint32_t>> backward; // the direction of a cap along a face
         const std::vector<HalfEdge> halves = half_edges(faces);
         for (std::size_t i = 0, end = 0; i < halves.size(); i = end) {
             while (end < halves.size() && same_edge(halves[i], halves[end])) ++end;
@@ -274,7 +274,7 @@ private:
         }
         if (next.empty()) return filled;
         for (const auto& [v, others] : next)
-            if (others.size() != 2) return filled; // loops that meet
+            if (others.size() != 2) return filled; // loops touch
         std::vector<std::vector<uint32_t>> loops;
         while (!next.empty()) {
             std::vector<uint32_t> loop{next.begin()->first};
@@ -337,7 +337,7 @@ private:
         const auto volume = [&](const Face& f) {
             return (at(f[0]) - origin).dot((at(f[1]) - origin).cross(at(f[2]) - origin)) / 6.0;
         };
-        // Patches between edges of more than two faces: each by its own majority, then by the sign of its volume.
+        // Patches between edges of more than two faces: each is wound by its own majority, then by the sign of its volume.
         std::vector<char> seen(faces.size(), 0), flip(faces.size(), 0);
         std::vector<std::vector<uint32_t>> patches;
         for (uint32_t seed = 0; seed < faces.size(); ++seed) {
@@ -511,7 +511,7 @@ double sheet_length(const Mesh& mesh, const std::vector<Face>& sheets) {
 }
 
 double cluster_to(Mesh& mesh, double cube) {
-    std::map<std::array<int64_t, 3>, std::pair<uint32_t, uint32_t>> cells; // new vertex, how many
+    std::map<std::array<int64_t, 3>, std::pair<uint32_t, uint32_t>> cells; // new vertex, number of old ones
     std::vector<Eigen::Vector3d> vertices;
     std::vector<uint32_t> renumbered(mesh.vertices.size());
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {

@@ -1,4 +1,4 @@
-// Takes a mesh as artists make it: decides for each connected part whether it is a solid or a sheet, and repairs both.
+// Reads a mesh as artists make it: classifies each connected part as a solid or a sheet, and repairs both.
 #pragma once
 
 #include "baker/mesh/mesh.h"
@@ -9,7 +9,6 @@
 
 namespace lr::baker {
 
-// The faces of `mesh` come in two kinds; corners are shared.
 struct BodyParts {
     Mesh mesh; // the vertices, and all faces: those of the solids, then those of the sheets
     std::size_t solid_faces = 0;
@@ -25,36 +24,36 @@ struct BodyParts {
     }
 };
 
-// Whether it passes check_and_repair, and does not cross itself.
+// Whether the mesh passes check_and_repair without faces that cross.
 bool is_clean_solid(Mesh& mesh, Faults& found);
 
-// Of parts with larger holes.
+// Treatment of parts with larger holes.
 enum class OpenParts {
     sheets,
-    filled,     // closes holes up to three quarters of a part's area: a rock without its base
-    all_sheets, // only cleans up, and takes all faces as sheets
+    filled,     // closes holes up to three quarters of a part's area, as of a rock without its base
+    all_sheets, // only cleans up; all faces are sheets
 };
 
-// A part is connected by edges. Joins cracks, removes faces without area and second copies, closes holes (a hundredth of a part's area, or a twentieth
-// if all have the corners of a triangle or quad), and winds each solid outward. A part that is closed then is a solid; one in another solid, wound
-// the other way in the file, is a cavity; flaps without a back that hang on a solid, and all else, are sheets. Each change is one warning with its
-// number of faces. False only if nothing is left.
+// A part is connected by edges. Joins cracks, removes faces without area and copies, closes holes (a hundredth of a part's area, or a twentieth if
+// all have the corners of a triangle or quad), and winds each solid outward. A part that is then closed is a solid, or a cavity if it lies in another
+// solid and the file winds it the other way. Flaps without a back on a solid, and all other parts, are sheets. Each kind of change is one warning
+// with its number of faces. False only if nothing is left.
 bool find_parts(Mesh& mesh, BodyParts& out, Faults& faults, OpenParts open = OpenParts::sheets);
 
-// Of the union of the solids and of the sheets, plates of this thickness. hollow: less the cavities; else they count as filled.
+// Moments of the union of the solids and of the sheets, plates of this thickness. hollow: without the cavities; else they are filled.
 RegionMoments body_moments(const BodyParts& parts, double thickness, bool hollow);
 
 // A typical length of sheets: the mean extent of connected parts, weighted by their area.
 double sheet_length(const Mesh& mesh, const std::vector<Face>& sheets);
 
-// Joins vertices in cubes of a grid, and removes faces that collapse. The finest grid that leaves no more than `most` faces. Returns the size
-// of the cubes; 0: the faces were few enough. Faces can coincide afterwards.
+// Joins vertices in cubes of a grid, the finest that leaves at most `most` faces, and collapses faces. Returns the size of the cubes; 0: the faces
+// were few enough. Faces can coincide afterwards.
 double cluster(Mesh& mesh, std::size_t most);
 double cluster_to(Mesh& mesh, double cube);
 
-// The faces with each set of corners once.
+// One face for each set of corners.
 std::vector<Face> without_copies(const std::vector<Face>& faces);
 
-// Renumbers, without vertices that no face uses.
+// Removes vertices that no face uses.
 void drop_unused_vertices(Mesh& mesh);
 } // namespace lr::baker

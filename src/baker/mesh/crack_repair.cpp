@@ -25,7 +25,7 @@ std::vector<HalfEdge> find_open_edges(const Mesh& mesh) {
     return open;
 }
 
-// Vertices sorted along each axis, so that an edge tests only a slice of them, across the axis where it is the thinnest.
+// Vertices sorted along each axis: an edge tests only those in the thinnest slice that contains it.
 class RimVertices {
 public:
     RimVertices(const Mesh& mesh, const std::vector<HalfEdge>& open) : mesh_(mesh) {

@@ -19,19 +19,22 @@ namespace {
 
 constexpr double same_patch = 0.3; // cosine between neighbours: walls and the other side turn by more
 constexpr double opposed = -0.9;   // cosine between the faces of a pair
-constexpr double covered = 0.9;    // of the area of each patch
-constexpr double wall = 0.1;       // largest area of what joins the two sides of a closed surface, over that of a side
-constexpr double touch = 0.1;      // of the area of the smaller of two patches: less is an edge that overlaps
-constexpr double mostly_closed = 0.1; // free share of the rim of a side: tips of both sides that coincide went before
-constexpr std::size_t most_entries = 4000000; // of the grid: needles longer than the gap by orders are not searched
+constexpr double covered = 0.9;    // share of the area of a side that other sides cover
+// Largest area of the rim between the two sides of a closed surface, over the area of a side.
+constexpr double wall = 0.1;
+constexpr double touch = 0.1; // covered area over that of the smaller patch; less is an edge that overlaps
+// Largest free share of the rim of a side. It is not zero where coinciding tips of both sides were removed before.
+constexpr double mostly_closed = 0.1;
+// Of the grid. Needles much longer than the gap exceed it, and are not searched.
+constexpr std::size_t most_entries = 4000000;
 
 struct DoubleSheets {
-    std::vector<Face> kept;                          // one face of each double sheet, and all else
-    std::size_t removed = 0;                         // faces
-    double area = 0.0, total = 0.0;                  // of the removed, and of all
-    double gap = 0.0;                                // between the faces, the mean
-    Eigen::Vector3d first = Eigen::Vector3d::Zero(); // a point of the first face that was removed
-    // Area over that of all, of layers as close that are joined at a fold: folded paper looks the same as a leaf with a back.
+    std::vector<Face> kept;                          // one face of each double sheet, and all other faces
+    std::size_t removed = 0;                         // number of faces
+    double area = 0.0, total = 0.0;                  // of removed faces, and of all
+    double gap = 0.0;                                // mean distance between the faces
+    Eigen::Vector3d first = Eigen::Vector3d::Zero(); // a point of the first removed face
+    // Area, over that of all, of equally close layers that are joined at a fold: folded paper looks like a leaf with a back.
     double folded = 0.0;
 };
 
@@ -53,10 +56,10 @@ public:
         match();
         out.total = std::accumulate(area_.begin(), area_.end(), 0.0);
         find_sides();
-        std::vector<double> both(part_area_.size(), 0.0); // area of the sides of a part that are joined to something
+        std::vector<double> both(part_area_.size(), 0.0); // area of a part's sides that have no free rim
         for (uint32_t p = 0; p < patch_area_.size(); ++p)
             if (is_side_[p] && closed_[p] && is_in_two_pieces(p)) both[part_[p]] += patch_area_[p];
-        // Of a closed surface that has nothing but two sides and a rim, or of two.
+        // Different parts, or a closed surface that is nothing but two sides and a rim.
         const auto counts_twice = [&](uint32_t a, uint32_t b) {
             return part_[a] != part_[b] || both[part_[a]] > (1.0 - wall) * part_area_[part_[a]];
         };
@@ -83,7 +86,7 @@ public:
             const std::size_t body = body_of(p);
             const std::array<double, 2>& areas = side_area[body];
             const bool gone = is_side_[p] ? doubled[body] && side_of(p) == (areas[1] > areas[0] ? 0U : 1U)
-                                          : halved[part_[p]] != 0; // what joins the two sides
+                                          : halved[part_[p]] != 0; // the rim between two sides
             if (!gone) {
                 out.kept.push_back(faces_[i]);
                 continue;
@@ -96,11 +99,11 @@ public:
 
 private:
     struct Cover {
-        double area = 0.0, distance = 0.0; // the second: times the area
+        double area = 0.0, distance = 0.0; // distance times area
     };
 
-    // A patch counts as a side if other sides cover it. Sides that cover each other are opposite, and those that meet at a crease the
-    // same: of the front of a leaf either all goes or nothing.
+    // A patch is a side if other sides cover it. Sides that cover each other are opposite; sides that meet at a crease are the same side, so that the
+    // front of a leaf is removed as a whole or not at all.
     void find_sides() {
         is_side_.assign(patch_area_.size(), 1);
         for (bool stable = false; !stable;) {
@@ -132,7 +135,7 @@ private:
         join(covering, 1);
         join(meeting, 0);
     }
-    // Whether nearly all of each side of its body hangs together: layers of pleats take turns.
+    // Whether nearly all of each side of the body is one connected piece. Layers of pleats alternate between the sides, so theirs are not.
     bool is_in_two_pieces(uint32_t p) {
         if (piece_area_.empty()) {
             DisjointSets pieces(patch_area_.size());
@@ -145,7 +148,7 @@ private:
             piece_area_.assign(2 * patch_area_.size(), {0.0, 0.0, 0.0});
             for (uint32_t q = 0; q < patch_area_.size(); ++q) {
                 if (!is_side_[q] || area[q] == 0.0) continue;
-                std::array<double, 3>& of = piece_area_[body_of(q)]; // the largest of each side, all
+                std::array<double, 3>& of = piece_area_[body_of(q)]; // largest piece of each side, then all pieces
                 of[side_of(q)] = std::max(of[side_of(q)], area[q]);
                 of[2] += area[q];
             }
@@ -236,7 +239,7 @@ private:
         return true;
     }
 
-    // For seven points of each face: the nearest face behind or before it that looks the other way.
+    // For seven points of each face: the nearest face in front of or behind it that faces the other way.
     void match() {
         constexpr std::array<std::array<double, 3>, 7> points{{{1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0},
                                                                {0.8, 0.1, 0.1},
@@ -271,7 +274,7 @@ private:
             }
     }
 
-    // Along the normal of face `from`; infinite if `to` is not there or does not look the other way.
+    // Along the normal of face `from`; infinite if `to` is not hit or does not face the other way.
     double distance(const Eigen::Vector3d& point, std::size_t from, std::size_t to) const {
         if (patch_[to] == patch_[from] || normal_[from].dot(normal_[to]) > opposed) return HUGE_VAL;
         const Face& f = faces_[to];

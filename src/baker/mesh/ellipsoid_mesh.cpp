@@ -8,7 +8,7 @@
 
 namespace lr::baker {
 
-// An octahedron; each level splits every triangle into four. Uses only square roots, which are the same on every machine.
+// Subdivided octahedron. Uses only square roots, which are the same on every machine.
 Mesh ellipsoid_mesh(const std::array<double, 3>& semi_axes, const std::array<double, 3>& origin, int levels) {
     Mesh mesh;
     mesh.vertices = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};

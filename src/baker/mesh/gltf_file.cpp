@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int deepest = 64; // nesting; writing the text recurses
+constexpr int deepest = 64; // limit of nesting, since writing the text recurses
 constexpr std::size_t most_bytes = std::numeric_limits<uint32_t>::max() / 2;
 
 void demand(bool good) {
@@ -39,7 +39,7 @@ std::string word_bytes(std::size_t value) {
 
 struct Gltf {
     Json json;
-    std::string bytes; // all buffers, each from a multiple of 4 on
+    std::string bytes; // all buffers, each starting at a multiple of 4
 };
 
 std::string_view json_and_body(std::string_view file, std::string_view& body) {

@@ -28,8 +28,8 @@ struct Moments {
     }
 };
 
-// Eigenvectors have no defined sign and, for equal moments, no defined direction. Fix both, so that a cube gets the axes of
-// its mesh instead of rounding errors.
+// Eigenvectors have no defined sign and, for equal moments, no defined direction. Fixes both, so that a cube gets the axes of its mesh instead of
+// rounding errors.
 void fix_axes(const Eigen::Vector3d& moments, Eigen::Matrix3d& axes) {
     const double equal = 1e-7 * moments[2];
     const bool low_pair = moments[1] - moments[0] < equal, high_pair = moments[2] - moments[1] < equal;
@@ -64,7 +64,7 @@ struct Bounds {
     }
 };
 
-// The integrals use a mesh centred and scaled to size one, so that distant and tiny meshes lose no digits.
+// Integrals use a mesh centred and scaled to size one, so that distant and tiny meshes lose no digits.
 struct UnitFrame {
     explicit UnitFrame(const Mesh& mesh) {
         Bounds bounds;
@@ -91,7 +91,7 @@ void set_inertia(const Eigen::Matrix3d& covariance, double size, MassProperties&
     fix_axes(solver.eigenvalues(), result.axes);
 }
 
-// The first `solid_faces` faces cover their projection twice, as a closed surface, the others once.
+// The first `solid_faces` faces cover their projection twice, as a closed surface does, the others once.
 void set_extents(const Mesh& mesh, std::size_t solid_faces, MassProperties& result) {
     Bounds bounds;
     for (const Eigen::Vector3d& v : mesh.vertices) bounds.extend(result.axes.transpose() * (v - result.centroid));

@@ -25,7 +25,7 @@ MassProperties compute_mass_properties(const Mesh& mesh);
 // if no part of the sheet hides another; the extents are those of the middle surface.
 MassProperties compute_sheet_mass_properties(const Mesh& mesh, double thickness);
 
-// Of a body whose first `solid_faces` faces bound solids and whose others are sheets, from its moments about the origin of the mesh.
+// Of a body whose first `solid_faces` faces bound solids and whose other faces are sheets, from its moments about the mesh's origin.
 MassProperties combined_mass_properties(const Mesh& mesh, std::size_t solid_faces, double volume,
                                         const Eigen::Vector3d& first, const Eigen::Matrix3d& second);
 } // namespace lr::baker

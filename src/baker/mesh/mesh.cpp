@@ -64,7 +64,7 @@ bool has_name(const PolygonSoup& soup, const std::string& name) {
     return std::any_of(soup.parts.begin(), soup.parts.end(), [&](const SoupPart& p) { return has_name(p, name); });
 }
 
-// Keeps these parts and removes the vertices that only others use. Returns the names of the others.
+// Keeps the wanted parts, and removes vertices that only other parts use. Returns the names of the other parts.
 std::vector<std::string> keep_parts(PolygonSoup& soup, const std::function<bool(const SoupPart&)>& wanted) {
     enum : uint8_t { unused, dropped, kept };
     std::vector<uint8_t> use(soup.vertices.size(), unused);
@@ -120,11 +120,11 @@ bool select(PolygonSoup& soup, const std::string& name, const std::string& where
     return true;
 }
 
-// Game engines know by their names copies of an object that are not seen beside it: "oak_LOD1", coarser than "oak_LOD0", and collision
-// shapes, "UCX_oak" (Unreal) and "oak-colonly" (Godot).
+// Engines hide some objects by name: levels of detail, "oak_LOD1" coarser than "oak_LOD0", and collision shapes, "UCX_oak" (Unreal) and "oak-colonly"
+// (Godot).
 struct EngineName {
     bool collision = false;
-    std::string stem; // of a level of detail
+    std::string stem; // name without the level of detail
     int level = -1;
 };
 
@@ -210,7 +210,7 @@ double scale_of(const PolygonSoup& soup, const MeshReadOptions& options, const s
     return *options.unit_scale;
 }
 
-// Leaves out the polygons at vertices without a finite position, and these vertices.
+// Removes vertices without a finite position, and the polygons that use them.
 void drop_not_finite(PolygonSoup& soup, const std::string& where, Faults& faults) {
     std::vector<uint32_t> renumbered(soup.vertices.size(), UINT32_MAX);
     std::size_t n = 0;
@@ -241,8 +241,8 @@ void drop_not_finite(PolygonSoup& soup, const std::string& where, Faults& faults
            "Delete these vertices and fill the hole, if it matters.");
 }
 
-// Importers deliver these formats corner by corner, and programs duplicate vertices for each normal and texture coordinate:
-// joining them is part of reading and needs no warning.
+// Formats whose importers deliver corner by corner, and whose exporters duplicate vertices for each normal and texture coordinate: joining those is
+// part of reading and needs no warning.
 bool repeats_corners(const std::string& extension) {
     const std::string_view by_corner[] = {"", "stl", "dae", "fbx", "3mf", "gltf", "glb"};
     return std::find(std::begin(by_corner), std::end(by_corner), extension) != std::end(by_corner);
@@ -306,10 +306,10 @@ bool finish(PolygonSoup& soup, const std::string& extension, const MeshReadOptio
         report(faults, FaultId::mesh_merged_vertices, Severity::warning, where,
                counted(joined, "vertex", "vertices") + " with the same position as another vertex were joined with it.",
                "Merge vertices by distance before export to silence this.");
-    const std::size_t near = join_near_vertices(out, join_tolerance);
-    if (near > 0)
+    const std::size_t near_joined = join_near_vertices(out, join_tolerance);
+    if (near_joined > 0)
         report(faults, FaultId::mesh_merged_vertices, Severity::warning, where,
-               std::to_string(near) + " vertices within " + shortest(join_tolerance) +
+               std::to_string(near_joined) + " vertices within " + shortest(join_tolerance) +
                    " of the mesh's extent of another vertex were joined with it.",
                "Merge vertices by distance before export to silence this.");
     return true;
@@ -359,7 +359,7 @@ bool read_any(SceneFile file, const MeshReadOptions& options, Mesh& out, Faults&
                    "model.glb.");
         } else {
             if (file.extension == "stl" && text.substr(0, 5) == "SOLID" && text.find('\0') == std::string_view::npos) {
-                storage = lower_case(std::string(text)); // assimp knows the words of STL in small letters alone
+                storage = lower_case(std::string(text)); // assimp knows the keywords of STL in lower case only
                 file.path = nullptr;
                 file.bytes = storage.data();
             }

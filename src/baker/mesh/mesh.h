@@ -26,7 +26,7 @@ struct Mesh {
     std::vector<Eigen::Vector3d> vertices;
     std::vector<Face> faces;
     std::string name;
-    std::shared_ptr<MeshSource> source = nullptr; // shared by copies, for messages; null: made by the baker itself
+    std::shared_ptr<MeshSource> source = nullptr; // for messages; shared by copies; null: made by the baker
 };
 
 // The axis of the file that becomes +z.

@@ -13,7 +13,7 @@
 namespace lr::baker {
 namespace {
 
-// Volume over area^(3/2) below which the volume of a closed surface is rounding.
+// Volume over area^(3/2) below which the volume of a closed surface is rounding error.
 constexpr double zero_volume_shape = 1e-9;
 // Largest distance of a vertex from an edge that it splits, over the largest extent. Positions in single precision have errors
 // up to 1e-7.
@@ -104,8 +104,8 @@ private:
         return true;
     }
 
-    // Faces with a repeated corner have no area, and removing them makes their neighbours adjacent. Second copies of a face are removed
-    // too. A face and its reverse are a sheet without thickness, drawn from both sides.
+    // Faces with a repeated corner have no area, and removing them makes their neighbours adjacent. A second copy of a face is removed too. A face
+    // and its reverse are a sheet without thickness, drawn from both sides.
     bool remove_collapsed_and_duplicate_faces() {
         std::vector<uint32_t> collapsed, duplicate, reversed;
         std::vector<std::pair<Face, uint32_t>> order; // corners turned so that the smallest is first
@@ -287,7 +287,7 @@ private:
         return true;
     }
 
-    // Chooses the orientation with positive volume for one component, and the warning for the change.
+    // Winds one component so that its volume is positive, and lists the change for the warning.
     void settle_component(const std::vector<uint32_t>& members, std::vector<char>& flip, std::vector<uint32_t>& flipped,
                           std::vector<uint32_t>& inside_out) const {
         double volume = 0.0;
@@ -312,7 +312,7 @@ private:
         }
     }
 
-    // If two parts of the surface touch in a vertex, the potential there has two values: give each part its own vertex.
+    // Where two parts of the surface touch in a vertex the potential has two values, so each part gets its own vertex.
     bool split_touching_fans() {
         const std::size_t old_count = mesh_.vertices.size();
         std::vector<uint32_t> start(old_count + 1, 0), incident(3 * mesh_.faces.size());
@@ -343,7 +343,7 @@ private:
         return true;
     }
 
-    // Removes the fan of faces around `vertex` that contains left[0] from `left`, and renames its vertex.
+    // Moves the fan of faces around `vertex` that contains left[0] from `left` to the vertex `name`.
     void take_fan(uint32_t vertex, uint32_t name, std::vector<uint32_t>& left) {
         std::vector<uint32_t> fan{left[0]};
         left.erase(left.begin());
@@ -422,7 +422,7 @@ private:
                             });
         if (!found.complete) where += " at least";
         where += at_face(pairs.front().first);
-        // Overlapping solids gave errors of tens of percent in mass and added mass.
+        // An error: overlapping solids gave errors of tens of percent in mass and added mass.
         if (!sheet_ && std::any_of(pairs.begin(), pairs.end(),
                                    [&](const auto& pair) { return component_[pair.first] != component_[pair.second]; }))
             return error(FaultId::mesh_several_components, std::move(where), "Parts cross or touch each other.",
@@ -447,7 +447,7 @@ private:
         return sum / (4.0 * std::numbers::pi);
     }
 
-    // A part inside another is a cavity or an error; the common volume of overlapping parts would count twice.
+    // A part inside another is a cavity or a mistake; the common volume of overlapping parts would count twice.
     bool check_nesting(const std::vector<uint32_t>& first) {
         constexpr uint32_t max_components = 5000; // limits the quadratic cost of this diagnosis
         if (component_count_ > max_components) return true;

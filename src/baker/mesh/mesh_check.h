@@ -5,12 +5,11 @@
 
 namespace lr::baker {
 
-// On success the mesh is finite, closed, edge-manifold, consistently wound, outward, of positive volume, without degenerate or
-// duplicate faces and without unused vertices. Repairs, and faces of one part that cross each other, are warnings; other
-// defects are errors.
+// On success the mesh is finite, closed, edge-manifold, consistently wound, outward, of positive volume, without degenerate or duplicate faces and
+// unused vertices. Repairs are warnings, and so are faces of one part that cross each other; other defects are errors.
 bool check_and_repair(Mesh& mesh, Faults& faults);
 
-// Twice a face's area over its longest side squared; 0 if that side is 0. Scaled before the product, so that tiny bodies pass.
+// Twice a face's area over its longest side squared; 0 if that side is 0. Scaled before multiplying, so that tiny bodies do not underflow.
 double face_shape(const Mesh& mesh, const Face& face);
 // Triangles of a smaller shape have no usable normal.
 constexpr double degenerate_shape = 1e-9;

@@ -1,4 +1,4 @@
-// Where the faces of a mesh come from, so that a message can name what a modeller sees: object, material, and position in the file.
+// Origin of a mesh's faces, so that messages name what a modeller sees: object, material, and position in the file.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,8 +26,8 @@ public:
     void scale_by(double factor);
     void move_to(const Eigen::Vector3d& centre);
 
-    // "(1.2, 0, 3) of object 'leg', material 'oak'": the position in the file, and the names of the face nearest to it. Repairs split and renumber
-    // faces, but leave them where they are.
+    // "(1.2, 0, 3) of object 'leg', material 'oak'": the position in the file, and the names of the nearest face, since repairs split and renumber
+    // faces but do not move them.
     std::string place(const Eigen::Vector3d& point) const;
 
     // "object 'leaves' with 120000 of 150000 faces", the largest; "150000 faces" without names.
@@ -43,7 +43,7 @@ private:
     Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
 };
 
-// Its place by the mesh's source; the fallback for a mesh without one.
+// place() of the mesh's source, or the fallback without one.
 std::string place_of(const Mesh& mesh, const Eigen::Vector3d& point, const std::string& fallback);
 
 // "leg, seat", at most `most` different names; empty ones are left out.

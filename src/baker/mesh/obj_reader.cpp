@@ -29,7 +29,7 @@ std::string_view next_word(std::string_view& rest) {
 // from_chars does not depend on the locale.
 bool parse_number(std::string_view word, double& value) {
     if (!word.empty() && word.front() == '+') word.remove_prefix(1);
-    std::string with_point; // programs of a language that writes 0,5
+    std::string with_point; // some locales write 0,5
     if (word.find(',') != std::string_view::npos) {
         with_point = word;
         std::replace(with_point.begin(), with_point.end(), ',', '.');
@@ -37,7 +37,7 @@ bool parse_number(std::string_view word, double& value) {
     }
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error == std::errc::result_out_of_range) {
-        value = 0.0; // the sign of the exponent distinguishes underflow from overflow
+        value = 0.0; // underflow, or overflow: by the sign of the exponent
         const std::size_t e = word.find_first_of("eE");
         if (e == std::string_view::npos || e + 1 >= word.size() || word[e + 1] != '-') value = HUGE_VAL;
         return true;
@@ -113,7 +113,7 @@ private:
         return text;
     }
 
-    // Groups belong to an object and are not objects: many exporters write one for every material.
+    // Groups belong to an object. They are no objects: many exporters write one for every material.
     void begin_part(bool is_object, std::string_view names) {
         names = trimmed(names);
         part_open_ = false;
@@ -187,7 +187,7 @@ bool inside_triangle(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const E
     return cross2(b - a, p - a) >= 0.0 && cross2(c - b, p - b) >= 0.0 && cross2(a - c, p - c) >= 0.0;
 }
 
-// Positions of the polygon's corners in its own plane, counter-clockwise.
+// Corners in the plane of the polygon, counter-clockwise.
 std::vector<Eigen::Vector2d> flatten(const PolygonSoup& soup, const std::vector<uint32_t>& polygon) {
     const Eigen::Vector3d origin = soup.vertices[polygon[0]];
     Eigen::Vector3d normal = Eigen::Vector3d::Zero(); // twice the area vector (Newell)
@@ -208,7 +208,7 @@ void clip_ears(const PolygonSoup& soup, const std::vector<uint32_t>& polygon, st
     const std::vector<Eigen::Vector2d> flat = flatten(soup, polygon);
     std::vector<std::size_t> ring(polygon.size());
     for (std::size_t i = 0; i < ring.size(); ++i) ring[i] = i;
-    // Whether an edge at corner k runs between these directions, the second clockwise of the first.
+    // Whether an edge at corner k enters the ear between these directions, the second clockwise of the first.
     const auto leads_into = [&](std::size_t k, const Eigen::Vector2d& left, const Eigen::Vector2d& right) {
         const std::size_t n = ring.size();
         for (const std::size_t other : {ring[(k + n - 1) % n], ring[(k + 1) % n]}) {
@@ -226,7 +226,7 @@ void clip_ears(const PolygonSoup& soup, const std::vector<uint32_t>& polygon, st
         for (std::size_t k = 0; k < n; ++k) {
             const Eigen::Vector2d& p = flat[ring[k]];
             if (ring[k] == before || k == i || ring[k] == after || !inside_triangle(p, a, b, c)) continue;
-            // The cut that joins a hole to the outline passes its ends twice: such an end bars the ear only if an edge leads into it.
+            // The cut that joins a hole to the outline passes its ends twice; such an end blocks the ear only if an edge enters it.
             const bool bars = p == a   ? leads_into(k, c - a, b - a)
                               : p == b ? leads_into(k, a - b, c - b)
                               : p == c ? leads_into(k, b - c, a - c)
@@ -245,8 +245,8 @@ void clip_ears(const PolygonSoup& soup, const std::vector<uint32_t>& polygon, st
         // Cut the ear with the best-shaped triangle: slivers make the added mass less accurate.
         const std::size_t n = ring.size();
         const auto best = std::max_element(quality.begin(), quality.end());
-        // A corner that was no ear can have become one: all are tried before the polygon counts as crossing itself or collapsed. Then a fan is made, and
-        // the verdict left to the mesh check.
+        // A corner that was no ear can have become one, so all are tried again before the polygon counts as crossing itself or collapsed. It then
+        // becomes a fan, and the mesh check decides.
         const bool none = !(*best > 0.0);
         if (none && known) {
             known = false;
@@ -262,14 +262,14 @@ void clip_ears(const PolygonSoup& soup, const std::vector<uint32_t>& polygon, st
     faces.push_back({polygon[ring[0]], polygon[ring[1]], polygon[ring[2]]});
 }
 
-// Both sides of a sheet that is drawn twice get the same triangles: of corners that are equally good, each side would cut another one, and the mesh check
-// could not tell that one is the back of the other.
+// Gives both sides of a sheet that is drawn twice the same triangles. Between equally good ears each side could cut another one, and the mesh check
+// would not see that one side is the back of the other.
 class EarlierPolygons {
 public:
     explicit EarlierPolygons(const PolygonSoup& soup) : soup_(&soup) {}
 
-    // Appends the triangles of an earlier polygon with the same corners in the same or the other sense. False if there is none, and keeps this one,
-    // whose triangles will follow in `faces`.
+    // Appends the triangles of an earlier polygon with the same corners in either sense. Otherwise false, and remembers this polygon, whose triangles
+    // the caller appends next.
     bool copy(const std::vector<uint32_t>& polygon, std::vector<Face>& faces) {
         std::vector<Place> key;
         for (const uint32_t i : polygon) key.push_back(place(i));
@@ -322,7 +322,7 @@ bool parse_obj(std::string_view text, PolygonSoup& out, Faults& faults) {
 }
 
 bool triangulate(const PolygonSoup& soup, Mesh& out, std::vector<std::size_t>& first_face, Faults& faults) {
-    // Ear clipping takes the square of the number of corners; larger polygons only occur in broken files.
+    // Ear clipping takes time with the square of the number of corners; larger polygons occur only in broken files.
     constexpr std::size_t max_corners = 20000;
     out.vertices = soup.vertices;
     out.faces.clear();

@@ -9,7 +9,7 @@ namespace lr::baker {
 
 // Consecutive polygons of one object and group.
 struct SoupPart {
-    std::size_t first_polygon = 0;        // up to that of the next part
+    std::size_t first_polygon = 0;        // to that of the next part
     std::size_t object = 0;               // number of its object
     std::vector<std::string> own_names;   // of the object and its mesh; can be empty
     std::vector<std::string> group_names; // of its groups and parent nodes
@@ -27,7 +27,6 @@ struct PolygonSoup {
 
 bool parse_obj(std::string_view text, PolygonSoup& out, Faults& faults);
 
-// Ear clipping in the plane of each polygon's Newell normal. first_face: the first face of each of the soup's parts. False if an index is out of
-// range.
+// Ear clipping in the plane of each polygon's Newell normal. first_face: of each of the soup's parts. False if an index is out of range.
 bool triangulate(const PolygonSoup& soup, Mesh& out, std::vector<std::size_t>& first_face, Faults& faults);
 } // namespace lr::baker

@@ -14,7 +14,7 @@ public:
     bool parse() {
         uint64_t vertices = 0, faces = 0, edges = 0;
         if (!parse_header() || !read_count(vertices) || !read_count(faces)) return false;
-        // Some programs omit the number of edges, which has no meaning for a reader.
+        // Some programs omit the number of edges, which no reader needs.
         if (words_left_in_line()) read_count(edges);
         end_line();
         for (uint64_t i = 0; i < vertices; ++i)
@@ -28,7 +28,7 @@ public:
 private:
     static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 
-    // Skips blanks; with `lines` also ends of lines and comments.
+    // Skips blanks, and with `lines` also line ends and comments.
     void skip(bool lines) {
         while (!rest_.empty()) {
             if (is_blank(rest_[0])) {
@@ -58,7 +58,7 @@ private:
         return !rest_.empty() && rest_[0] != '\n' && rest_[0] != '#';
     }
 
-    // Leaves out colours, normals and texture coordinates behind the positions and corners.
+    // Skips colours, normals and texture coordinates after positions and corners.
     void end_line() { rest_.remove_prefix(std::min(rest_.find('\n'), rest_.size())); }
 
     bool fail(FaultId id, std::string what, std::string remedy = "Export the file again.") {

@@ -55,8 +55,8 @@ public:
     }
 
 private:
-    // Triangle strips, as in the models of Stanford's archive: each number continues the strip, -1 ends it, every second triangle is
-    // wound the other way, and triangles without area are seams.
+    // Triangle strips, as in Stanford's models: each number continues the strip, -1 ends it, every second triangle is wound the other way, and
+    // triangles without area are seams.
     void append_strips() {
         if (soup_.polygons.empty()) soup_.parts.emplace_back();
         std::size_t begin = 0;

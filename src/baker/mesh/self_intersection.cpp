@@ -16,9 +16,9 @@ using Vector = Eigen::Vector3d;
 using Triangle = std::array<Vector, 3>;
 
 constexpr std::size_t leaf_faces = 4;
-// Tests per face after which the search ends; takes seconds. A valid surface needs about 30.
+// Tests per face after which the search gives up; takes seconds. A valid surface needs about 30.
 constexpr std::size_t most_tests = 1000;
-// Bound of the rounding of a projection, relative to the coordinates: a larger gap is real.
+// Bound of the rounding of a projection relative to the coordinates; a larger gap is real.
 constexpr double projection_rounding = 1e-14;
 
 bool flat_segments_meet(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
@@ -55,7 +55,7 @@ bool segment_meets(const Vector& s, const Vector& t, const Triangle& f) {
     return (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
 }
 
-// Whether a plane separates them by more than rounding. Nearly always saves the exact test.
+// Whether a plane separates the triangles by more than rounding: nearly always saves the exact test.
 bool clearly_apart(const Triangle& a, const Triangle& b) {
     const Vector& o = a[0];
     Vector p[3], q[3];
@@ -95,7 +95,7 @@ bool meet_beyond_corner(const Triangle& a, const Triangle& b) {
         return side * axis.dot(v) > projection_rounding * (size + v.norm()) * axis.cwiseAbs().sum();
     };
     if (beyond(p, 1.0) && beyond(q, 1.0) && beyond(r, -1.0) && beyond(s, -1.0)) return false;
-    // Both are convex: a common ray from the corner leaves one triangle first, through its far edge, inside the other.
+    // Both are convex, so a common ray from the corner leaves one of them first, through its far edge, inside the other.
     return segment_meets(a[1], a[2], b) || segment_meets(b[1], b[2], a);
 }
 
@@ -133,7 +133,7 @@ bool faces_meet(Triangle a, Triangle b) {
     return false;
 }
 
-// Bounding volume hierarchy: each node splits its faces in half along the longest side of the box of their centres.
+// Bounding volume hierarchy: each node halves its faces along the longest side of the box of their centres.
 class Hierarchy {
 public:
     Hierarchy(const Mesh& mesh, std::size_t most) : mesh_(mesh), most_(most), faces_(mesh.faces.size()) {

@@ -14,8 +14,7 @@ struct SelfIntersections {
     bool complete = true;                             // false: the search ended early, there can be more
 };
 
-// Faces that share a corner (the same position, with any vertex number) must meet only there, faces that share an edge only along it.
-// Other faces must not touch. Exact. Stops after `most` pairs, or if faces are so dense that the search would not end. Faces must have an
-// area.
+// Faces that share a corner (the same position, with any vertex number) must meet only there, faces that share an edge only along it, and other faces
+// not at all. Exact. Stops after `most` pairs, or if faces are too dense to search. Faces must have an area.
 SelfIntersections find_self_intersections(const Mesh& mesh, std::size_t most);
 } // namespace lr::baker

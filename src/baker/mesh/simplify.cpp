@@ -12,8 +12,8 @@
 namespace lr::baker {
 namespace {
 
-constexpr double most_turn = 0.7;    // cosine between a face before and after: it must not turn over
-constexpr double least_shape = 1e-4; // face_shape() below which it may not become narrower still
+constexpr double most_turn = 0.7;    // least cosine between a face before and after, so that it does not turn over
+constexpr double least_shape = 1e-4; // face_shape() below which a face must not become narrower
 
 class Simplifier {
 public:
@@ -78,7 +78,7 @@ private:
         std::sort(out.begin(), out.end());
         return out;
     }
-    // Of the edges at a vertex, those of one face: each neighbour is then named once.
+    // around: neighbours(). An edge with one face names its other end only once.
     static bool on_rim(const std::vector<uint32_t>& around) {
         for (std::size_t i = 0, end = 0; i < around.size(); i = end) {
             while (end < around.size() && around[end] == around[i]) ++end;
@@ -87,7 +87,7 @@ private:
         return false;
     }
 
-    // Moves `from` to `to`, if that changes nothing but the number of faces.
+    // Collapses the edge from `from` to `to`, unless that changes the surface.
     bool move(uint32_t from, uint32_t to) {
         if (held_[from]) return false;
         const Eigen::Vector4d place = at(to).homogeneous();
@@ -103,7 +103,7 @@ private:
                 face_shape(mesh_, f) < 0.9 * std::min(shape, least_shape))
                 return false;
         }
-        // The two may share only the corners of the faces between them, or the surface would pinch.
+        // Common neighbours other than the corners of the faces between the two would pinch the surface.
         std::vector<uint32_t> a = neighbours(from), b = neighbours(to);
         const auto between = std::count(a.begin(), a.end(), to);
         if (between == 2 && on_rim(a) && on_rim(b)) return false;
@@ -111,7 +111,7 @@ private:
         b.erase(std::unique(b.begin(), b.end()), b.end());
         std::vector<uint32_t> common;
         std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
-        // More than one face has to be left, and of a closed surface more than two.
+        // At least two faces must stay, of a closed surface more.
         if (common.size() != static_cast<std::size_t>(between) ||
             a.size() + b.size() - common.size() < static_cast<std::size_t>(between) + 3)
             return false;
@@ -135,8 +135,9 @@ private:
 
     Mesh mesh_;
     double limit_;
-    std::vector<std::vector<uint32_t>> around_; // the faces at each vertex
-    std::vector<Eigen::Matrix4d> planes_;       // the sum of squares of the distance from those of its faces
+    std::vector<std::vector<uint32_t>> around_; // faces at each vertex
+    // Quadric of each vertex: sum of squared distances from the planes of its faces.
+    std::vector<Eigen::Matrix4d> planes_;
     std::vector<char> held_;
     std::priority_queue<Candidate> queue_;
 };

@@ -5,8 +5,8 @@
 
 namespace lr::baker {
 
-// Moves vertices onto neighbours, across the shortest edges first, as long as the surface, its creases and its free rims stay within
-// this distance of where they were. Needles side by side, which boundary elements cannot use, become a few broad faces. Edges of more
-// than two faces stay as they are, and so does the number of parts and holes. The faces that stay keep their order.
+// Collapses edges, the shortest first, while the surface, its creases and its free rims stay within this distance. Needles side by side, which
+// boundary elements cannot use, become a few broad faces. Edges of more than two faces stay, and so do the number of parts and holes. Remaining faces
+// keep their order.
 Mesh simplified(const Mesh& mesh, double tolerance);
 } // namespace lr::baker

@@ -64,7 +64,7 @@ SolidRegion::SolidRegion(const Mesh& mesh, const std::vector<Face>& faces) {
                 const auto& t = faces_[i];
                 const auto [q0, q1] = std::minmax({t[0][q], t[1][q], t[2][q]});
                 for (std::size_t b = bin(q0, q); b <= bin(q1, q); ++b) {
-                    // The rectangle around a slanting needle has a hundred times the bins that the needle crosses.
+                    // Only bins that the triangle crosses: the rectangle around a slanting needle has a hundred times as many.
                     const auto [from, to] = extent_in(t, p, q, low_[q] + static_cast<double>(b) * row - slack,
                                                       low_[q] + static_cast<double>(b + 1) * row + slack);
                     for (std::size_t a = bin(from - slack, p); a <= bin(to + slack, p); ++a)
@@ -94,7 +94,7 @@ void SolidRegion::cross(std::size_t axis, double p, double q, Crossings& out) co
     };
     const std::size_t cell = bin(q, b) * bins_ + bin(p, a);
     const Eigen::Vector2d at(p, q);
-    // A line through an edge is on the side of it that the order of its ends says, from both of its faces.
+    // The side of an edge on which the point lies. Ordered by the edge's ends, so that both of its faces agree on a line through it.
     const auto side = [&](const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
         const bool swap = to.x() < from.x() || (to.x() == from.x() && to.y() < from.y());
         const Eigen::Vector2d &low = swap ? to : from, &high = swap ? from : to;
@@ -104,13 +104,13 @@ void SolidRegion::cross(std::size_t axis, double p, double q, Crossings& out) co
     for (uint32_t i = start_[axis][cell]; i < start_[axis][cell + 1]; ++i) {
         const auto& t = faces_[list_[axis][i]];
         const Eigen::Vector2d u(t[0][a], t[0][b]), v(t[1][a], t[1][b]), w(t[2][a], t[2][b]);
-        const bool one = side(u, v), two = side(v, w), three = side(w, u);
-        if (one != two || two != three) continue;
+        const bool uv = side(u, v), vw = side(v, w), wu = side(w, u);
+        if (uv != vw || vw != wu) continue;
         const double area = wedge(v - u, w - u);
         const double x = wedge(at - u, w - u), y = wedge(v - u, at - u);
         const double depth =
             area != 0.0 ? t[0][along] + (x * (t[1] - t[0])[along] + y * (t[2] - t[0])[along]) / area : t[0][along];
-        out.emplace_back(depth, one ? -1 : 1); // a normal along the line leaves the region
+        out.emplace_back(depth, uv ? -1 : 1); // a normal along the line: the line leaves the region
     }
     std::sort(out.begin(), out.end());
 }
@@ -118,7 +118,7 @@ void SolidRegion::cross(std::size_t axis, double p, double q, Crossings& out) co
 bool SolidRegion::contains(const Eigen::Vector3d& point) const {
     if (empty() || (point.array() < low_.array()).any() || (point.array() > high_.array()).any()) return false;
     Crossings crossings;
-    // Two of three lines decide: one may graze a face.
+    // By majority of three lines, since one may graze a face.
     int votes = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto k = static_cast<Eigen::Index>(axis);
@@ -173,7 +173,7 @@ SolidRegion::Grid SolidRegion::grid(std::size_t longest) const {
     g.step = size.maxCoeff() / static_cast<double>(longest);
     std::array<std::size_t, 3> fine{};
     for (std::size_t k = 0; k < 3; ++k) {
-        // Cells half outside on both ends, so that no face has space beyond the grid.
+        // Half a cell beyond the box at both ends, so that no face has space beyond the grid.
         g.cells[k] = static_cast<std::size_t>(std::ceil(size[static_cast<Eigen::Index>(k)] / g.step)) + 2;
         fine[k] = samples * g.cells[k];
     }
@@ -214,7 +214,7 @@ Eigen::Matrix3d trapped_fluid_inertia(const SolidRegion& region, const Eigen::Ve
     struct Link {
         uint32_t low, high;
         double weight;
-        Eigen::Vector3d wall; // velocity of the walls along the link, for a turn about each axis
+        Eigen::Vector3d wall; // velocity of the walls along the link, for a spin about each axis
     };
     std::vector<Link> links;
     Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(count));

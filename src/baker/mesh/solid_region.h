@@ -20,8 +20,8 @@ struct RegionMoments {
     double counted = 0.0; // volume with overlaps counted as often as they are covered
 };
 
-// Counts the surfaces around a point by the faces that a ray crosses. Each surface must be closed and wound outward, and a cavity inward; at
-// any edge as many faces must run forward as backward.
+// Winding numbers from the faces that a line crosses. Each surface must be closed and wound outward, or inward if it is a cavity; at any edge as many
+// faces must run forward as backward.
 class SolidRegion {
 public:
     SolidRegion(const Mesh& mesh, const std::vector<Face>& faces);
@@ -29,11 +29,11 @@ public:
     bool empty() const { return faces_.empty(); }
     bool contains(const Eigen::Vector3d& point) const;
 
-    // The sum over parts in closed form, less what is covered more than once, which rays along the three axes measure.
+    // The sum over parts in closed form, less overlaps, which rays along the three axes measure.
     RegionMoments moments(const MassProperties& sum_of_parts) const;
 
-    // Shares of each direction's faces of a grid of cubes that lie inside: the space half a cube to each side of a face, by 4^3 samples.
-    // Face (i, j, k) of direction d is below cell (i, j, k).
+    // Open shares of the faces of a grid of cubes: for each direction, the part inside of the space half a cube to each side of a face, by 4^3
+    // samples. Face (i, j, k) of direction d is below cell (i, j, k).
     struct Grid {
         Eigen::Vector3d low;
         double step = 0.0;
@@ -46,7 +46,7 @@ public:
 private:
     using Crossings = std::vector<std::pair<double, int>>;
 
-    // Where a line along `axis` crosses faces, in order: the change of the winding number there.
+    // Crossings of faces along a line, in order, with the change of the winding number.
     void cross(std::size_t axis, double p, double q, Crossings& out) const;
 
     std::vector<std::array<Eigen::Vector3d, 3>> faces_;
@@ -55,9 +55,9 @@ private:
     std::array<std::vector<uint32_t>, 3> start_, list_;
 };
 
-// Inertia of a fluid that fills the region when the region turns about its centroid, for density 1: the least energy of a flow that the walls
-// force, from the potential on a grid (Batty, Bertails and Bridson 2007: faces weighted by the space around them that is inside).
-// frozen: the inertia of the region about its centroid, which corrects that of the grid.
+// Inertia, for density 1, of a fluid that fills the region when the region spins about its centroid: the least energy of a flow driven by the walls,
+// from the potential on a grid (Batty, Bertails and Bridson 2007: faces weighted by the space inside around them). frozen: inertia of the region
+// about its centroid, by which that of the grid is corrected.
 Eigen::Matrix3d trapped_fluid_inertia(const SolidRegion& region, const Eigen::Vector3d& centroid,
                                       const Eigen::Matrix3d& frozen);
 } // namespace lr::baker

@@ -44,7 +44,7 @@ template <class Number> bool read_number(std::string_view text, Number& value) {
     return std::from_chars(text.data(), text.data() + text.size(), value).ec == std::errc();
 }
 
-// Twelve numbers; the rows of the matrix are the images of the axes and of the origin.
+// Twelve numbers: the images of the axes and of the origin.
 Eigen::Affine3d transform_of(std::string_view text) {
     Eigen::Affine3d out = Eigen::Affine3d::Identity();
     for (Eigen::Index i = 0; i < 12; ++i) {
@@ -57,7 +57,7 @@ Eigen::Affine3d transform_of(std::string_view text) {
     return out;
 }
 
-// A zip archive. lib3mf and Microsoft's programs write every one in the large format (Zip64), whatever its size.
+// A zip archive. lib3mf and Microsoft's programs always write Zip64, whatever the size.
 class Archive {
 public:
     Archive(const void* bytes, std::size_t size) : bytes_(static_cast<const char*>(bytes), size) {
@@ -65,7 +65,7 @@ public:
         if (end == std::string_view::npos || bytes_.size() - end < 22) return;
         std::size_t count = number(end + 10, 2), at = number(end + 16, 4);
         if (count == 0xffff || at == elsewhere) {
-            const std::size_t large = number(end - std::min<std::size_t>(end, 12), 8); // from the record before the end
+            const std::size_t large = number(end - std::min<std::size_t>(end, 12), 8); // in the locator before the end
             if (large > bytes_.size() || bytes_.substr(large, 4) != "PK\6\6") return;
             count = number(large + 32, 8);
             at = number(large + 48, 8);
@@ -85,14 +85,14 @@ public:
             if (name.size() > 6 && name.substr(name.size() - 6) == ".model") names.push_back(name);
         return names;
     }
-    // Empty if there is no such file, or none that can be unpacked.
+    // Empty if the file is missing or cannot be unpacked.
     std::string text(const std::string& name) const {
         constexpr std::size_t most = std::size_t{1} << 30;
         const auto entry = entries_.find(name);
         if (entry == entries_.end()) return {};
         const std::size_t at = entry->second, method = number(at + 10, 2);
         std::size_t size = number(at + 24, 4), packed = number(at + 20, 4), local = number(at + 42, 4);
-        // Numbers of the large format stand in a field of their own, in this order, each only if it is needed.
+        // Zip64 keeps numbers that do not fit in an extra field, in this order.
         const std::size_t fields = at + 46 + number(at + 28, 2), past = fields + number(at + 30, 2);
         for (std::size_t field = fields; field + 4 < past; field += 4 + number(field + 2, 2)) {
             if (number(field, 2) != 1) continue;
@@ -186,7 +186,7 @@ private:
             return out;
         };
         const bool whole = for_each_tag(text, [&](const XmlTag& tag) {
-            // Some programs give the tags of the core a prefix.
+            // Some programs give tags of the core a prefix.
             const std::string_view name = tag.name.substr(tag.name.rfind(':') + 1);
             if (name == "model" && is_root)
                 soup_.declared_unit = unit_of(attribute(tag, "unit").value_or("millimeter"));

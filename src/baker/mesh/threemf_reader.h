@@ -8,6 +8,6 @@
 
 namespace lr::baker {
 
-// From the bytes of the archive. The objects that are on the build plate, with their transforms; without a plate, all. where: for faults.
+// bytes: the archive. Reads the objects on the build plate with their transforms; without a plate, all objects. where: for faults.
 bool read_3mf(const void* bytes, std::size_t size, const std::string& where, PolygonSoup& out, Faults& faults);
 } // namespace lr::baker

@@ -13,7 +13,7 @@ struct Kind {
     std::string_view begins, extensions, name, program;
 };
 
-// Formats that modellers have and no reader here understands, by their first bytes or, without these, by extension.
+// Formats that modellers have and no reader here reads, by their first bytes or else by extension.
 constexpr std::array kinds{
     Kind{"BLENDER", " blend ", "a Blender file", "Blender"},
     Kind{"\x28\xb5\x2f\xfd", " blend ", "a compressed Blender file", "Blender"},
@@ -48,7 +48,7 @@ UnknownFile advice(const Kind& kind) {
     return {what, "Unpack it and give the mesh inside."};
 }
 
-// "glTF", "GLTF: ", file names in quotes: of no use to a reader who has the place before the sentence.
+// Drops "glTF", "GLTF: " and quoted file names: the message already names the file.
 std::string without_prefix(const std::string& reason) {
     const std::size_t colon = reason.find(": ");
     return colon != std::string::npos && colon < 16 ? reason.substr(colon + 2) : reason;

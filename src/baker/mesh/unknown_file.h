@@ -1,4 +1,4 @@
-// For a file that no reader understands: a sentence for a modeller about its content, and another about the way out.
+// Messages for a file that no reader reads: a sentence about its content, and one about a remedy.
 #pragma once
 
 #include <string>

@@ -55,7 +55,7 @@ std::size_t join_near_vertices(Mesh& mesh, double tolerance) {
     const double distance = n > 0 ? tolerance * (high - low).maxCoeff() : 0.0;
     if (!(distance > 0.0) || !std::isfinite(distance)) return 0;
 
-    // Sweep along a direction to which modelled planes are not perpendicular: few vertices are within reach at a time.
+    // Sweeps along a direction that is not normal to any likely plane of a model, so that few vertices are within reach at a time.
     const Eigen::Vector3d direction = Eigen::Vector3d(0.6180339887, 0.5403023059, 0.5708817929).normalized();
     std::vector<double> along(n);
     std::vector<uint32_t> order(n), first(n);

@@ -19,12 +19,12 @@ constexpr double pi = 3.14159265358979323846;
 constexpr const char* mass_color = "#1f5fa8";
 constexpr const char* inertia_color = "#c2570c";
 
-// Semi-axes of a symmetric block as columns of `axes`, longest last; m.
+// Axes of a symmetric block as columns, the longest radius last; radii in m.
 struct Ellipsoid {
     Matrix3d axes = Matrix3d::Identity();
     Vector3d principal = Vector3d::Zero(), radii = Vector3d::Zero();
 
-    // The outline seen along `toward`: the image of the unit circle under the projected axes.
+    // Outline in a view: the image of the unit circle under the projected axes.
     std::vector<SvgPoint> outline(const PlotView& view) const {
         Eigen::Matrix<double, 2, 3> seen;
         for (int i = 0; i < 3; ++i) {
@@ -44,7 +44,7 @@ struct Ellipsoid {
     }
 };
 
-// A sphere of fluid of radius r and density 1 has mass (or moment of inertia) unit_sphere r^power.
+// Radii of spheres of fluid of density 1 with the block's masses (or moments of inertia) unit_sphere r^power.
 Ellipsoid ellipsoid_of(const AssetData& a, std::size_t first, double unit_sphere, double power) {
     Matrix3d block;
     for (int i = 0; i < 3; ++i)

@@ -15,8 +15,8 @@ struct Tick {
 
 class Axis {
 public:
-    // Logarithmic if low is positive and high at least 20 times low. Ends on whole ticks. A linear axis includes 0 if that
-    // takes at most a fifth of its length.
+    // Logarithmic if low is positive and high at least 20 times low. Ends on whole ticks. A linear axis includes 0 if that takes at most a fifth of
+    // its length.
     static Axis fitting(double low, double high);
     static Axis linear(double low, double high, int most_ticks);
     // From 0 to exactly `high`.
@@ -29,7 +29,7 @@ public:
     bool is_logarithmic() const { return logarithmic_; }
     double low() const { return low_; }
     double high() const { return high_; }
-    // The power of ten that multiplies the labels, to be printed before the unit: "10⁻³ " or nothing.
+    // Power of ten that multiplies the labels, to be printed before the unit: "10⁻³ " or empty.
     const std::string& factor() const { return factor_; }
 
 private:

@@ -23,8 +23,7 @@ struct Block {
     std::vector<Entry> entries;
 };
 
-// The blocks A, B and D with their scales: the largest diagonal entry of A and of D; for the coupling B their geometric
-// mean, its bound in a positive matrix.
+// The blocks A, B and D. Scales: the largest diagonal entry of A and of D; for the coupling B their geometric mean, its bound in a positive matrix.
 std::array<Block, 3> blocks_of(const AssetData& a) {
     std::array<Block, 3> blocks{{{"A, translation", "kg", 0.0, {}},
                                  {"B, coupling", "kg m", 0.0, {}},

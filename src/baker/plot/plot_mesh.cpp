@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 constexpr std::size_t most_faces = 6000; // four views of them are about 1.5 MB
 constexpr int shades = 24;
 
-// Every edge occurs once in each direction, so back faces are hidden.
+// Whether every edge occurs once in each direction; back faces are then hidden.
 bool is_closed(const Mesh& mesh) {
     std::vector<std::pair<uint32_t, uint32_t>> edges, reversed;
     edges.reserve(3 * mesh.faces.size());
@@ -55,7 +55,7 @@ Mesh clustered(const Mesh& mesh, int cells) {
         const Face g{cluster[f[0]], cluster[f[1]], cluster[f[2]]};
         if (g[0] != g[1] && g[1] != g[2] && g[2] != g[0]) out.faces.push_back(g);
     }
-    // Remove copies of a triangle, from several small ones.
+    // Removes copies of a triangle, which several small ones can leave.
     std::vector<std::pair<Face, std::size_t>> keys;
     for (std::size_t i = 0; i < out.faces.size(); ++i) {
         Face key = out.faces[i];
@@ -84,7 +84,7 @@ DrawnMesh::DrawnMesh(const Mesh& mesh) : closed_(is_closed(mesh)), thinned_(mesh
 }
 
 std::string DrawnMesh::style() const {
-    // With few faces draw their edges; with many, stroke only to hide the gaps between them.
+    // Few faces have visible edges; the strokes of many only hide the gaps between them.
     const bool edges = mesh_.faces.size() <= 1500;
     std::string css = ".m{stroke-linejoin:round;stroke-width:" +
                       std::string(!closed_ ? "0.8"

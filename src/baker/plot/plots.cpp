@@ -17,7 +17,7 @@ std::string plot_description(const AssetData& asset) {
 }
 
 bool is_plot_of(std::string_view svg, const ProvenanceData& provenance) {
-    // Search only in the part before the first shape.
+    // Searches only before the first shape.
     const std::string wanted = "<desc>" + xml_escape(stamp(provenance)) + "</desc>";
     return svg.substr(0, 65536).find(wanted) != std::string_view::npos && svg.ends_with("</svg>\n");
 }

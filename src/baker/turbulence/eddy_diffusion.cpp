@@ -44,7 +44,7 @@ void EddyDiffusion::apply(GridField& field, const std::vector<uint8_t>& prescrib
         const double rate = dt * field.inverse_spacing[axis] * field.inverse_spacing[axis];
         const size_t n = field.count[axis], step = stride[axis];
         const uint8_t* const shares = walls[axis].empty() ? nullptr : walls[axis].data();
-        // The link of sample s to the sample before it, and the loss of each to the wall between them.
+        // The link of each sample to the one before it, and its loss to the walls between them.
         struct Link {
             double through, to_wall_before, to_wall_after;
         };
@@ -82,7 +82,7 @@ void EddyDiffusion::apply(GridField& field, const std::vector<uint8_t>& prescrib
             }
             continue;
         }
-        // The same along y or z, for all lines of a row of x at once.
+        // The same along y or z, for a row of lines along x at once.
         const size_t other = 3 - axis;
         for (size_t r = 0; r < field.count[other]; ++r) {
             double* const link_below = link_.data();

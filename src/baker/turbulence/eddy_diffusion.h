@@ -10,8 +10,7 @@
 
 namespace lr::baker {
 
-// The part of the link from each sample to the sample before it, along each axis, that a wall halfway blocks: 0 to 2 halves.
-// One value per sample; empty: no walls.
+// For each sample, the share of the link to the sample before it along each axis that a wall halfway blocks: 0 to 2 halves. Empty: no walls.
 using WallShares = std::array<std::vector<uint8_t>, 3>;
 
 // For samples on the faces normal to `axis`, or (3) for a field on the cells.
@@ -24,14 +23,13 @@ public:
         no_flux  // the field does not flow through it
     };
 
-    // Integrates d(field)/dt = div(viscosity grad field) over dt. One viscosity per sample, zero inside solids. Prescribed samples
-    // keep their value; the ends of the domain have no flux. Implicit along one axis after another: stable at any viscosity, and
-    // positive fields stay positive.
+    // Integrates d(field)/dt = div(viscosity grad field) over dt. One viscosity per sample, zero inside solids. Prescribed samples keep their value;
+    // no flux at the ends of the domain. Implicit along one axis after another: stable at any viscosity, and positive fields stay positive.
     void apply(GridField& field, const std::vector<uint8_t>& prescribed, const std::vector<double>& viscosity,
                Wall wall, double dt, const WallShares& walls = {});
 
-    // The same without the splitting error, which grows near edges as the grid is refined: conjugate gradients from `guess` (which
-    // has the prescribed values) until all residuals are at most `tolerance`.
+    // Without the splitting error, which grows near edges as the grid is refined: conjugate gradients from `guess` (which has the prescribed values)
+    // until all residuals are at most `tolerance`.
     void apply_unsplit(GridField& field, const std::vector<double>& guess, const std::vector<uint8_t>& prescribed,
                        const std::vector<double>& viscosity, Wall wall, double dt, const WallShares& walls,
                        double tolerance);

@@ -45,7 +45,7 @@ KEpsilon::KEpsilon(const MacGrid& grid, TurbulenceState inflow, double most_k)
                     if (x >= cells_[0] || y >= cells_[1] || z >= cells_[2] || solid_[grid.cell(x, y, z)] != 0) return;
                     entry.neighbours[entry.count++] = static_cast<uint32_t>(k_.index(x + 1, y, z));
                 };
-                add(i - 1, j, k); // an index below zero wraps to a huge one, also outside
+                add(i - 1, j, k); // an index below zero wraps to a huge one, which is also outside
                 add(i + 1, j, k);
                 add(i, j - 1, k);
                 add(i, j + 1, k);
@@ -60,8 +60,8 @@ void KEpsilon::follow(const MacGrid& grid, double dt) {
     find_origins(grid, dt);
 }
 
-// Velocities are averaged to the centres and differenced across two cells, one-sided at the domain's edges. On a wall, half
-// a cell from the centre, they are zero (no slip); this shear contributes to G.
+// Velocities are averaged to cell centres and differenced over two cells, one-sided at the domain's edges. On a wall, half a cell from the centre,
+// they are zero (no slip); this shear contributes to G.
 void KEpsilon::find_strain(const MacGrid& grid) {
     const auto [nx, ny, nz] = cells_;
     const GridField &u = grid.velocity[0], &v = grid.velocity[1], &w = grid.velocity[2];
@@ -85,7 +85,7 @@ void KEpsilon::find_strain(const MacGrid& grid) {
             const double width = (at > 0 ? 1.0 : 0.0) + (at + 1 < cells_[axis] ? 1.0 : 0.0);
             return (high - low) / (width * grid.spacing[axis]);
         }
-        // The derivative of the parabola through the three.
+        // Derivative of the parabola through the three values.
         const double below = wall_low ? 0.5 : 1.0, above = wall_high ? 0.5 : 1.0;
         const double slope_below = (here - low) / below, slope_above = (high - here) / above;
         return (slope_below * above + slope_above * below) / ((below + above) * grid.spacing[axis]);

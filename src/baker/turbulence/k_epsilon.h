@@ -14,9 +14,8 @@ namespace lr::baker {
 
 class KEpsilon {
 public:
-    // k and epsilon start as the inflow state everywhere. k is limited to `most_k`, or (0) to below overflow: the strain of a step
-    // does not include the energy that the mean flow has already lost, so a sudden start would turn almost no turbulence into a k
-    // of many U0^2.
+    // k and epsilon start as the inflow state. k is limited to `most_k`, or (0) to below overflow: the strain of a step does not include the energy
+    // that the mean flow has already lost, so a sudden start would raise almost no turbulence to a k of many U0^2.
     KEpsilon(const MacGrid& grid, shape::TurbulenceState inflow, double most_k = 0.0);
 
     // Computes the strain of Eq. 15 and the parcels' origins; call whenever the mean flow has changed. Around a body the geometric
@@ -28,8 +27,8 @@ public:
     // (Richards and Hoxey 1993): at a smooth wall epsilon grows as the inverse distance, and its mean with every refinement of the
     // grid.
     void step(double dt);
-    // The diffusion of Eq. 13, which Eqs. 16 and 17 omit. A flow with walls needs it, because slow parcels along the walls accumulate
-    // k without limit, faster on finer grids. viscosity: molecular.
+    // Diffusion of Eq. 13, which Eqs. 16 and 17 omit. A flow with walls needs it, because slow parcels along the walls accumulate k without limit,
+    // faster on finer grids. viscosity: molecular.
     void diffuse(double dt, double viscosity);
 
     shape::TurbulenceState at(const GridPoint& p) const;
@@ -65,7 +64,8 @@ private:
     std::array<std::vector<double>, 3> centred_;
     std::vector<SolidCell> solid_cells_;
     WallShares walls_;
-    std::vector<uint8_t> wall_sides_; // of each cell: bits 0 to 5, before and after it along x, y, z; empty: no body
+    // Of each cell: bits 0 to 5 for walls before and after it along x, y, z; empty: no body.
+    std::vector<uint8_t> wall_sides_;
     double largest_strain_ = 0.0;
 };
 } // namespace lr::baker

@@ -41,7 +41,7 @@ void MeanFlow::project() {
     max_divergence_ = std::max(max_divergence_, result.max_divergence);
 }
 
-// Writes to previous_ and then swaps, because every trace reads the velocity of the last step.
+// Into previous_, then swapped, because every trace reads the velocity of the last step.
 void MeanFlow::advect(double dt) {
     for (size_t a = 0; a < 3; ++a) {
         const GridField& field = grid.velocity[a];
@@ -58,8 +58,7 @@ void MeanFlow::advect(double dt) {
     for (size_t a = 0; a < 3; ++a) previous_[a].swap(grid.velocity[a].values);
 }
 
-// The paper uses nu_T only for G. Without nu_T in the mean flow a shear layer is as thin as a cell, and G grows without bound as the
-// grid is refined.
+// The paper uses nu_T only for G. Without nu_T in the mean flow a shear layer is as thin as a cell, and G grows without bound as the grid is refined.
 void MeanFlow::diffuse(double dt, const std::vector<double>& viscosity) {
     const std::array<uint32_t, 3>& n = grid.cells;
     for (size_t a = 0; a < 3; ++a) {

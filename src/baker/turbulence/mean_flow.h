@@ -15,8 +15,7 @@ class MeanFlow {
 public:
     MacGrid grid;
 
-    // initial: a grid with inflow, initial velocity and solids; the constructor projects it. Divergences up to `enough`
-    // remain.
+    // initial: a grid with inflow, initial velocity and solids, which the constructor projects. Divergences up to `enough` remain.
     explicit MeanFlow(MacGrid initial, double enough = 0.0);
 
     // One step. viscosity: molecular plus eddy, one per cell; null: no diffusion, as in the paper. False if the pressure

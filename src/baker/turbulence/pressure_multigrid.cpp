@@ -8,9 +8,9 @@ namespace {
 
 constexpr uint32_t none = 0xffffffffu;
 constexpr size_t coarsest_size = 200;
-// An axis is not coarsened while its cells are longer than this times the shortest: smoothing leaves errors along its weak links.
+// An axis is not coarsened while its cells are longer than this times the shortest, because smoothing leaves errors along its weak links.
 constexpr double long_cell = 1.5;
-// Chebyshev smoothing damps this part of the spectrum of D^-1 A, which ends at 2 or below.
+// Part of the spectrum of D^-1 A, which ends at 2 or below, that Chebyshev smoothing damps.
 constexpr float smoothed_from = 0.4f, smoothed_to = 2.0f;
 constexpr int smoothing_steps = 2;
 } // namespace
@@ -116,7 +116,7 @@ PressureMultigrid::Level PressureMultigrid::coarsen(Level& fine, const std::arra
             while (axis < 2 && coarse.block[from][axis] == coarse.block[to][axis]) ++axis;
             links.push_back({from, to, (halved[axis] ? 0.5f : 1.0f) * fine.link[e]});
         }
-        // The rest of the diagonal is the outflow, across x.
+        // The rest of the diagonal is the outflow link, across x.
         if (outside > 1e-4f * fine.diagonal[n]) coarse.diagonal[fine.parent[n]] += (halved[0] ? 0.5f : 1.0f) * outside;
     }
     std::stable_sort(links.begin(), links.end(),
@@ -225,7 +225,7 @@ void PressureMultigrid::descend(size_t depth) {
 
 void PressureMultigrid::cycle(const double* right, double* solution) {
     Level& finest = levels_.front();
-    // Scaled to one, because the exponents of single precision are limited.
+    // Scaled to one, because single precision has a limited exponent.
     double largest = 0.0;
     for (size_t c = 0; c < node_of_cell_.size(); ++c) largest = std::max(largest, std::abs(right[c]));
     const double scale = largest > 0.0 ? largest : 1.0;

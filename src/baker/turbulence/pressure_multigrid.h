@@ -8,10 +8,10 @@
 
 namespace lr::baker {
 
-// Coarse unknowns are the connected parts of blocks of two cells along each axis: a sheet without thickness then still separates the
-// pressures of its sides when a coarse cell is far larger than the body. Axes with long cells are coarsened later. Prolongation
-// is constant over a part, restriction is its transpose. Links across a block are halved, because constant prolongation makes
-// them twice too stiff (Braess 1995). Single precision suffices: the outer iteration corrects it.
+// Coarse unknowns are the connected parts of blocks of two cells along each axis, so that a sheet without thickness separates the pressures of its
+// sides even where a coarse cell is far larger than the body. Axes with long cells are coarsened later. Prolongation is constant over a part,
+// restriction its transpose. Links across a block are halved, because constant prolongation makes them twice too stiff (Braess 1995). Single
+// precision suffices: the outer iteration corrects it.
 class PressureMultigrid {
 public:
     // For each cell, x fastest: the sum of all links (0: solid) and the link to the next cell along each axis, all positive.

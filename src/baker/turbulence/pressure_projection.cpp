@@ -73,7 +73,8 @@ void PressureProjection::subtract_gradient(MacGrid& grid, const std::vector<doub
         }
 }
 
-ProjectionResult PressureProjection::project(MacGrid& grid, double tolerance, double enough, int max_iterations) {
+ProjectionResult PressureProjection::project(MacGrid& grid, double tolerance, double enough) {
+    constexpr int max_iterations = 5000;
     const std::array<uint32_t, 3>& n = grid.cells;
     double largest_speed = 0.0;
     for (const GridField& field : grid.velocity)

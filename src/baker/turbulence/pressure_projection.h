@@ -31,7 +31,7 @@ public:
 
     // Iterates until the largest divergence has fallen by `tolerance`, or to `enough`, or to rounding error (max |u|/cell
     // times 1e-14).
-    ProjectionResult project(MacGrid& grid, double tolerance = 1e-9, double enough = 0.0, int max_iterations = 5000);
+    ProjectionResult project(MacGrid& grid, double tolerance = 1e-9, double enough = 0.0);
 
 private:
     void multiply(const std::vector<double>& x, std::vector<double>& y) const;

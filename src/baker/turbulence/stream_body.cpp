@@ -11,7 +11,7 @@ namespace {
 
 constexpr double margin = 1.5; // ahead and behind, in w
 constexpr double across = 4.0; // sides of the cross section, in the body's extents
-// Narrower bodies get the cross section for this width, or the cells would become needles.
+// A narrower body gets the cross section of this width, or cells would become needles.
 constexpr double narrowest = 0.1;
 } // namespace
 
@@ -52,7 +52,7 @@ bool put_in_stream(const Mesh& mesh, const Eigen::Matrix3d& axes, const Eigen::V
     GridPoint lengths = {size[0] + d + 2.0 * margin * width, across * size[1],
                          across * size[2] * std::ceil(size[1] / (16.0 * size[2]))};
     if (!(size[2] > 1e-9 * size[1])) lengths[2] = 0.25 * size[1];
-    // A thick body gets whole cells if the grid has 32 cells, or a multiple, along the stream.
+    // Whole cells along a thick body, if the grid has a multiple of 32 cells along the stream.
     const double whole = 2.0 * std::floor(0.5 * 32.0 * size[0] / lengths[0]);
     if (whole > 0.0) lengths[0] = 32.0 * size[0] / whole;
     for (size_t a = 0; a < 3; ++a) options.domain_lengths[a] = lengths[a] / d;
@@ -60,7 +60,7 @@ bool put_in_stream(const Mesh& mesh, const Eigen::Matrix3d& axes, const Eigen::V
     const double ahead = std::max(1.0, std::floor((margin * width + 0.5 * size[0]) / cell + 0.5)) * cell;
     const Eigen::Vector3d middle(ahead, 0.5 * lengths[1], 0.5 * lengths[2]);
 
-    // At least two cells wide across the stream, or the body could be between cell centres.
+    // At least two cells wide across the stream, or the body could lie between cell centres.
     Eigen::Vector3d stretch = Eigen::Vector3d::Ones();
     for (Eigen::Index a = 1; a < 3; ++a) {
         const auto axis = static_cast<size_t>(a);

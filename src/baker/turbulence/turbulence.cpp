@@ -20,17 +20,17 @@ using shape::TurbulenceState;
 
 constexpr size_t max_cells = size_t{1} << 22;
 constexpr double max_steps = 1e5;
-// A flow that changes by less than this fraction of U0 in a step is steady and is not computed further.
+// Largest change of a step, over U0, of a steady flow, which is not computed further.
 constexpr double steady_change = 1e-12;
-// For the wake, in w/U0 with the body's breadth w: the time step, and the time that must be steady. The step and its error are
-// the same on all grids; the error of the advection falls with the square of the cell size.
+// Time step of the wake, and the time over which it must be steady, in w/U0 with the body's breadth w. The step and its error are the same on all
+// grids; the advection error falls with the square of the cell size.
 constexpr double wake_step = 0.1, settled_window = 2.0;
 constexpr double wake_passages = 4.0;
 constexpr double most_wake_k = 1.5; // in U0^2: an intensity of 100 %
 // Divergence left in a wake, in U0/d.
 constexpr double enough_divergence = 1e-7;
 
-// The code below uses units of U0 and l, so that bodies of any size and speed get the same arithmetic.
+// Units are U0 and l, so that bodies of any size and speed get the same arithmetic.
 struct Scales {
     bool wake;        // a solid is in the stream
     double d;         // length_d/l
@@ -226,7 +226,7 @@ Run run_flow(const TurbulenceOptions& o, const Scales& scales, MacGrid grid, con
     for (uint32_t n = 1; run.history.back().t < end; ++n) {
         if (!wake) {
             const GridPoint next = flow.grid.trace_back(particle, -scales.dt);
-            // Stop one cell before the outflow, so that the particle never gets the k of the boundary.
+            // Stops one cell before the outflow, so that the particle never gets the k of the boundary.
             if (next[0] > scales.domain[0] - flow.grid.spacing[0]) {
                 run.particle_left = true;
                 break;
@@ -259,8 +259,8 @@ Run run_flow(const TurbulenceOptions& o, const Scales& scales, MacGrid grid, con
     return run;
 }
 
-// The state between two samples is the local solution from the first, plus a correction proportional to the elapsed fraction, so
-// that it ends at the second: exact for decay and for constant strain with any step.
+// Between two samples: the local solution from the first, plus a correction proportional to the elapsed fraction, so that it ends at the second.
+// Exact for decay and for constant strain with any step.
 TurbulenceState state_at(const std::vector<Sample>& history, bool particle_left, double t, size_t& from) {
     while (from + 1 < history.size() && history[from + 1].t <= t) ++from;
     const Sample& a = history[from];

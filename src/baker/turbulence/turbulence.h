@@ -1,11 +1,10 @@
 // The turbulence table of a body: Algorithm 1 of the paper on a MAC grid, as repaired in docs/maintainers/physics.md sections 3, 6.
 //
-// The tracked particle. The paper's stream moves at the body's mean falling velocity (Eq. 19), so a particle that starts at the
-// body's position stays with the falling body. The table is the history of (chi, epsilon) along this particle's path: it begins
-// with the inflow state of Eq. 18 and includes the strain along the path. After the particle has left through the outflow, the
-// history continues as the closed-form decay. With a solid in the stream the body is fixed in the flow and no particle stays
-// with it: the table then is the mean of k and epsilon over the fluid around the body and one d behind it, which develops in
-// time and becomes steady.
+// The tracked particle: the paper's stream moves at the body's mean falling velocity (Eq. 19), so a particle that starts at the body's position stays
+// with the falling body. The table is the history of (chi, epsilon) along this particle's path: it begins with the inflow state of Eq. 18 and
+// includes the strain along the path, and after the particle has left through the outflow it continues as the closed-form decay. With a solid in the
+// stream the body is fixed in the flow and no particle stays with it. The table is then the mean of k and epsilon over the fluid around the body and
+// one d behind it, which develops in time and becomes steady.
 #pragma once
 
 #include "asset/input_faults.h"
@@ -38,11 +37,10 @@ struct TurbulenceOptions {
     ClosedFaces closed_faces;
     // Lowest and highest corner of the body in the domain, m. Required with closed_faces; otherwise the box of the solid cells.
     std::array<GridPoint, 2> body_box{};
-    // Mean velocity at the start, and at x = 0 at all times, m/s at a point in m; empty: the uniform stream (U0, 0, 0).
+    // Mean velocity, m/s at a point in m, at the start and at x = 0 at all times. Empty: the uniform stream (U0, 0, 0).
     std::function<std::array<double, 3>(const std::array<double, 3>&)> initial_velocity;
-    // In a flow with strain, nu + nu_T acts on the mean flow, and k and epsilon diffuse as in Eq. 13 (the paper omits both). No
-    // effect on the uniform stream; a wake needs it for convergence with the grid. Turn off for homogeneous shear, which the slip
-    // walls would diffuse away.
+    // In a flow with strain, nu + nu_T acts on the mean flow, and k and epsilon diffuse as in Eq. 13 (the paper omits both). No effect on the uniform
+    // stream; a wake needs it to converge with the grid. Must be off for homogeneous shear, which the slip walls would diffuse away.
     bool diffusion = true;
 };
 
@@ -51,9 +49,9 @@ struct TurbulenceTable {
     double u0 = 0.0, l = 0.0, intensity = 0.0;
     double c0 = 0.0, r_lambda = 0.0;        // of the stationary state
     std::vector<double> t, chi, epsilon, k; // s, 1/s, m^2/s^3, m^2/s^2
-    // For the SPEED clock. Without a solid k only decays, and a moving body keeps renewing its initial state: the stationary point
-    // is sample 0. With a body it is the sample from which the table holds the mean of the steady part; with vortex shedding, or
-    // without settling, it is the last sample, the mean over a period or over the last half.
+    // Sample of the SPEED clock. Without a solid k only decays, and a moving body keeps renewing its initial state: sample 0. With a body it is the
+    // first sample of the steady mean; with vortex shedding, or without settling, it is the last sample, the mean over a period or over the last
+    // half.
     uint32_t stationary_index = 0;
     double stationary_chi_star = 0.0, stationary_epsilon_star = 0.0;
     bool settled = false;                  // a stationary point or loop was reached

@@ -31,7 +31,7 @@ TurbulenceState evolve(TurbulenceState s0, double strain, double t) {
     const double qn = 1.0 + a * t * h / chi0;
     const double qd = 1.0 + b * chi0 * t * h;
     const double growth = (log_cosh + portable_log(qn)) / g - (log_cosh + portable_log(qd)) / b;
-    // e^230 = 1e100 keeps unbounded growth under lasting strain finite.
+    // e^230 = 1e100 keeps k finite under lasting strain.
     const double k = s0.k * portable_exp(std::clamp(growth, -230.0, 230.0));
     return {k, k * (chi0 * (qn / qd))};
 }

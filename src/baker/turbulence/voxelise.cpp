@@ -9,7 +9,7 @@ namespace {
 
 // In cells. Far above the rounding of positions (2e-16 times 512 cells), far below the size of any body.
 constexpr double slack = 1e-9;
-// A flatter triangle, seen along the axis, has no reliable plane: only its three edges count.
+// A flatter triangle, seen along the axis, has no reliable plane; only its edges count.
 constexpr double edge_on = 1e-6;
 
 struct Corner {

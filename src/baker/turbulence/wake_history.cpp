@@ -36,8 +36,7 @@ size_t find_period(const std::vector<TurbulenceState>& history) {
     for (size_t n = 0; n < count; ++n) mean += chi[n] = shape::turbulent_frequency(history[begin + n]);
     mean /= static_cast<double>(count);
     for (double& x : chi) x -= mean;
-    // Normalised by the two stretches that the lag compares, so that a growing or decaying oscillation counts as periodic and a drift
-    // does not.
+    // Normalised by the two stretches that the lag compares, so that a growing or decaying oscillation is periodic, and a drift is not.
     const auto correlation = [&](size_t lag) {
         double both = 0.0, first = 0.0, second = 0.0;
         for (size_t n = 0; n + lag < count; ++n) {
@@ -48,7 +47,7 @@ size_t find_period(const std::vector<TurbulenceState>& history) {
         const double norm = std::sqrt(first * second);
         return norm > 0.0 ? both / norm : 0.0;
     };
-    bool fell = false; // below zero, as every oscillation between its beginning and its first repetition
+    bool fell = false; // below zero, as any oscillation does before its first repetition
     double before = 1.0, here = correlation(1);
     for (size_t lag = 2; 2 * lag <= count + 1; ++lag) {
         const double next = correlation(lag);

@@ -9,14 +9,14 @@
 namespace lr::baker {
 
 enum class WakeEnd {
-    unsettled,  // neither, by the end of the history
+    unsettled,  // neither of the others by the end of the history
     stationary, // chi and epsilon stay within 2 % over the window
     loop        // vortex shedding: chi is periodic
 };
 
 struct WakeSummary {
     WakeEnd end = WakeEnd::unsettled;
-    // The samples that represent the developed wake: [begin, begin + count) of the history. One period of a loop.
+    // Samples of the developed wake: [begin, begin + count) of the history. One period of a loop.
     size_t begin = 0, count = 0;
     shape::TurbulenceState mean{0.0, 0.0}; // over them
 };
@@ -24,8 +24,8 @@ struct WakeSummary {
 // history: at equal intervals. window: number of last samples that must agree.
 bool is_stationary(const std::vector<shape::TurbulenceState>& history, size_t window);
 
-// The period in samples: the lag of the first maximum above 0.8 of the autocorrelation of chi (second half of the
-// history, mean removed), at least 8 samples, at least two periods in that half. Zero: none.
+// Period in samples: lag of the first maximum above 0.8 of the autocorrelation of chi (second half of the history, mean removed), at least 8 samples
+// and at most half of that stretch. Zero: none.
 size_t find_period(const std::vector<shape::TurbulenceState>& history);
 
 WakeSummary summarise_wake(const std::vector<shape::TurbulenceState>& history, size_t window);

@@ -22,7 +22,7 @@ WakeProbe::WakeProbe(const MacGrid& grid, std::array<GridPoint, 2> box, double b
         });
     }
     box[1][0] += std::max(behind, grid.spacing[0]);
-    // A body narrower than a cell has the wake of a body as wide as the cell.
+    // A body narrower than a cell has the wake of one as wide as the cell.
     for (size_t a = 1; a < 3; ++a) {
         const double missing = grid.spacing[a] - (box[1][a] - box[0][a]);
         if (missing > 0.0) box[0][a] -= 0.5 * missing, box[1][a] += 0.5 * missing;

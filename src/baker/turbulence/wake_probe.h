@@ -10,8 +10,8 @@
 
 namespace lr::baker {
 
-// The mean over the fluid in the body's box, extended downstream by `behind`. Each cell is weighted by its part of that volume,
-// so that the volume depends on the body, not on the grid. An empty box: that of the solid cells.
+// Over the fluid in the body's box, extended downstream by `behind`; an empty box: that of the solid cells. Each cell is weighted by its part of that
+// volume, so that the volume depends on the body, not on the grid.
 class WakeProbe {
 public:
     WakeProbe() = default;
