@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts of command line and terminal that differ between operating systems.
+// Differences between operating systems in command line and terminal.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace lr::baker {
 
-// In UTF-8. On Windows, whose shells do not expand patterns such as leaves/*.fbx, replaces them by the matching files.
+// In UTF-8. On Windows, where shells do not expand patterns such as leaves/*.fbx, expands them to the matching files.
 std::vector<std::string> utf8_arguments(int argc, char** argv);
 
 // Makes the terminal show UTF-8, and lets a write beyond a file size limit fail instead of ending the program.

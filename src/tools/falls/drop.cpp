@@ -13,7 +13,7 @@
 namespace lr::falls {
 namespace {
 
-constexpr size_t most_samples = 16384; // of one track; a longer one keeps every second, fourth, ...
+constexpr size_t most_samples = 16384; // of one track; a longer one keeps every second, fourth, and so on
 constexpr double gravity = 9.81;       // m/s^2, the runtime's default
 
 struct DestroyWorld {
@@ -65,7 +65,7 @@ World make_world(const Drop& options) {
     return world;
 }
 
-// Of the bodies that still fall.
+// Thins the tracks of bodies that still fall.
 void keep_every_second(std::vector<Track>& tracks) {
     for (Track& t : tracks) {
         if (t.arrived) continue;
@@ -76,7 +76,7 @@ void keep_every_second(std::vector<Track>& tracks) {
     }
 }
 
-// Reads the bodies by their noise seeds: a body that diverges changes its place in the view.
+// Finds bodies by their noise seeds, because a diverged body changes its place in the view.
 class Reader {
 public:
     Reader(const lr_world* world, lr_batch batch, uint32_t first, std::vector<Eigen::Vector3d> places)
@@ -122,7 +122,7 @@ Shape shape_of(const lr_asset* asset, const Drop& options) {
     Eigen::Index largest = 0;
     shape.normal.cwiseAbs().maxCoeff(&largest);
     if (shape.normal[largest] < 0.0) shape.normal = -shape.normal;
-    // The mean of x x^T over the mass; an ellipsoid's is a fifth of its squared semi-axes. Drawn as long as the body is.
+    // The mean of x x^T over the mass, which for an ellipsoid is a fifth of its squared semi-axes. Drawn with the length of the body.
     const Eigen::Matrix3d inertia = Eigen::Map<const Eigen::Matrix3d>(info.inertia);
     const Eigen::Matrix3d spread = 0.5 * inertia.trace() * Eigen::Matrix3d::Identity() - inertia;
     const double longest = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvalues()[2];

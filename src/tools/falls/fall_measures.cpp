@@ -13,20 +13,20 @@ namespace lr::falls {
 namespace {
 
 constexpr size_t most_judged = 512;        // samples: some twenty swings, and the autocorrelation is quadratic in them
-constexpr double judged_turn = 1.0 / 40.0; // turns of the normal from one judged sample to the next, most in the mean
+constexpr double judged_turn = 1.0 / 40.0; // mean turn of the normal between judged samples, in turns, at most
 constexpr double turn = 2.0 * std::numbers::pi;
 
 Eigen::Vector3d horizontal(const Eigen::Vector3d& v) {
     return {v.x(), 0.0, v.z()};
 }
 
-// Over a stretch of a fall, relative to the mean wind.
-struct Way {
+// Motion over part of a fall, relative to the mean wind.
+struct Travel {
     double time = 0.0, fallen = 0.0, path = 0.0, net = 0.0; // s, m; path and net: horizontal
 };
 
-Way way_of(std::span<const Sample> samples, double interval, const Eigen::Vector3d& wind) {
-    Way w;
+Travel travel_of(std::span<const Sample> samples, double interval, const Eigen::Vector3d& wind) {
+    Travel w;
     w.time = interval * static_cast<double>(samples.size() - 1);
     const Eigen::Vector3d drift = interval * wind;
     for (size_t i = 1; i < samples.size(); ++i)
@@ -37,7 +37,7 @@ Way way_of(std::span<const Sample> samples, double interval, const Eigen::Vector
     return w;
 }
 
-// Of the normal to and fro, along the horizontal direction in which it moves most.
+// Swings of the normal to and fro, along the horizontal direction in which it moves most.
 double count_swings(std::span<const Eigen::Vector3d> normals) {
     Eigen::Vector2d mean = Eigen::Vector2d::Zero();
     Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
@@ -52,7 +52,7 @@ double count_swings(std::span<const Eigen::Vector3d> normals) {
     return static_cast<double>(peaks(signal, 0.5 * (quantile(sorted, 0.95) - quantile(sorted, 0.05))).size());
 }
 
-// Degrees: 95 % of the normals are within it of their mean.
+// Degrees: the angle from their mean that holds 95 % of the normals.
 double attitude_change(std::span<const Eigen::Vector3d> normals) {
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
     for (const Eigen::Vector3d& n : normals) mean += n;
@@ -62,7 +62,7 @@ double attitude_change(std::span<const Eigen::Vector3d> normals) {
     return quantile(angles, 0.95) * 180.0 / std::numbers::pi;
 }
 
-// The last samples but for the first quarter: as far apart as the turning of the normal allows, if they are too many.
+// Samples without the first quarter; if they are too many, thinned as far as the turning of the normal allows.
 std::vector<Sample> judged(std::span<const Sample> all, const Shape& shape, size_t& stride) {
     const std::span<const Sample> last = all.last(all.size() - all.size() / 4);
     double turned = 0.0;
@@ -92,20 +92,20 @@ void judge(Fall& fall, std::span<const Sample> samples, double interval, const S
     RegimeLimits regime_limits;
     regime_limits.tumbling_run = 2;
     const RegimeMeasures m = measure_regime(normals, up(), regime_limits);
-    const Way way = way_of(samples, interval, wind);
+    const Travel travel = travel_of(samples, interval, wind);
     const double swings = count_swings(normals);
-    fall.turnovers = 0.5 * m.half_turns / way.time;
-    fall.swings = swings / way.time;
+    fall.turnovers = 0.5 * m.half_turns / travel.time;
+    fall.swings = swings / travel.time;
 
-    const double turns = std::abs(spin) * way.time / turn, lengths = std::abs(way.fallen) / shape.length;
+    const double turns = std::abs(spin) * travel.time / turn, lengths = std::abs(travel.fallen) / shape.length;
     const bool one_way = turns >= limits.spin_turns && std::abs(spin) >= limits.spin_constancy * std::sqrt(squares);
     const bool turns_over = m.half_turns > 0.0 || m.net_half_turns >= 2.0; // flutter past the vertical swings back
-    const double flat = std::max(std::abs(way.fallen), shape.length);
-    fall.spirals = one_way && !turns_over && way.path >= flat;
+    const double flat = std::max(std::abs(travel.fallen), shape.length);
+    fall.spirals = one_way && !turns_over && travel.path >= flat;
     const bool spins =
         !fall.spirals && one_way && turns >= limits.spin_per_length * lengths && turns > 0.5 * m.half_turns;
     const bool glides =
-        fall.spirals || (!turns_over && way.net >= flat && way.net >= limits.glide_straightness * way.path);
+        fall.spirals || (!turns_over && travel.net >= flat && travel.net >= limits.glide_straightness * travel.path);
     const double change = attitude_change(normals);
     const bool keeps_attitude = change < limits.steady_angle;
     const bool irregular =
@@ -135,7 +135,7 @@ Fall measure(const Track& track, const Shape& shape, const Eigen::Vector3d& wind
     fall.end = track.end;
     const std::span<const Sample> all(track.samples);
     const size_t n = all.size();
-    if (n < 8) { // no parts to speak of: the mean is that of the whole fall, which is not settled
+    if (n < 8) { // too short for parts: the mean of the whole fall, which is not settled
         if (track.time > 0.0) fall.descent = fall.last_quarter = -track.end.y() / track.time;
         return fall;
     }
@@ -146,7 +146,7 @@ Fall measure(const Track& track, const Shape& shape, const Eigen::Vector3d& wind
     fall.descent = descent(half, n - 1);
     fall.third_quarter = descent(half, quarter);
     fall.last_quarter = descent(quarter, n - 1);
-    const Way second = way_of(all.subspan(half), track.interval, wind);
+    const Travel second = travel_of(all.subspan(half), track.interval, wind);
     fall.horizontal_speed = second.path / second.time;
     for (const Sample& s : all.subspan(half)) fall.spin += s.spin.dot(up()) / turn / static_cast<double>(n - half);
     size_t stride = 1;
@@ -177,9 +177,9 @@ Falls summarise(const std::vector<Fall>& falls) {
     out.arrived = static_cast<uint32_t>(out.time.count);
     if (falls.empty()) return out;
 
-    // Settled: the last quarter is as fast as the third, to 5 % or to what scatter explains. Bodies whose speed varies reach the
-    // floor when they are fast, by some part of that variation. Nor does the middle half of the bodies widen or move by much: while
-    // some gain speed and others begin to turn, the mean of all can rest.
+    // Settled: the last quarter is as fast as the third, to 5 % or within the scatter. Bodies of varying speed reach the floor when they are fast, by
+    // some part of that variation. The speeds of the middle half of the bodies must not spread or shift by much either: while some bodies speed up
+    // and others begin to turn, the mean can stay constant.
     const Statistic gain = over(
         falls, [](const Fall& f) { return f.last_quarter - f.third_quarter; }, any);
     const Statistic& third = out.third_quarter = over(

@@ -8,25 +8,25 @@
 
 namespace lr::falls {
 
-// steady: keeps its attitude; fluttering: swings to and fro; tumbling: turns over and over; spinning: autorotates about the
-// vertical; gliding: flies flatter than 45 degrees, straight on or in a spiral; chaotic: turns over now and then, or swings far without a period.
+// steady: keeps its attitude; fluttering: swings to and fro; tumbling: turns over and over; spinning: autorotates about the vertical; gliding: flies
+// flatter than 45 degrees, straight or in a spiral; chaotic: turns over now and then, or swings far without a period.
 enum class Motion : uint8_t { steady, fluttering, tumbling, spinning, gliding, chaotic };
 inline constexpr std::array<const char*, 6> motion_names{"steady",   "fluttering", "tumbling",
                                                          "spinning", "gliding",    "chaotic"};
 
 struct MotionLimits {
-    double steady_angle = 6.0;       // degrees: steady within it of the mean attitude, 95 % of the time
-    double rocking_angle = 45.0;     // the same for bodies that flutter, however irregularly
-    double tumbling_share = 0.5;     // least part of the time in straight half turns, two or more in a row
-    double spin_turns = 1.0;         // about the vertical, least net turns
-    double spin_per_length = 0.05;   // least net turns in a fall by the body's length
+    double steady_angle = 6.0;       // degrees from the mean attitude, within which it is steady 95 % of the time
+    double rocking_angle = 45.0;     // the same for flutter, however irregular
+    double tumbling_share = 0.5;     // least share of the time in straight half turns, two or more in a row
+    double spin_turns = 1.0;         // least net turns about the vertical
+    double spin_per_length = 0.05;   // least net turns per body length of fall
     double spin_constancy = 0.8;     // least mean over root mean square of the rate about the vertical
-    double glide_straightness = 0.7; // least net horizontal way over horizontal path
-    double regularity = 0.4;         // of swings, least autocorrelation after one period
-    double judged_swings = 4.0;      // with fewer swings their regularity is not judged
+    double glide_straightness = 0.7; // least net horizontal distance over horizontal path
+    double regularity = 0.4;         // least autocorrelation of swings after one period
+    double judged_swings = 4.0;      // swings below which their regularity is not judged
 };
 
-// Means are over the second half of the fall's time; the motion is judged without the first quarter.
+// Means are over the second half of the fall's time. The motion is judged without the first quarter.
 struct Fall {
     bool arrived = false;
     double time = 0.0;                              // s, of the whole fall
@@ -47,13 +47,13 @@ struct Falls {
     uint32_t count = 0, arrived = 0;
     Statistic descent, horizontal_speed, spin, turnovers, swings; // spin: magnitudes; swings: of fluttering bodies
     Statistic turning;                                            // spin of spinning bodies
-    Statistic time;                                               // of those that arrived
+    Statistic time;                                               // of arrived bodies
     Statistic third_quarter, last_quarter;                        // of descent; third: 0 if a fall is short
     bool settled = false;
     std::array<double, motion_names.size()> shares{}; // of each Motion
-    double spirals = 0.0;                             // share that glides in spirals
-    Eigen::Vector3d drift = Eigen::Vector3d::Zero();  // m, mean horizontal way
-    double half_radius = 0.0, most_radius = 0.0;      // m, about the drift: hold half and 95 % of the landings
+    double spirals = 0.0;                             // share gliding in spirals
+    Eigen::Vector3d drift = Eigen::Vector3d::Zero();  // m, mean horizontal displacement
+    double half_radius = 0.0, most_radius = 0.0; // m, radii about the drift with half and with 95 % of the landings
 };
 
 Falls summarise(const std::vector<Fall>& falls);

@@ -55,7 +55,7 @@ Falls drop_and_measure(const lr_asset* asset, const Drop& options, std::vector<F
         }
     }
     Falls all = summarise(falls);
-    // A fall in turbulence ends in a downdraught more often than not, so its last quarter is faster for ever.
+    // A fall in turbulence ends in a downdraught more often than not, so its last quarter is always faster.
     all.settled = all.settled || options.turbulence > 0.0;
     return all;
 }
@@ -78,7 +78,7 @@ std::string how_it_falls(const lr_asset* asset) {
     options.longest = 3000.0 * options.step;
     Falls falls;
     std::vector<Fall> each;
-    // Manners take lengths to develop; speed takes heights of (terminal speed)^2 / g, about thickness times excess of density.
+    // Motions take body lengths to develop; speed takes heights of (terminal speed)^2 / g, about thickness times excess density.
     const double excess = std::abs(shape.density / shape.fluid_density - 1.0);
     options.height = std::max(100.0 * shape.length, 5.0 * excess * shape.thickness);
     falls = drop_and_measure(asset, options, each);

@@ -12,7 +12,7 @@
 namespace lr::falls {
 namespace {
 
-// Hysteresis of an overturn: the normal's cosine with the vertical must go from beyond one sign of this to beyond the other.
+// Hysteresis of an overturn: the cosine between normal and vertical must pass from beyond one sign of this to beyond the other.
 constexpr double over = 0.1;
 
 struct Crossing {
@@ -21,21 +21,21 @@ struct Crossing {
 };
 
 struct Motion {
-    std::vector<double> way; // rad, path of the normal since the first sample
+    std::vector<double> path; // rad, path of the normal since the first sample
     std::vector<Crossing> crossings;
 };
 
 Motion follow(std::span<const Eigen::Vector3d> normals, const Eigen::Vector3d& up) {
     Motion m;
-    m.way.assign(1, 0.0);
+    m.path.assign(1, 0.0);
     std::vector<Eigen::Vector3d> turned(1, Eigen::Vector3d::Zero()); // sum of n x dn
     for (size_t i = 1; i < normals.size(); ++i) {
         const Eigen::Vector3d axis = normals[i - 1].cross(normals[i]);
-        m.way.push_back(m.way.back() + std::atan2(axis.norm(), normals[i - 1].dot(normals[i])));
+        m.path.push_back(m.path.back() + std::atan2(axis.norm(), normals[i - 1].dot(normals[i])));
         turned.push_back(turned.back() + axis);
     }
     int side = 0;
-    size_t left = 0; // last sample on the side before
+    size_t left = 0; // last sample on the previous side
     for (size_t i = 0; i < normals.size(); ++i) {
         const double cosine = normals[i].dot(up);
         const int now = cosine > over ? 1 : cosine < -over ? -1 : 0;
@@ -58,7 +58,7 @@ std::vector<double> autocorrelation(std::span<const Eigen::Vector3d> normals, co
     for (Eigen::Vector3d& v : h) v -= mean;
     std::vector<double> r(lags, 0.0);
     for (size_t lag = 0; lag < lags; ++lag) {
-        // Normalised by the energy of both stretches: the shorter overlap of a long lag must not damp it.
+        // Normalised by the energy of both stretches, so that the shorter overlap of a long lag does not damp it.
         double product = 0.0, early = 0.0, late = 0.0;
         for (size_t i = 0; i + lag < h.size(); ++i) {
             product += h[i].dot(h[i + lag]);
@@ -85,15 +85,15 @@ RegimeMeasures measure_regime(std::span<const Eigen::Vector3d> normals, const Ei
 
     const Motion motion = follow(normals, up);
     m.overturns = static_cast<double>(motion.crossings.size());
-    // Flutter beyond the horizontal also makes straight half turns, but returns: only two in a row, a whole turn, count.
+    // Flutter beyond the horizontal also makes straight half turns, but returns, so only two in a row (a whole turn) count.
     std::vector<bool> straight;
     double net = motion.crossings.empty() ? 0.0 : 1.0, way_round = 1.0;
     for (size_t i = 1; i < motion.crossings.size(); ++i) {
         const Crossing &a = motion.crossings[i - 1], &b = motion.crossings[i];
-        const double way = motion.way[b.at] - motion.way[a.at];
+        const double turn = motion.path[b.at] - motion.path[a.at];
         if (a.axis.dot(b.axis) < 0.0) way_round = -way_round;
         net += way_round;
-        straight.push_back(a.axis.dot(b.axis) > 0.0 && way < limits.longest_half_turn * std::numbers::pi);
+        straight.push_back(a.axis.dot(b.axis) > 0.0 && turn < limits.longest_half_turn * std::numbers::pi);
     }
     m.net_half_turns = std::abs(net);
     size_t time = 0;
@@ -106,7 +106,7 @@ RegimeMeasures measure_regime(std::span<const Eigen::Vector3d> normals, const Ei
     }
     m.tumbling_share = static_cast<double>(time) / static_cast<double>(normals.size() - 1);
 
-    // Measured from the side that is up most of the time: flutter past the horizontal has maxima beyond 90 degrees.
+    // From the side that is up most of the time, because flutter past the horizontal has maxima beyond 90 degrees.
     double height = 0.0;
     for (const Eigen::Vector3d& n : normals) height += n.dot(up);
     const Eigen::Vector3d zenith = height < 0.0 ? Eigen::Vector3d(-up) : up;
@@ -120,7 +120,7 @@ RegimeMeasures measure_regime(std::span<const Eigen::Vector3d> normals, const Ei
     const std::vector<double> r = autocorrelation(normals, up, normals.size() / 2);
     const std::vector<size_t> returns = peaks(r, 0.2);
     if (!returns.empty()) {
-        // An elliptic orbit has a smaller maximum at half its period: the highest of the first few is the whole period.
+        // An elliptic orbit has a smaller maximum at half its period, so the highest of the first few is the whole period.
         size_t best = returns[0];
         for (size_t i = 1; i < std::min<size_t>(returns.size(), 3); ++i)
             if (r[returns[i]] > r[best] + 0.1) best = returns[i];

@@ -14,13 +14,14 @@ enum class Regime : uint8_t { steady, periodic, chaotic, tumbling };
 inline constexpr std::array<const char*, 4> regime_names{"steady", "periodic", "chaotic", "tumbling"};
 
 struct RegimeLimits {
-    double steady_tilt = 3.0;        // degrees; steady: the tilt is below it 95 % of the time
-    double tumbling_share = 0.8;     // tumbling: least fraction of the time in straight half turns
-    size_t tumbling_run = 8;         // tumbling: least number of half turns in a row
-    double longest_half_turn = 1.35; // path of the normal in one straight half turn, in half turns; more is to and fro
-    double regularity = 0.8;         // autocorrelation of the normal's horizontal part after one period
-    double amplitude_spread = 0.25;  // relative standard deviation of the tilt's maxima
-    double least_periods = 5.0;      // in the window, for "periodic"
+    double steady_tilt = 3.0;    // degrees; steady: smaller tilt 95 % of the time
+    double tumbling_share = 0.8; // tumbling: least fraction of the time in straight half turns
+    size_t tumbling_run = 8;     // tumbling: least number of half turns in a row
+    // Path of the normal in one straight half turn, in half turns; a longer one goes to and fro.
+    double longest_half_turn = 1.35;
+    double regularity = 0.8;        // autocorrelation of the normal's horizontal part after one period
+    double amplitude_spread = 0.25; // relative standard deviation of the tilt's maxima
+    double least_periods = 5.0;     // in the window, for "periodic"
 };
 
 struct RegimeMeasures {

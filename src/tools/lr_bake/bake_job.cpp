@@ -71,7 +71,7 @@ std::string_view as_text(const std::vector<uint8_t>& bytes) {
 
 // Whether every output exists, is valid, and was made by this baker from the same input bytes with the same options.
 bool is_current(const BakeJob& job) {
-    if (!job.preview.empty()) return false; // a picture does not say which bake it is of
+    if (!job.preview.empty()) return false; // a picture has no provenance
     std::vector<uint8_t> bytes;
     Faults ignored;
     AssetData asset;
@@ -91,7 +91,7 @@ bool is_current(const BakeJob& job) {
     return find_input_hash(job.bake) == made.input_hash;
 }
 
-// Nothing if the runtime refuses: a bake must not fail for a remark about it.
+// Empty if the runtime refuses the asset: the bake itself must not fail.
 std::string fall_of(const std::vector<uint8_t>& bytes) {
     lr_asset* loaded = nullptr;
     if (lr_asset_load_memory(bytes.data(), bytes.size(), &loaded) != LR_OK) return "";

@@ -31,7 +31,7 @@ struct BakeOutcome {
     Faults faults;
     BakeTimings timings;
     std::vector<std::vector<uint8_t>> files; // contents of outputs()
-    std::string fall; // how it falls; empty if not asked for, or if the runtime refuses the asset
+    std::string fall; // sentence of how_it_falls; empty if not asked for, or if the runtime refuses the asset
     double seconds = 0.0;
 };
 

@@ -39,14 +39,14 @@ public:
     Batch(const std::vector<BakeJob>& jobs, const BatchLimits& limits, const BatchEvents& events)
         : jobs_(jobs), events_(events), budget_(limits.memory), parts_(jobs.size()), outcomes_(jobs.size()),
           ready_(jobs.size()) {
-        // Workers inherit the blocked signals, so that signals reach the calling thread, which blocks them while it writes files.
+        // Workers inherit the blocked signals, which then reach the calling thread; it blocks them while it writes files.
         const SignalsHeld held;
         const std::size_t wanted = std::clamp<std::size_t>(limits.threads, 1, std::max<std::size_t>(jobs.size(), 1));
         solver_threads_ = std::max(1U, std::thread::hardware_concurrency() / static_cast<unsigned>(wanted));
         threads_.reserve(wanted);
         try {
             while (threads_.size() < wanted) threads_.emplace_back([this] { work(); });
-        } catch (const std::system_error&) { // the system allows no more threads; the present ones do the work
+        } catch (const std::system_error&) { // no more threads are allowed; the present ones do the work
         }
     }
     ~Batch() {
@@ -109,7 +109,7 @@ private:
         };
         const auto progress = [&](const char* phase, double fraction) {
             parts_[i] = std::min(overall_progress(phase, fraction), 0.99);
-            // The later phases need little memory; let waiting jobs start.
+            // Later phases need little memory, so waiting jobs can start.
             if (reserved > 0 && fraction >= 1.0 && std::strcmp(phase, "added mass") == 0)
                 budget_.release(std::exchange(reserved, 0));
         };
@@ -132,7 +132,7 @@ private:
     std::mutex mutex_;
     std::condition_variable changed_;
     std::deque<std::size_t> made_;
-    std::vector<char> ready_; // this and the next two: used by the calling thread only
+    std::vector<char> ready_; // until failed_: used only by the calling thread
     std::size_t next_shown_ = 0, failed_ = 0;
     unsigned solver_threads_ = 1; // for each job: jobs share the processors
     std::vector<std::thread> threads_;

@@ -16,13 +16,13 @@ struct BatchFolders {
     std::string assets, reports, plots, previews; // all but the first can be empty
 };
 
-// One job for each input, into FOLDER/STEM.lrb, FOLDER/STEM.json, FOLDER/STEM.turbulence.svg and so on. If two inputs have the same output, returns
-// nothing, and `clash` names them.
+// One job for each input, into FOLDER/STEM.lrb, FOLDER/STEM.json, FOLDER/STEM.turbulence.svg and so on. Nothing if two inputs have the same output;
+// `clash` then names them.
 std::optional<std::vector<BakeJob>> plan_batch(const std::vector<std::string>& inputs, const BakeOptions& options,
                                                const BatchFolders& folders, bool if_changed, std::string& clash);
 
-// One job for each region of each job's image, by size: OUT_1.lrb, OUT_2.lrb; so are reports, plots and names numbered. The job of
-// an image that cannot be read stays as it is, to fail by itself.
+// One job for each region of each job's image, by size: OUT_1.lrb, OUT_2.lrb, with reports, plots and names numbered likewise. The job of an
+// unreadable image stays as it is, and fails later.
 std::vector<BakeJob> plan_islands(const std::vector<BakeJob>& jobs);
 
 // One path per line, from a file, or from standard input for "-"; skips empty lines. Faults 101 and 102.
@@ -30,11 +30,11 @@ bool read_list(const std::string& path_utf8, std::vector<std::string>& inputs, F
 
 struct BatchLimits {
     unsigned threads = 1;
-    uint64_t memory = 0; // bytes for the solvers of all jobs together; a job that needs more runs alone
+    uint64_t memory = 0; // bytes for the solvers of all jobs; a job that needs more runs alone
 };
 
 struct BatchEvents {
-    // On the calling thread, in the order of the jobs, when a job and all before it are done.
+    // On the calling thread, in the order of the jobs, once a job and all before it are done.
     std::function<void(const BakeJob&, const BakeOutcome&)> done;
     // On the calling thread, a few times a second: the number of finished jobs, plus the fractions of running ones.
     std::function<void(double finished)> progress;

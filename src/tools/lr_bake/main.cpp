@@ -32,7 +32,7 @@ constexpr std::size_t max_asset_bytes = std::size_t{1} << 30; // read_asset
 void print(const std::string& file, const Faults& faults, bool warnings) {
     for (Fault fault : faults) {
         if (fault.severity == Severity::warning && !warnings) continue;
-        // A fault of an output file is prefixed with that file instead of the mesh.
+        // A fault of an output file names that file instead of the mesh.
         const bool whole = fault.where == file || (static_cast<uint32_t>(fault.id) < 200 && !fault.where.empty());
         const std::string prefix = whole ? fault.where : file;
         if (whole) fault.where.clear();

@@ -24,7 +24,7 @@ namespace {
 std::optional<uint64_t> number_in(const char* path) {
     std::ifstream stream(path);
     uint64_t value = 0;
-    if (stream >> value) return value; // fails for "max": no limit
+    if (stream >> value) return value; // fails for "max", which is no limit
     return {};
 }
 

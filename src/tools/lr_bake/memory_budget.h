@@ -11,7 +11,7 @@ namespace lr::baker {
 // Bytes available in the machine and its container; 4 GiB if unknown.
 uint64_t available_memory();
 
-// Upper bound of the bytes that the added mass solver needs for so many faces, beyond the mesh.
+// Upper bound of the bytes that the added-mass solver needs for this many faces, beyond the mesh.
 uint64_t solve_memory(std::size_t faces);
 
 class MemoryBudget {

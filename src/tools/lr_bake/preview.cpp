@@ -25,7 +25,7 @@ const Colour paper = from_srgb(252, 250, 245), black = from_srgb(44, 42, 40), gr
 // Long, wide, thin.
 const std::array<Colour, 3> axis_inks{from_srgb(24, 104, 118), from_srgb(188, 134, 26), from_srgb(178, 44, 92)};
 
-// The principal axes by the body's extent along them, the longest first.
+// Principal axes in order of the body's extent, the longest first.
 struct Frame {
     std::array<Vector3d, 3> axis;
     std::array<double, 3> low{}, high{}; // m, from the centre of mass
@@ -52,7 +52,7 @@ Frame frame_of(const AssetData& asset, const Mesh& body) {
         frame.low[k] = low[order[k]];
         frame.high[k] = high[order[k]];
     }
-    // A sheet has its thickness, which its middle surface does not show.
+    // A sheet has its thickness, which its middle surface lacks.
     const double missing = asset.length_b - (frame.high[2] - frame.low[2]);
     if (missing > 0.0) {
         frame.low[2] -= 0.5 * missing;
@@ -66,7 +66,7 @@ public:
     View(Picture& picture, const AssetData& asset, const Mesh& body, const Frame& frame)
         : picture_(picture), asset_(asset), body_(body), frame_(frame) {}
 
-    // toward: from the body to the reader. Fits the body into the rectangle.
+    // toward: from the body to the viewer. Fits the body into the rectangle.
     void draw(double left, double top, double wide, double high, const Vector3d& toward, const Vector3d& right) {
         toward_ = toward.normalized();
         right_ = (right - right.dot(toward_) * toward_).normalized();
@@ -76,7 +76,7 @@ public:
             low_x = std::min(low_x, v.dot(right_)), high_x = std::max(high_x, v.dot(right_));
             low_y = std::min(low_y, v.dot(up_)), high_y = std::max(high_y, v.dot(up_));
         }
-        constexpr double part = 0.74; // the rest is for axes and their names
+        constexpr double part = 0.74; // of the rectangle; the rest is for axes and their names
         scale_ = part * std::min(wide / std::max(high_x - low_x, 1e-12), high / std::max(high_y - low_y, 1e-12));
         origin_ = {left + 0.5 * wide - 0.5 * (low_x + high_x) * scale_,
                    top + 0.5 * high + 0.5 * (low_y + high_y) * scale_};
@@ -160,7 +160,7 @@ private:
         return {static_cast<double>(v[3 * i]), static_cast<double>(v[3 * i + 1]), static_cast<double>(v[3 * i + 2])};
     }
 
-    // The edges where the hull turns: those between its flat triangles say nothing.
+    // Only edges where the hull turns, not those between its coplanar triangles.
     void draw_hull() {
         const std::vector<uint32_t>& t = asset_.hull.triangles;
         const auto normal = [&](std::size_t face) {
@@ -190,10 +190,10 @@ private:
         const Vector3d& axis = frame_.axis[k];
         const Point from = at((frame_.low[k] - beyond) * axis), to = at((frame_.high[k] + beyond) * axis);
         const double length = std::hypot(to.x - from.x, to.y - from.y);
-        if (length < 40.0) return; // it points at the reader
+        if (length < 40.0) return; // it points at the viewer
         const double dx = (to.x - from.x) / length, dy = (to.y - from.y) / length;
         picture_.line(from, to, k == 2 ? 3.2 : 2.0, axis_inks[k]);
-        if (k == 2) // arrows: the direction that the body is thin in
+        if (k == 2) // arrowheads mark the thin direction
             for (const double end : {-1.0, 1.0}) {
                 const Point tip = end > 0.0 ? to : from;
                 for (const double side : {-6.0, 6.0})
@@ -202,11 +202,11 @@ private:
             }
         static constexpr std::array<const char*, 3> names{"long ", "wide ", "thin "};
         const std::string text = names[k] + length_text(frame_.high[k] - frame_.low[k]);
-        // At the end that is higher or, of level axes, on the right.
+        // At the higher end or, of level axes, at the right end.
         const bool first = std::abs(dy) > 0.3 ? from.y < to.y : from.x > to.x;
         const Point tip = first ? from : to;
         const double out = first ? -1.0 : 1.0, room = text_width(15.0, text);
-        const bool level = std::abs(dy) <= 0.3; // then above the line, and ending with it
+        const bool level = std::abs(dy) <= 0.3; // then the name is above the line and ends with it
         const Point place = level ? Point{tip.x - (tip.x > 0.5 * (from.x + to.x) ? room : 0.0), tip.y - 9.0}
                                   : Point{tip.x + out * 14.0 * dx - 0.5 * room, tip.y - 12.0};
         write_text(picture_, {std::clamp(place.x, 8.0, width - room - 8.0), place.y}, 15.0, axis_inks[k], text);

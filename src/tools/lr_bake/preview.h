@@ -1,4 +1,4 @@
-// A picture of what the baker understood of a body.
+// A picture of a baked body, to check what the baker made of the mesh.
 #pragma once
 
 #include "asset/asset_data.h"

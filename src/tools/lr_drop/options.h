@@ -20,6 +20,6 @@ struct DropCommand {
 // Nothing after help or version (exit code 0) or wrong usage (2), which are already printed.
 std::optional<DropCommand> parse_command_line(int argc, char** argv, int& exit_code);
 
-// Faults 301 for numbers that no fall can have.
+// Faults 301 for numbers out of range.
 Faults check(const DropCommand& command);
 } // namespace lr::tools

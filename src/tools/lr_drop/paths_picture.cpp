@@ -34,17 +34,17 @@ Point operator+(Point a, const Vector2d& b) {
     return {a.x + b.x(), a.y + b.y()};
 }
 
-// The picture's axes in the world: `right` is the wind's direction, if any; `near` points to the reader of the side view.
+// The picture's axes in the world. right: direction of the wind, if any; toward_viewer: out of the side view.
 struct Axes {
-    Vector3d right = Vector3d::UnitX(), near = Vector3d::UnitZ();
+    Vector3d right = Vector3d::UnitX(), toward_viewer = Vector3d::UnitZ();
 
     explicit Axes(const Vector3d& wind) {
         const Vector3d level(wind.x(), 0.0, wind.z());
         if (level.norm() > 0.0) right = level.normalized();
-        near = right.cross(falls::up());
+        toward_viewer = right.cross(falls::up());
     }
     Vector2d from_side(const Vector3d& p) const { return {p.dot(right), -p.y()}; }
-    Vector2d from_above(const Vector3d& p) const { return {p.dot(right), p.dot(near)}; }
+    Vector2d from_above(const Vector3d& p) const { return {p.dot(right), p.dot(toward_viewer)}; }
 };
 
 // The largest of 1, 2, 5 times a power of ten up to `most`.
@@ -76,7 +76,7 @@ void circle(Picture& picture, Point centre, double radius, double thickness, Col
     }
 }
 
-// The silhouette of the body's ellipsoid; one face is darker than the other, so that turns can be seen. scale: px per metre.
+// Silhouette of the body's ellipsoid, with one face darker so that turns are visible. scale: px per metre.
 void draw_body(Picture& picture, Point at, const falls::Shape& shape, const falls::Sample& sample, const Axes& axes,
                double scale, Colour colour) {
     const Eigen::Matrix3d turned =
@@ -86,7 +86,7 @@ void draw_body(Picture& picture, Point at, const falls::Shape& shape, const fall
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> silhouette(plane.transpose() * turned * plane);
     const Vector2d half = silhouette.eigenvalues().cwiseMax(0.0).cwiseSqrt() * scale;
     const Vector2d along = silhouette.eigenvectors().col(1);
-    const bool front = (sample.orientation * shape.normal).dot(axes.near) > 0.0;
+    const bool front = (sample.orientation * shape.normal).dot(axes.toward_viewer) > 0.0;
     const auto ellipse = [&](double grown, Colour fill, float alpha) {
         const double major = half[1] + grown, minor = std::max(half[0] + grown, 0.8);
         picture.ellipse(at, {major * along.x(), major * along.y()}, minor / major, fill, alpha);
@@ -102,8 +102,7 @@ struct Lanes {
     double above = 0.0;              // m, from a cell's top to the point of release
 };
 
-// Cells hold four fifths of the falls whole; the others reach into their neighbours. More rows fill the page better, as long
-// as the scale does not suffer much.
+// A cell holds four fifths of the falls whole; the others reach into neighbours. More rows fill the page better, if the scale does not suffer much.
 Lanes arrange(const Results& results, const Axes& axes, double drop_height, double wide, double high) {
     std::vector<double> left, right, top;
     for (const falls::Track& t : results.tracks) {
@@ -120,7 +119,7 @@ Lanes arrange(const Results& results, const Axes& axes, double drop_height, doub
     const double d = results.shape.length, before = falls::quantile(left, 0.8), after = falls::quantile(right, 0.8);
     const double risen = top.back(), fallen = results.falls.descent.mean < 0.0 ? 0.0 : drop_height;
     Lanes best;
-    double largest = 0.0; // scale, less for empty cells
+    double largest = 0.0; // of the scale, reduced for empty cells
     for (size_t rows = 1; rows <= results.tracks.size(); ++rows) {
         Lanes lanes;
         lanes.rows = rows;
@@ -181,7 +180,7 @@ void draw_falls(Picture& picture, const DropCommand& command, const Results& res
     }
     write_text(picture, {margin, 84.0}, 14.0, grey, caption);
     scale_bar(picture, {margin, height - 30.0}, lanes.scale, 0.12 * wide);
-    // Falls that reach beyond their lanes stay out of the right column.
+    // Keeps falls that reach beyond their lanes out of the right column.
     const int column = static_cast<int>(width - 1.5 * margin - side);
     picture.fill(column, 0, width - column, height, paper, 1.0f);
 }
@@ -191,7 +190,7 @@ void draw_landings(Picture& picture, const DropCommand& command, const Results& 
     write_text(picture, {left, 84.0}, 14.0, grey, "all landings from above");
     const Vector2d mean = axes.from_above(results.falls.drift);
     const double reach = std::max(1.15 * results.falls.most_radius, 0.5 * results.shape.length);
-    const bool far_away = mean.norm() > 4.0 * reach; // the release is left out
+    const bool far_away = mean.norm() > 4.0 * reach; // the release point is left out
     const Vector2d border(reach, reach), release_border = 0.1 * border;
     const Vector2d low = far_away ? Vector2d(mean - border) : (mean - border).cwiseMin(-release_border);
     const Vector2d high = far_away ? Vector2d(mean + border) : (mean + border).cwiseMax(release_border);
@@ -261,7 +260,7 @@ std::vector<uint8_t> draw_paths(const DropCommand& command, const Results& resul
     Picture picture(width, height, paper);
     const Axes axes(command.drop.wind);
     std::string heading = title(command, results);
-    std::erase(heading, '^'); // the letters have none
+    std::erase(heading, '^'); // the font has no '^'
     draw_falls(picture, command, results, axes);
     const double space = width - 2.0 * margin;
     write_text(picture, {margin, 48.0}, std::min(20.0, 20.0 * space / text_width(20.0, heading)), black, heading);

@@ -87,7 +87,7 @@ std::string text(const DropCommand& command, const Results& results) {
     const bool rises = f.descent.mean < 0.0;
     line("terminal speed", number(std::abs(f.descent.mean)) + (rises ? " m/s upward " : " m/s downward ") +
                                (rises ? range({.p5 = -f.descent.p95, .p95 = -f.descent.p5}) : range(f.descent)));
-    const auto half = [](const Statistic& quarter) { // of the bodies
+    const auto half = [](const Statistic& quarter) { // the middle half of the bodies
         return number(std::abs(quarter.p25)) + " to " + number(std::abs(quarter.p75));
     };
     if (!f.settled && f.third_quarter.deviation == 0.0 && f.third_quarter.mean == 0.0)

@@ -18,7 +18,7 @@ SeparableCmaEs::SeparableCmaEs(Point start, double step, size_t population, uint
     const auto n = static_cast<double>(mean_.size());
     learn_path_ = (selected_ + 2.0) / (n + selected_ + 5.0);
     fade_ = 4.0 / (n + 4.0);
-    // Rates of the full matrix times (n + 2)/3, because a diagonal has less to learn.
+    // Rates of the full matrix times (n + 2)/3, because a diagonal matrix has fewer parameters.
     const double faster = (n + 2.0) / 3.0;
     learn_one_ = std::min(1.0, faster * 2.0 / ((n + 1.3) * (n + 1.3) + selected_));
     learn_all_ = std::min(1.0 - learn_one_,
@@ -59,7 +59,7 @@ void SeparableCmaEs::tell(std::span<const double> values) {
     }
     length = std::sqrt(length);
     const double expected = std::sqrt(n) * (1.0 - 1.0 / (4.0 * n) + 1.0 / (21.0 * n * n)); // of |N(0, I)|
-    // While the step still grows fast, p_c waits.
+    // p_c is not updated while the step still grows fast.
     const double begun = std::sqrt(1.0 - std::pow(1.0 - learn_path_, 2.0 * ++generations_));
     const bool waits = length / begun > (1.4 + 2.0 / (n + 1.0)) * expected;
     for (size_t i = 0; i < mean_.size(); ++i) {

@@ -1,4 +1,4 @@
-// The coefficients that are fitted: members of PlateCoefficients, whose values are the present ones.
+// The fitted coefficients: members of PlateCoefficients, with their present values.
 #pragma once
 
 #include "asset/closed_forms/aerodynamic_coefficients.h"
@@ -16,18 +16,18 @@ struct Coefficient {
     double PlateCoefficients::*member;
     double least, most; // the search stays between these
 };
-// All of a disc's but the drag broadside, which is measured (steady-drag), and wake_reynolds, which falls of this size do not see.
+// All coefficients of a disc but the broadside drag, which is measured (steady-drag), and wake_reynolds, which has no effect at this size.
 std::span<const Coefficient> fitted_coefficients();
 
-// Coefficients as a bake with `changed` would have them, from those of a baked disc in the plane z = 0: each field times the
-// ratio that default_aerodynamics gives for a disc.
+// Coefficients of a bake with `changed`, from those of a baked disc in the plane z = 0: each field times its ratio in default_aerodynamics for a
+// disc.
 lr_aerodynamics rebaked(const lr_aerodynamics& disc, const PlateCoefficients& changed);
 
-// The library's loads, with these coefficients for each batch of discs.
+// The library's loads, with these coefficients set for each batch of discs.
 scorecard::Loads loads_with(const PlateCoefficients& changed);
 
-// To four digits, as members().
+// To the four digits of members().
 PlateCoefficients rounded(PlateCoefficients coefficients);
-// The lines of PlateCoefficients that give its members these values.
+// Source lines of PlateCoefficients with these values.
 std::string members(const PlateCoefficients& coefficients);
 } // namespace lr::fit

@@ -28,12 +28,12 @@ void add_cell(const MeasuredCell& cell, const CellStatistics& ours, Score& score
         const double off = ours.quantity[q].mean / cell.mean[q] - 1.0;
         score.means += std::abs(off) <= 0.15;
         score.worst_mean = std::max(score.worst_mean, std::abs(off));
-        // Means: by their tolerance, and steeply from 11 % on, so that few end up just outside.
+        // Means: by their tolerance, and steeply from 11 % on, so that few end just outside.
         score.misfit += 0.5 * square(off / 0.15) + 0.5 * square(excess(off, 0.11) / 0.04);
     }
     const double spread = ours.vz.deviation / cell.vz_deviation - 1.0;
     score.spreads += std::abs(spread) <= 0.2;
-    // Standard deviation of vz: likewise, bounded, because one cell cannot have all.
+    // Standard deviation of vz: likewise, but bounded, because no coefficients fit every cell.
     score.misfit += 0.7 * square(spread / 0.2) + std::min(8.0, 0.8 * square(excess(spread, 0.15) / 0.05));
     const std::array<double, 5> vz{ours.vz.p5, ours.vz.p25, ours.vz.p50, ours.vz.p75, ours.vz.p95};
     for (size_t k = 0; k < vz.size(); ++k) {
@@ -49,14 +49,14 @@ void add_cell(const MeasuredCell& cell, const CellStatistics& ours, Score& score
 } // namespace
 
 Objective::Objective(uint32_t threads) {
-    phase_options_.step = 0.02; // coarser and shorter than the scorecard's
+    phase_options_.step = 0.02; // coarser and shorter than in the scorecard
     phase_options_.duration = 150.0;
     std::vector<double> inertia;
     for (const ExpectedPoint& e : expected_points()) {
         if (inertia.empty() || inertia.back() != e.at.inertia) inertia.push_back(e.at.inertia);
         map_.push_back({e, inertia.size() - 1});
     }
-    // Next to the onset: three points for each I*, so that every other point of the map has some of both sides.
+    // Near the onset: three points for each I*, so that even every other point of the map has some on both sides.
     for (const double i : {0.001, 0.004, 0.01, 0.02, 0.04}) {
         inertia.push_back(i);
         for (const double reynolds : {83.0, 140.0, 155.0}) {
@@ -93,7 +93,7 @@ Score Objective::score(const PlateCoefficients& coefficients, const Effort& effo
     };
     parallel(threads, cells.size(), run_cell, part_of(0.0, paper_part));
     for (size_t i = 0; i < cells.size(); ++i) add_cell(measured_cells()[i], cells[i], out);
-    constexpr double most_of_rest = 200.0; // more than the terms below can add up to
+    constexpr double most_of_rest = 200.0; // more than all terms below can add up to
     if (!std::isfinite(out.misfit)) out.misfit = 1e9;
     if (out.misfit >= effort.hopeless) {
         out.misfit += most_of_rest;
@@ -106,7 +106,7 @@ Score Objective::score(const PlateCoefficients& coefficients, const Effort& effo
     const size_t points = (map_.size() + effort.map_stride - 1) / effort.map_stride;
     std::vector<double> agreeing(points); // share of the releases
     std::vector<double> drag(points);     // of the lightest discs
-    const auto run_rest = [&](size_t i) { // the longest jobs first
+    const auto run_rest = [&](size_t i) { // longest jobs first
         if (i < small_.size()) {
             out.tumbling[i] = drop_small_disc(small_discs[i], small_[i], effort.small_falls, 1000.0, loads).tumbling;
             return;
@@ -122,12 +122,12 @@ Score Objective::score(const PlateCoefficients& coefficients, const Effort& effo
         out.map += (share > 0.5 ? 1.0 : 0.0) / static_cast<double>(points);
         mean += share / static_cast<double>(points);
     }
-    // The map: half by points that agree, half by releases, which change more smoothly.
+    // The map: half by agreeing points, half by releases, which change more smoothly.
     out.misfit += 60.0 * (1.0 - 0.5 * out.map - 0.5 * mean);
-    // Discs whose inertia hardly counts do not hover.
+    // Discs with hardly any inertia must not hover.
     out.drag = *std::max_element(drag.begin(), drag.end());
     for (double d : drag) out.misfit += 2.0 * std::clamp(d - 2.0, 0.0, 4.0);
-    // Most discs of 1 mm tumble, and more than of 3 mm.
+    // Most discs of 1 mm must tumble, and more than those of 3 mm.
     out.misfit +=
         10.0 * std::max(0.0, 0.6 - out.tumbling[0]) + 5.0 * std::max(0.0, out.tumbling[1] - out.tumbling[0] + 0.2);
     return out;

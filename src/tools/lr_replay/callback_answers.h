@@ -24,8 +24,8 @@ public:
     // The answer, `values` floats; false if the query was not recorded. Thread-safe while no answers are added.
     bool find(uint32_t batch, double time, float x, float y, float z, const float*& out) const;
 
-    bool recorded = true;            // whether the recording contains callback results
-    std::atomic<bool> missed{false}; // a query was not recorded
+    bool recorded = true;            // whether the recording has callback results
+    std::atomic<bool> missed{false}; // whether any query was not recorded
     static void wind(void* self, const lr_wind_query* query);
     static void surface(void* self, const lr_water_query* query);
 

@@ -151,7 +151,7 @@ void Player::take_asset(const Record& r) {
     scene_.assets.push_back(asset.release());
 }
 
-// Fills an empty batch slot until the snapshot is restored, so that later batches get their recorded slots.
+// Occupies an empty batch slot until the snapshot is restored, so that later batches get their recorded slots.
 void Player::fill_hole() {
     lr_ellipsoid_desc shape;
     lr_ellipsoid_desc_init(&shape, sizeof shape);
@@ -257,7 +257,7 @@ void Player::print_ids() const { // runs of them as "first to last"
 
 bool Player::compare(const recording::ResultRecord& r) {
     if (!call_.any || r.op != call_.op) Arguments::wrong("the result belongs to another call");
-    // A call that ran out of memory changed nothing, and could succeed here: skip it. Only lr_world_step runs nevertheless.
+    // A call that ran out of memory changed nothing, and could succeed here, so it is skipped; lr_world_step still runs.
     call_.cut = call_.cut || (r.status == LR_ERROR_OUT_OF_MEMORY && call_.op != recording::op_of("lr_world_step"));
     carry_out();
     call_.any = false;

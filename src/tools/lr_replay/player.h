@@ -19,8 +19,8 @@ struct Options {
     int32_t simd = LR_SIMD_AUTO;
     uint32_t workers = 0;
     uint64_t until = UINT64_MAX;   // steps of the recording
-    std::ostream* print = nullptr; // calls as text
-    std::ostream* csv = nullptr;   // pose of `body` after each step
+    std::ostream* print = nullptr; // receives calls as text
+    std::ostream* csv = nullptr;   // receives the pose of `body` after each step
     lr_body body{};
     uint64_t most_memory = uint64_t{8} << 30; // bytes of the world
 };
@@ -38,8 +38,8 @@ struct Outcome {
     bool cut = false;                     // the recording ends within a record
     std::string within;                   // the call during which it ends
     uint64_t hash = 0;                    // of the world at the end
-    bool body = false;                    // whether Options::body was ever there
-    std::optional<Difference> difference; // the first; playing stops there
+    bool body = false;                    // whether Options::body ever existed
+    std::optional<Difference> difference; // where playing stopped
 };
 
 // Throws Fault.

@@ -41,7 +41,7 @@ bool Reader::next(Record& out) {
         at_ += sizeof header + header.size;
         ++frame_;
         const bool last = (header.flags & recording::frame_continues) == 0;
-        if (!begun && last) { // most records are one frame and need no copy
+        if (!begun && last) { // one frame, as most records are: no copy
             out.data = payload;
             out.size = header.size;
             break;

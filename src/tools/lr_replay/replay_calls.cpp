@@ -31,7 +31,7 @@ template <class S> struct Read<const S*> {
     S s{};
     bool given;
 };
-template <> struct Read<const float*> { // 3 floats
+template <> struct Read<const float*> { // three floats
     explicit Read(Arguments& from) : three(from.array(12)) {}
     const float* get() { return three.as<float>(); }
     Array three;
@@ -66,7 +66,7 @@ template <class D> bool source(Arguments& from, D& d, [[maybe_unused]] Array& sa
         samples = from.array(Arguments::any);
         const uint64_t plane = uint64_t{d.counts[0]} * d.counts[1], solid = uint64_t{d.counts[2]} * d.frames;
         const uint64_t floats = samples.bytes.size() / sizeof(float);
-        // Products of two counts fit into 64 bits; the division avoids the overflow of all four.
+        // A product of two counts fits into 64 bits. Division avoids the overflow of all four.
         if (samples.given && (samples.bytes.size() % 12 != 0 || plane == 0 || solid == 0 || (floats / 3) % plane != 0 ||
                               floats / 3 / plane != solid))
             Arguments::wrong("the samples do not match the counts of the grid");
@@ -88,7 +88,7 @@ lr_status add_source(lr_status (*add)(lr_world*, const D*, lr_wind_source*), Arg
     return status;
 }
 
-namespace own { // each named like the function, without lr_
+namespace own { // functions named as in the API, without lr_
 
 #define LR_SOURCE(name)                                                                                                \
     lr_status world_add_##name(Arguments& from, const Scene& scene, uint64_t& output) {                                \
@@ -166,7 +166,7 @@ lr_status batch_add_forces(Arguments& from, const Scene& scene, uint64_t&) {
     return lr_batch_add_forces(scene.world, batch, &a);
 }
 
-// Room for the ids of `count` new bodies; none if the call is refused.
+// Space for the ids of `count` new bodies; none if the call will be refused.
 std::vector<lr_body> room_for_ids(const Scene& scene, lr_batch batch, uint32_t count) {
     lr_batch_view view = LR_BATCH_VIEW_INIT;
     const bool fits = lr_batch_get_view(scene.world, batch, &view) == LR_OK && count <= view.capacity - view.count;
@@ -211,7 +211,7 @@ lr_status body_create(Arguments& from, Scene& scene, uint64_t& output) {
 lr_status collider_create(Arguments& from, Scene& scene, uint64_t& output) {
     uint32_t count = 0;
     std::vector<lr_collider_desc> descs;
-    std::vector<Array> arrays; // each array's bytes stay in place when this grows
+    std::vector<Array> arrays; // an array's bytes stay in place when this vector grows
     const bool given = from.structures(count, descs, [&](lr_collider_desc& d) {
         arrays.push_back(from.array(12 * uint64_t{d.vertex_count}));
         d.vertices = arrays.back().as<float>();
@@ -282,7 +282,7 @@ lr_status world_snapshot_restore(Arguments& from, const Scene& scene, uint64_t&)
 } // namespace own
 } // namespace
 
-// calls.inc lists all recorded calls: those decoded by the types of their arguments, and those with a function in `own`.
+// calls.inc lists all recorded calls: LR_BY_TYPES decodes by argument types, LR_OWN has a function in `own`.
 #define LR_BY_TYPES(name) LR_CALL(name, play(&lr_##name, from, scene))
 #define LR_OWN(name) LR_CALL(name, own::name(from, scene, output))
 

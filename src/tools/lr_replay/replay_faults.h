@@ -15,7 +15,7 @@ enum class FaultId {
     world = 6,           // the world cannot be created
     setup = 7,           // the initial state cannot be restored
     unknown_call = 8,    // a call, or a field of a struct, of a newer library
-    callback = 9,        // a callback is needed whose results were not recorded
+    callback = 9,        // results of a needed callback were not recorded
     other_beginning = 10 // the hash of the initial state differs from the recorded one
 };
 

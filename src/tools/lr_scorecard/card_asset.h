@@ -8,7 +8,7 @@ namespace lr::scorecard {
 
 struct CardBody {
     Asset asset;
-    double gravity; // m/s^2, for which the model's units are the two below
+    double gravity; // m/s^2, which gives the model's units below
     double length;  // m, the semi-chord
     double speed;   // m/s
 };

@@ -12,7 +12,7 @@ namespace lr::scorecard {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
-constexpr double in_sight = 1.1;         // m above the floor: edge-on falls are seen from here on
+constexpr double in_sight = 1.1;         // m above the floor, from which edge-on falls are in sight
 constexpr double peak_prominence = 0.15; // of the area's range
 
 double horizontal(const Eigen::Vector3d& v) {
@@ -34,8 +34,8 @@ size_t frame_at(double time) {
     return static_cast<size_t>(std::lround(time * frame_rate));
 }
 
-// Maxima of the area's 3-frame mean in the second half. Two conventions at its ends count, half a peak each on average:
-// its first frame is a maximum if the area falls after it, and the frame missing behind the last one is of no area.
+// Maxima of the area's 3-frame mean in the second half. At its ends two conventions each add half a peak on average: the first frame is a maximum if
+// the area falls after it, and the missing frame after the last one has zero area.
 double count_peaks(const std::vector<double>& area, size_t first) {
     std::vector<double> mean = smoothed(area, 1);
     mean.back() = (area[area.size() - 2] + area.back()) / 3.0;
@@ -62,7 +62,7 @@ double seen_area(const Eigen::Vector3d& position, const Eigen::Vector3d& normal)
 
 std::optional<Fall> measure_fall(const Track& track, Release release) {
     const auto& samples = track.samples;
-    size_t begin = 0, end = 0; // of the frames, the first on the floor included
+    size_t begin = 0, end = 0; // frame range, including the first on the floor
     if (release == Release::edge)
         while (begin < samples.size() && samples[begin].position.y() > in_sight) ++begin;
     for (end = begin; end < samples.size(); ++end)
@@ -78,7 +78,7 @@ std::optional<Fall> measure_fall(const Track& track, Release release) {
         area.push_back(seen_area(samples[i].position, samples[i].orientation * Eigen::Vector3d::UnitZ()));
     }
     fall.path = smoothed(fall.path, 2);
-    area = smoothed(area, 2); // the published tracks are smoothed as a whole
+    area = smoothed(area, 2); // as in the published tracks, which are smoothed as a whole
     const std::vector<Eigen::Vector3d>& p = fall.path;
     const size_t last = p.size() - 1, first = p.size() / 2;
     for (size_t i = 0; i < last; ++i) {
@@ -87,11 +87,12 @@ std::optional<Fall> measure_fall(const Track& track, Release release) {
         fall.vh.push_back(horizontal(v));
     }
     const double time = static_cast<double>(last - first) / frame_rate;
-    const Eigen::Vector3d way = p[last] - p[first];
+    const Eigen::Vector3d displacement = p[last] - p[first];
     double path = 0.0;
     for (size_t i = first; i < last; ++i) path += fall.vh[i] / frame_rate;
-    fall.quantity = {-way.y() / time, path / time, std::atan2(horizontal(way), -way.y()) / degree,
-                     horizontal(p[last] - p[0]), count_peaks(area, first) / time};
+    fall.quantity = {-displacement.y() / time, path / time,
+                     std::atan2(horizontal(displacement), -displacement.y()) / degree, horizontal(p[last] - p[0]),
+                     count_peaks(area, first) / time};
     fall.time = static_cast<double>(p.size()) / frame_rate;
     fall.sideways = longest_fall;
     const size_t from = frame_at(0.06);
@@ -139,7 +140,7 @@ CellStatistics summarise_falls(std::span<const Fall> falls) {
 
 std::vector<Start> releases(Release release, uint32_t count, uint64_t seed) {
     Random random(seed);
-    // The sheet is in the plane z = 0: a quarter turn makes it horizontal.
+    // The sheet is baked in the plane z = 0; a quarter turn makes it horizontal.
     const Eigen::Quaterniond flat(Eigen::AngleAxisd(-0.5 * std::numbers::pi, Eigen::Vector3d::UnitX()));
     std::vector<Start> starts(count);
     for (Start& s : starts) {

@@ -30,7 +30,7 @@ struct MeasuredCell {
     std::array<double, 5> vz;              // its quantiles: 5, 25, 50, 75, 95 %
     std::array<double, 3> vh;              // quantiles of the instantaneous horizontal speed: 5, 50, 95 %
     double sideways;                       // s, median time to 5 cm sideways, of flat releases
-    // In bins of 0.1 s, from 0.1 s after the first frame on; 0 behind the last bin: horizontal speed (rms), mean descent.
+    // In bins of 0.1 s, from 0.1 s after the first frame; 0 after the last bin: horizontal speed (rms), mean descent.
     std::array<double, 12> growth, growth_descent;
 };
 std::span<const MeasuredCell> measured_cells();
@@ -39,7 +39,7 @@ inline constexpr double frame_rate = 98.0;             // 1/s
 inline constexpr double longest_fall = 3.0;            // s
 inline constexpr size_t least_frames = 20;             // of a fall that can be measured
 inline constexpr double sideways_distance = 0.05;      // m
-inline const Eigen::Vector3d camera(-1.20, 1.81, 0.0); // m: the floor is at y = 0, discs are dropped above the origin
+inline const Eigen::Vector3d camera(-1.20, 1.81, 0.0); // m; the floor is at y = 0, discs are dropped above the origin
 
 // One fall, from its first frame in sight to the floor. Its second half begins at frame n/2 of n.
 struct Fall {
@@ -72,14 +72,14 @@ struct DiscFallOptions {
 };
 inline constexpr double paper_density = 0.07, paper_thickness = 1e-4; // kg/m^2, m
 
-// Releases at rest: flat 0.98 m above the floor, the normal within 4.6 degrees of the vertical; edge 1.16 m above it, within
-// 3.4 degrees of edge-on; to any side.
+// Starts at rest. flat: 0.98 m above the floor, normal within 4.6 degrees of the vertical. edge: 1.16 m above it, within 3.4 degrees of edge-on. In
+// any azimuth.
 std::vector<Start> releases(Release release, uint32_t count, uint64_t seed);
 
 // Falls of one disc in a world of its own. Falls that cannot be measured are left out.
 std::vector<Fall> drop_disc(const Asset& disc, Release release, const DiscFallOptions& options);
 
-// The discs of a cell differ in size: a third of its falls for each third of the measured radii.
+// A cell's discs differ in size: each third of its falls has one of the measured radii.
 std::vector<Asset> bake_cell(const MeasuredCell& cell);
 std::vector<Fall> drop_cell(const MeasuredCell& cell, const std::vector<Asset>& discs, DiscFallOptions options);
 } // namespace lr::scorecard

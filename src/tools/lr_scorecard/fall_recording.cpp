@@ -36,7 +36,7 @@ std::vector<Sample> read(const World& world, lr_batch batch) {
     return samples;
 }
 
-// Cubic in the position, by the velocities at both ends: chords would shorten the way of long steps by up to 5 %.
+// Cubic interpolation with the velocities at both ends: chords would shorten the path of long steps by up to 5 %.
 Sample between(const Sample& a, const Sample& b, double part, double dt) {
     const auto mix = [part](const Eigen::Vector3d& x, const Eigen::Vector3d& y) -> Eigen::Vector3d {
         return x + part * (y - x);

@@ -41,7 +41,7 @@ struct Run {
     double viscosity = 0.0; // m^2/s; 0: that of the asset's fluid
     // m: recording ends when all bodies are below it. Default: at the end of the duration.
     double floor = -std::numeric_limits<double>::infinity();
-    std::function<void(lr_world*)> prepare; // called for the new world, to add wind to it; can be empty
+    std::function<void(lr_world*)> prepare; // called with the new world, to add wind; can be empty
 };
 
 // One track for each start, in the same order.

@@ -1,5 +1,5 @@
-// A card that falls in two dimensions: the model of Andersen, Pesavento and Wang (J. Fluid Mech. 541, 2005), integrated in
-// double precision without the library, as its reference.
+// A card falling in two dimensions: the model of Andersen, Pesavento and Wang (J. Fluid Mech. 541, 2005), integrated in double precision without the
+// library, as a reference.
 #pragma once
 
 #include <Eigen/Core>

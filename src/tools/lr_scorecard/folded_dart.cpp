@@ -82,9 +82,10 @@ Dart folded_dart(double side, double uneven) {
             const auto [keel, wing] = cut(piece, wing_fold);
             for (const Polygon* part : {&keel, &wing}) add(*part, hand, dart.layers);
         }
-        // The flap of the second fold extends behind the tail, up to the corner of the square.
+        // The flap of the second fold extends behind the tail to the corner of the square.
         const Point tip(side, side * std::tan(fold)), corner = turned({side, -0.5 * side}, 2.0 * fold);
-        const Point way = turned({1.0, 0.0}, 2.0 * fold), inner = corner - way * ((corner.x() - side) / way.x());
+        const Point direction = turned({1.0, 0.0}, 2.0 * fold),
+                    inner = corner - direction * ((corner.x() - side) / direction.x());
         add({nose, tail, inner}, hand, dart.surface);
         add({nose, inner, tip}, hand, dart.surface);
         add({inner, corner, tip}, hand, dart.surface);

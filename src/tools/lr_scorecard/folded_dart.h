@@ -9,7 +9,7 @@ struct Dart {
     Triangles surface, layers; // m, nose at the origin, tail towards -x, up +z
 };
 
-// Folds: in half; the corners to the middle line (45 degrees); the new edges to it (22.5); the wings out from the keel (7.5),
-// rising by one in ten. uneven: rad by which the 22.5 degree fold is larger on the left.
+// Folds: in half; corners to the middle line (45 degrees); new edges to it (22.5); wings out from the keel (7.5), rising by one in ten. uneven: rad
+// by which the 22.5 degree fold is larger on the left.
 Dart folded_dart(double side, double uneven);
 } // namespace lr::scorecard

@@ -64,7 +64,7 @@ PlotFrame frame_of(const LinePlot& plot, SvgPoint corner, PanelSize panel) {
         };
         stretch(x, 1.02 * unit * frame.width);
         stretch(y, 1.02 * unit * frame.height);
-        // Axes end on whole ticks, so the two scales agree only to the width of a tick.
+        // Axes end on whole ticks, so equal scales hold only to a tick.
     }
     frame.horizontal = axis(x, plot.log_x, 6);
     frame.vertical = axis(y, plot.log_y, 6);

@@ -23,7 +23,7 @@ struct Triangles {
     langevin_rigid::BakeResult bake(const langevin_rigid::BakeOptions& options) const;
 };
 
-// In the plane z = 0, centred at the origin: 6 rings^2 triangles, with the area of the circle.
+// In the plane z = 0 about the origin: 6 rings^2 triangles with the area of the circle.
 Triangles disc_mesh(double radius, uint32_t rings);
 
 // Sides along x and y, divided into nx by ny cells, finer towards the edges.
@@ -45,7 +45,7 @@ Asset rubber_ellipsoid();
 // The upper page of one of the assets' closed sheets: its faces with a normal towards +z, as an open surface.
 Triangles upper_page(const std::string& path);
 
-// A disc of 0.1 mm in air, as heavy as it must be to sink broadside at this Reynolds number.
+// A disc of 0.1 mm in air, with the mass that sinks broadside at this Reynolds number.
 Asset disc_sinking_at(double reynolds, double diameter);
 
 Asset bake_disc(double radius, double thickness, double areal_density, const Fluid& fluid, uint32_t rings = 16);

@@ -28,7 +28,7 @@ double areal_density(double inertia, const PhaseOptions& options) {
 
 std::vector<Start> starts(const PhaseOptions& options) {
     Random random(options.seed);
-    // The sheet is in the plane z = 0 and falls along -y: a quarter turn makes it horizontal.
+    // The sheet is baked in the plane z = 0 and falls along -y; a quarter turn makes it horizontal.
     const Eigen::Quaterniond flat(Eigen::AngleAxisd(0.5 * pi, -Eigen::Vector3d::UnitX()));
     std::vector<Start> out(options.seeds);
     for (Start& s : out) {
@@ -98,7 +98,7 @@ PhaseResult run_phase_point(const Asset& disc, const PhasePoint& point, const Ph
         speed = mean_speed(tracks);
         return tracks;
     };
-    for (int i = 0; i < most_corrections; ++i) { // a fraction of the duration suffices for the speed
+    for (int i = 0; i < most_corrections; ++i) { // part of the duration suffices for the speed
         fall(0.4 * options.duration);
         if (std::abs(speed / options.speed - 1.0) <= reynolds_tolerance) break;
         run.gravity *= speed > 0.0 ? std::clamp(std::pow(options.speed / speed, 1.8), 0.1, 10.0) : 10.0;
@@ -162,7 +162,7 @@ std::optional<Regime> published_regime(const PhasePoint& point, double margin) {
 std::vector<ExpectedPoint> expected_points() {
     constexpr int across = 11, along = 8;
     std::vector<ExpectedPoint> out;
-    for (int j = 0; j < along; ++j) // by I*, so that points of one disc follow each other
+    for (int j = 0; j < along; ++j) // by I*, so that points of one disc are adjacent
         for (int i = 0; i < across; ++i) {
             const PhasePoint at{40.0 * std::pow(3e4 / 40.0, static_cast<double>(i) / (across - 1)),
                                 5e-4 * std::pow(0.1 / 5e-4, static_cast<double>(j) / (along - 1))};
@@ -185,8 +185,8 @@ SmallDiscFalls drop_small_disc(const SmallDisc& disc, const Asset& asset, uint32
     const std::vector<Track> tracks = record(asset, run, starts);
     SmallDiscFalls out;
     for (const Track& t : tracks) {
-        const Eigen::Vector3d way = t.samples[t.samples.size() / 2].position - t.samples.back().position;
-        out.speed += way.y() / (0.5 * run.duration * falls);
+        const Eigen::Vector3d displacement = t.samples[t.samples.size() / 2].position - t.samples.back().position;
+        out.speed += displacement.y() / (0.5 * run.duration * falls);
     }
     for (Regime r : classify_all(tracks)) out.tumbling += r == Regime::tumbling ? 1.0 / falls : 0.0;
     return out;

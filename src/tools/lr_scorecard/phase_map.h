@@ -39,7 +39,7 @@ struct PhaseResult {
     bool most(Regime r) const { return share[static_cast<size_t>(r)] > 0.5; }
 };
 
-// A sheet of this I*, for all Re. Re is set by the liquid's viscosity, and to 3 % by the strength of gravity.
+// A sheet of this I*, for all Re: viscosity sets Re, and gravity corrects it to 3 %.
 Asset phase_disc(double inertia, const PhaseOptions& options);
 PhaseResult run_phase_point(const Asset& disc, const PhasePoint& point, const PhaseOptions& options,
                             bool keep_tracks = false);
@@ -51,7 +51,7 @@ struct Onset {
     double reynolds = 0.0;
     double periodic = 0.0; // share of the releases that are not steady just above it
 };
-// The smallest Re between 40 and 640 at which most releases are no longer steady, by bisection; infinite if there is none.
+// The smallest Re between 40 and 640 at which most releases are not steady, by bisection; infinite if there is none.
 Onset onset_of_motion(const std::function<PhaseResult(double reynolds)>& run, int halvings);
 
 // Published boundaries, by growing Re.
@@ -66,10 +66,10 @@ struct ExpectedPoint {
     PhasePoint at;
     Regime regime;
 };
-// Re from 40 to 3e4, I* from 5e-4 to 0.1, evenly on both logarithmic axes, without the neighbourhood of boundaries.
+// Re from 40 to 3e4, I* from 5e-4 to 0.1, evenly on both logarithmic axes, except near boundaries.
 std::vector<ExpectedPoint> expected_points();
 
-// Discs in air, of Tinklenberg, Guala and Coletti 2023; Re measured in still air. Assets: disc_sinking_at.
+// Discs in air of Tinklenberg, Guala and Coletti 2023; Re measured in still air. Assets: disc_sinking_at.
 struct SmallDisc {
     double diameter, reynolds; // m
 };
@@ -78,7 +78,7 @@ inline constexpr std::array<SmallDisc, 2> small_discs{{{1e-3, 96.0}, {3e-3, 360.
 struct SmallDiscFalls {
     double tumbling = 0.0, speed = 0.0; // share of the falls; m/s
 };
-// Released at rest with any orientation; the second half of the duration, in diameters over the speed, is classified.
+// Released at rest in any orientation. duration: in diameters over the speed, the second half is classified.
 SmallDiscFalls drop_small_disc(const SmallDisc& disc, const Asset& asset, uint32_t falls, double duration,
                                const Loads& loads);
 } // namespace lr::scorecard

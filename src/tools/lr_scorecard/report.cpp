@@ -46,7 +46,7 @@ std::string tolerance(const Check& c) {
     }
 }
 
-// A vertical bar would end the cell.
+// A vertical bar would end the table cell.
 std::string in_table(const std::string& text) {
     std::string out;
     for (char c : text) {

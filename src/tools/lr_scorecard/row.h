@@ -16,7 +16,7 @@ enum class Rule : uint8_t {
     absolute, // |value - reference| <= tolerance
     at_most,  // value <= reference
     at_least, // value >= reference
-    compared, // as relative, but without a verdict of its own: another check may count such values
+    compared, // as relative, but without a verdict: another check counts it
     shown     // no verdict
 };
 

@@ -21,7 +21,7 @@ double carlson_rd(double x, double y, double z) {
         factor *= 0.25;
         x = 0.25 * (x + lambda), y = 0.25 * (y + lambda), z = 0.25 * (z + lambda);
     }
-    // By now x, y and z are equal up to rounding.
+    // x, y and z have converged to one value.
     return 3.0 * sum + factor / (z * std::sqrt(z));
 }
 
@@ -162,7 +162,7 @@ RowResult run_lamb(const Context& context) {
         for (int divisions = 3; divisions <= most; ++divisions) {
             const Triangles mesh = ellipsoid_mesh(body.axes, divisions);
             const lr_asset_info info = info_of(load(mesh.bake(solid_in_water())));
-            // The reference is the ellipsoid, which the mesh approximates, not the polyhedron.
+            // The reference is the ellipsoid, not the polyhedron.
             compare(result, info, reference, v, body.axes,
                     std::string(body.name) + ", " + std::to_string(mesh.indices.size() / 3) + " triangles",
                     divisions == 3 ? 0.01 : 0.005);

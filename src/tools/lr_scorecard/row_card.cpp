@@ -62,7 +62,7 @@ std::vector<CardState> fall_in_library(const CardModel& model, double duration) 
 }
 
 void compare_means(RowResult& result, const std::string& who, const CardMeans& m) {
-    // The release decides the direction of tumbling: Vx and w change sign together.
+    // The release decides the direction of tumbling; V_x and w change sign together.
     const double side = m.w < 0.0 ? -1.0 : 1.0;
     result.add(who + ", I* = 1.4: mean V_x", Rule::relative, side * m.vx, 0.756, 0.01);
     result.add(who + ", I* = 1.4: mean V_y", Rule::relative, m.vy, -0.327, 0.01);
@@ -98,7 +98,7 @@ RowResult run_card(const Context& context) {
         result.add("library" + which + ": is " + name_of(c.regime) + " (found " + name_of(found) + ")", Rule::at_least,
                    found == c.regime, 1.0, 0.0);
         if (c.regime == Regime::tumbling) compare_means(result, "library", means(ours, interval));
-        // The first few swings, before instability separates the two.
+        // The first few swings, before instability separates library and model.
         const auto early = static_cast<size_t>(10.0 / interval);
         result.add("library" + which + ": off the model after 10 a/V, in a", Rule::at_most,
                    std::hypot(ours[early].x - states[early].x, ours[early].y - states[early].y), 0.05, 0.0);

@@ -43,9 +43,9 @@ std::string draw_means(const std::array<CellFalls, cells>& all) {
         plot.legend_width = 150.0;
         plot.note = "bars: two standard errors of the measured means";
         for (Release release : {Release::flat, Release::edge}) {
-            const std::string way = release == Release::flat ? "flat" : "edge-on";
+            const std::string label = release == Release::flat ? "flat" : "edge-on";
             const char* color = release == Release::flat ? "#1f5fa8" : "#b5402a";
-            Series ours{"here, " + way, color, {}}, measured{"measured, " + way, color, {}};
+            Series ours{"here, " + label, color, {}}, measured{"measured, " + label, color, {}};
             ours.marker = Marker::disc, measured.marker = Marker::ring;
             measured.line = false;
             for (size_t i = 0; i < cells; ++i) {
@@ -63,7 +63,7 @@ std::string draw_means(const std::array<CellFalls, cells>& all) {
     return draw(plots, 2);
 }
 
-// Ours as lines, measured values as rings, one plot for each release.
+// The library as lines, measured values as rings, one plot for each release.
 template <class Ours, class Measured>
 std::string draw_by_release(LinePlot frame, std::initializer_list<Release> drawn, Ours ours, Measured measured) {
     std::vector<LinePlot> plots;
@@ -147,7 +147,7 @@ double rms_difference(const std::array<double, 12>& ours, const std::array<doubl
     return std::sqrt(squares / bins);
 }
 
-// How many of the forty means lie within 15 % of the measured ones, and the largest deviation, for each set of seeds.
+// For each set of seeds: number of the forty means within 15 % of the measured ones, and the largest deviation.
 void add_counts(RowResult& result, const std::array<CellFalls, cells>& all) {
     std::array<double, sets> within{}, worst{};
     for (size_t s = 0; s < sets; ++s)

@@ -77,7 +77,7 @@ Drift drift(const Asset& asset, const Run& run) {
     return worst;
 }
 
-// Equal bits.
+// Whether all bits are equal.
 bool same(const std::vector<Sample>& a, const std::vector<Sample>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Sample& x, const Sample& y) {
         return x.position == y.position && x.velocity == y.velocity && x.spin == y.spin &&
@@ -114,7 +114,7 @@ RowResult run_kirchhoff(const Context& context) {
         run.loads.integrator = integrators()[job / targets.size() % 2].model;
         drifts[job] = drift(bodies[job / targets.size() / 2].asset, run);
     });
-    // All targets give the same bits, which is checked, so one is measured. The bound is the rounding of about 25,000 substeps;
+    // All targets give the same bits, as checked here, so only one is measured. The bound is the rounding of about 25,000 substeps;
     // docs/maintainers/numerics.md.
     int different = 0;
     for (size_t first = 0; first < drifts.size(); first += targets.size()) {
@@ -145,9 +145,9 @@ RowResult run_sphere(const Context&) {
         run.loads.integrator = integrator.model;
         const std::vector<Track> tracks = record(sphere, run, {start});
         const Sample& end = tracks[0].samples.back();
-        const double way = (3.0 * start.velocity).norm();
+        const double distance = (3.0 * start.velocity).norm();
         result.add("off the straight line, of the way, " + integrator.name, Rule::at_most,
-                   (end.position - 3.0 * start.velocity).norm() / way, 1e-4, 0.0);
+                   (end.position - 3.0 * start.velocity).norm() / distance, 1e-4, 0.0);
         result.add("change of spin, relative, " + integrator.name, Rule::at_most,
                    (end.spin - start.spin).norm() / start.spin.norm(), 1e-4, 0.0);
     }
@@ -183,7 +183,7 @@ RowResult run_galilean(const Context& context) {
             off.push_back((a - b).norm() / (run.duration * run.wind).norm());
             moved = std::max(moved, a.norm());
         }
-        // A body near the boundary of two modes of falling amplifies rounding a thousandfold, in still air and in wind.
+        // Near the boundary of two motions a body amplifies rounding a thousandfold, in still air and in wind.
         std::sort(off.begin(), off.end());
         result.add("difference after 0.5 s, of the way of the wind, of 95 % of the bodies, " + integrator.name,
                    Rule::at_most, quantile(off, 0.95), 1e-5, 0.0);
@@ -195,7 +195,7 @@ RowResult run_galilean(const Context& context) {
 
 namespace {
 
-// A neutrally buoyant body in still water, ballasted by `offset` along -y and released at a tilt of 0.02 about x.
+// A neutrally buoyant body in still water, ballasted by `offset` along -y, released at a tilt of 0.02 about x.
 Track rock(const std::array<double, 3>& axes, double offset, double duration, double interval, int32_t integrator) {
     const Asset body = make_ellipsoid(axes, water.density, water, {0.0, -offset, 0.0});
     Run run = calm(duration, interval);
@@ -217,8 +217,8 @@ RowResult run_buoyancy(const Context&) {
     RowResult result;
     const std::array<double, 3> axes{0.04, 0.01, 0.02};
     const double offset = 0.004;
-    // Small rocking about x: torque rho V g offset sin(angle) against the inertia of body and water about the centre of mass. The
-    // momentum along z stays zero; eliminating the velocity along z gives the Schur complement.
+    // Small rocking about x: torque rho V g offset sin(angle) on the inertia of body and water about the centre of mass. Momentum along z stays zero;
+    // eliminating the velocity along z gives the Schur complement.
     const lr_asset_info info = info_of(make_ellipsoid(axes, water.density, water, {0.0, -offset, 0.0}));
     const Matrix6 m = mass_matrix(info);
     const double inertia = m(3, 3) - m(3, 2) * m(2, 3) / m(2, 2);

@@ -27,7 +27,7 @@ std::vector<LoadChoice> models() {
     return out;
 }
 
-// The thin axis z points up.
+// Thin axis z up.
 Eigen::Quaterniond flat() {
     return Eigen::Quaterniond(Eigen::AngleAxisd(-0.5 * pi, Eigen::Vector3d::UnitX()));
 }
@@ -37,20 +37,20 @@ double share(const std::vector<bool>& seen) {
 }
 
 struct LeafFall {
-    double heading = 0.0;   // turns of the heading, with its sign
+    double heading = 0.0;   // net turns of the heading, signed
     double coherence = 0.0; // net turns over total turns
     double rolls = 0.0;     // turns about the long axis, in either direction
-    double overturns = 0.0; // changes of the upper face
+    double overturns = 0.0; // changes of the upper side
     double reversals = 0.0; // of the path's main horizontal direction
 };
 
-// The heading is the direction of the velocity over `smooth` samples: the swing of a flutter must not count as a turn.
+// The heading is the direction of motion over `smooth` samples, so that swings of flutter do not count as turns.
 LeafFall measure_leaf(const Track& track, size_t smooth) {
     LeafFall m;
     double before = 0.0, total = 0.0, net = 0.0;
     for (size_t i = 0; i + smooth < track.samples.size(); i += smooth / 4) {
-        const Eigen::Vector3d way = track.samples[i + smooth].position - track.samples[i].position;
-        const double heading = std::atan2(way.z(), way.x());
+        const Eigen::Vector3d displacement = track.samples[i + smooth].position - track.samples[i].position;
+        const double heading = std::atan2(displacement.z(), displacement.x());
         if (i > 0) {
             const double turn = std::remainder(heading - before, 2.0 * pi);
             net += turn;
@@ -169,7 +169,7 @@ RowResult run_paper_plane(const Context& context) {
         options.mass = langevin_rigid::BakeMass{{}, std::move(dart.layers.positions), std::move(dart.layers.indices)};
         return load(dart.surface.bake(options));
     };
-    const Asset even = bake_dart(0.0), uneven = bake_dart(degree); // a fold by hand errs by a degree
+    const Asset even = bake_dart(0.0), uneven = bake_dart(degree); // a fold by hand has an error of a degree
     result.add("mass of the square", Rule::relative, info_of(even).mass, paper * side * side, 1e-3, "kg");
     struct Launch {
         std::string name;

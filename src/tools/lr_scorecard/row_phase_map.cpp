@@ -27,7 +27,7 @@ constexpr std::array<double, 6> onset_inertia{0.0005, 0.002, 0.004, 0.01, 0.02, 
 
 constexpr ptrdiff_t example_samples = 400;
 
-// Keeps the end of the first track of each regime, for the picture.
+// Keeps the end of one track of each regime, for the picture.
 void keep_examples(PhaseResult& result) {
     std::vector<Track> kept(regime_names.size());
     for (size_t i = 0; i < result.tracks.size(); ++i) {
@@ -94,7 +94,7 @@ std::string draw_paths(const std::vector<Point>& points, double diameter) {
         if (!example) continue;
         const Track& track = example->tracks[regime];
         const Sample& first = track.samples.front();
-        // Projected on the vertical plane of the disc's swing: the direction of the normal's largest horizontal spread.
+        // Projected on the vertical plane of the disc's swing, along the largest horizontal spread of the normal.
         Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
         for (const Sample& s : track.samples) {
             const Eigen::Vector3d n = s.orientation * Eigen::Vector3d::UnitZ();
@@ -114,7 +114,7 @@ std::string draw_paths(const std::vector<Point>& points, double diameter) {
         Series path{"", colors[regime], {}};
         for (const Sample& s : track.samples) path.points.push_back(place(s.position));
         plot.series.push_back(path);
-        for (size_t i = 0; i < track.samples.size(); i += 8) { // the disc edge on, a line
+        for (size_t i = 0; i < track.samples.size(); i += 8) { // the disc edge-on, as a line
             const Sample& s = track.samples[i];
             const Eigen::Vector3d n = s.orientation * Eigen::Vector3d::UnitZ(), view = across.cross(up());
             const Eigen::Vector3d edge = 0.5 * diameter * n.cross(view);
@@ -149,7 +149,7 @@ void add_agreement(RowResult& result, const std::vector<Point>& points) {
     for (size_t r = 0; r < regime_names.size(); ++r) {
         const std::string what = std::string("the same, of the ") + std::to_string(std::lround(count[r])) +
                                  " points of " + regime_names[r] + " discs";
-        if (static_cast<Regime>(r) == Regime::tumbling) // discs must tumble above I* 0.04, whatever the rest does
+        if (static_cast<Regime>(r) == Regime::tumbling) // discs must tumble above I* 0.04 in any case
             result.add(what, Rule::at_least, right[r] / count[r], 0.85, 0.0);
         else
             result.show(what, right[r] / count[r]);
@@ -172,7 +172,7 @@ RowResult run_phase_map(const Context& context) {
     for (double inertia : onset_inertia) discs[inertia] = nullptr;
     for (auto& [inertia, disc] : discs) disc = phase_disc(inertia, options);
     const size_t others = onsets.size() + small.size();
-    context.parallel(others + points.size(), [&](size_t i) { // the longest jobs first
+    context.parallel(others + points.size(), [&](size_t i) { // longest jobs first
         if (i < onsets.size()) {
             const double inertia = onset_inertia[i];
             onsets[i] = onset_of_motion(

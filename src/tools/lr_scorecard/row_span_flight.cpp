@@ -1,4 +1,4 @@
-// Rows for bodies that fly by their span: winged seeds that turn, darts that glide, stall and turn.
+// Rows for bodies that fly along their span: winged seeds that spin, darts that glide, stall and turn.
 #include "tools/falls/random.h"
 #include "tools/lr_scorecard/span_bodies.h"
 #include "tools/lr_scorecard/span_falls.h"
@@ -18,9 +18,9 @@ using std::numbers::pi;
 constexpr double degree = pi / 180.0, infinite = std::numeric_limits<double>::infinity();
 
 struct SeedFall {
-    bool turns = false;                           // steadily about the vertical when it arrives
+    bool turns = false;                           // steadily about the vertical on arrival
     double descent = 0.0, rate = 0.0, cone = 0.0; // m/s; turns a minute; degrees of the wing above the horizontal
-    double after = std::numeric_limits<double>::infinity(); // m, fallen when it begins to turn for good
+    double after = std::numeric_limits<double>::infinity(); // m, fallen before it turns to the end
 };
 
 SeedFall measure_seed(const Track& track, double height) {
@@ -48,7 +48,7 @@ SeedFall measure_seed(const Track& track, double height) {
 }
 
 struct SeedFalls {
-    double share = 0.0, after = 0.0; // after: m, 90 % of all falls turn by then
+    double share = 0.0, after = 0.0; // after: m of fall by which 90 % of all falls turn
     Statistic descent, rate, cone;
     std::vector<Track> tracks;
 };
@@ -57,7 +57,7 @@ constexpr double seed_height = 10.0; // m
 
 SeedFalls drop_seeds(const Context& context, const Asset& seed, uint32_t substeps) {
     Run run = game_run(context, substeps, 13.0);
-    run.floor = -seed_height - 2.0; // places of release differ by so much
+    run.floor = -seed_height - 2.0; // heights of release differ by up to 2 m
     SeedFalls out;
     out.tracks = record(seed, run, released_anyhow(context.quick ? 60 : 200, 61));
     std::vector<double> descent, rate, cone, after;
@@ -87,7 +87,7 @@ std::string name_of(const SeedShape& shape) {
 
 RowResult run_seed(const Context& context) {
     RowResult result;
-    // The first is the measured one. Others have its shape: descent goes with the root of the disc loading (Green 1980).
+    // The first seed is measured. The others have its shape: descent goes with the root of the disc loading (Green 1980).
     const std::array<SeedShape, 4> shapes{
         {{}, {.mass = 60e-6, .radius = 0.025}, {.mass = 120e-6, .radius = 0.035}, {.mass = 400e-6, .radius = 0.06}}};
     std::array<SeedFalls, shapes.size()> falls;
@@ -147,7 +147,7 @@ namespace {
 
 struct DartFlight {
     double range = 0.0;     // m, when it is down
-    double incidence = 0.0; // degrees, largest angle between nose and way
+    double incidence = 0.0; // degrees, largest angle between nose and velocity
     double turn = 0.0;      // degrees, of the heading
     bool swoops = false;    // sinks more slowly, then faster again, by 0.3 m/s
 };
@@ -156,8 +156,8 @@ DartFlight measure_flight(const Track& track, double height) {
     DartFlight m;
     const std::span<const Sample> samples = fallen(track, height);
     if (samples.size() < 8) return {0.0, infinite, infinite, false};
-    const Vector3d way = samples.back().position - samples.front().position;
-    m.range = std::hypot(way.x(), way.z());
+    const Vector3d displacement = samples.back().position - samples.front().position;
+    m.range = std::hypot(displacement.x(), displacement.z());
     std::vector<double> climb;
     double before = 0.0, turned = 0.0;
     for (const Sample& s : samples) {

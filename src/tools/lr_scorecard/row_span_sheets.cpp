@@ -1,4 +1,4 @@
-// Rows for sheets that one flat plate does not describe: caps, curled leaves, discs with holes, crosses, snow crystals.
+// Rows for sheets that are no single flat plate: caps, curled leaves, discs with holes, crosses, snow crystals.
 #include "tools/falls/regime.h"
 #include "tools/lr_scorecard/span_bodies.h"
 #include "tools/lr_scorecard/span_falls.h"
@@ -35,7 +35,7 @@ std::vector<Track> drop(const Context& context, const Asset& asset, double durat
     return record(asset, game_run(context, 4, duration), released_anyhow(context.quick ? 50 : 200, seed));
 }
 
-// Of the falls, those that at their end keep the side towards +z up.
+// Share of falls that end with the +z side up.
 double share_upright(const std::vector<Track>& tracks) {
     std::vector<bool> upright;
     for (const Track& t : tracks) {
@@ -63,7 +63,7 @@ RowResult run_cap(const Context& context) {
     std::array<std::vector<Track>, rises.size()> tracks;
     context.parallel(rises.size(),
                      [&](size_t i) { tracks[i] = drop(context, bake_cap(diameter, rises[i], areal), 6.0, 63); });
-    // A cap sinks steadily, so it is compared with the disc as it sinks broadside, by C_D 1.17 (Hoerner 1965).
+    // A cap sinks steadily, so its reference is a disc that sinks broadside, C_D 1.17 (Hoerner 1965).
     const double broadside = std::sqrt(2.0 * areal * 9.81 / (Fluid{}.density * 1.17));
     result.show("flat disc: descent broadside", broadside, "m/s");
     result.show("flat disc: descent, any release", mean_descent(tracks[0], judged).mean, "m/s");
@@ -161,7 +161,7 @@ RowResult run_holes(const Context& context) {
     const double diameter = 0.04, areal = 0.098;
     std::array<std::vector<Track>, holes.size()> tracks;
     context.parallel(holes.size(), [&](size_t i) {
-        Run run = game_run(context, 1, 6.0); // as 1/60 s x 4, with a sample at each step: tumbling is quick
+        Run run = game_run(context, 1, 6.0); // as 1/60 s x 4, but sampled at each step: tumbling is quick
         run.dt = 1.0f / 240.0f;
         run.interval = static_cast<double>(run.dt);
         tracks[i] = record(bake_ring(diameter, holes[i], areal), run, released_anyhow(context.quick ? 30 : 100, 65));
@@ -185,7 +185,7 @@ RowResult run_holes(const Context& context) {
     }
     result.add("no hole: share of the time tumbling", Rule::at_least, tumbling.front(), 0.5, 0.0);
     result.add("hole 0.8 d: share that never turns over (flutters)", Rule::at_least, fluttering.back(), 0.8, 0.0);
-    // Between tumbling and flutter discs are chaotic, so the time need not fall with every step.
+    // Between tumbling and flutter discs are chaotic, so the tumbling share need not fall with every step.
     double most = 0.0;
     for (size_t i = 0; i < holes.size(); ++i)
         if (holes[i] >= 0.5) most = std::max(most, tumbling[i]);
@@ -239,8 +239,8 @@ RowResult run_cross(const Context& context) {
         result.show(name + ": rate about horizontal axes", across[i].mean, "rad/s");
         plots.push_back(side_view("From any release: " + name, tracks[i], 5, 3.0, 0.6, {Vector3d::UnitX(), 0.1, 3}));
     }
-    // Known is that a cross sheds its eddies by the width of its bars and meets the air far from its middle, so it turns more slowly than a
-    // compact disc of the same area and mass. How fast it falls was not measured for this one.
+    // Known: a cross sheds eddies of the width of its bars and meets the air far from its middle, so it turns more slowly than a compact disc of its
+    // area and mass. The speed of this one was not measured.
     result.add("rate about horizontal axes, over the disc's", Rule::at_most, across[0].mean / across[1].mean, 0.8, 0.0);
     result.pictures.push_back({"cross.svg", draw(plots, 2),
                                "A cross of two bars and a disc of its area and mass; strokes: the bar, enlarged."});

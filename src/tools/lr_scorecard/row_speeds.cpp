@@ -27,8 +27,8 @@ struct Coasting {
     double tilt = 0.0; // degrees, at the end
 };
 
-// A disc thousands of times heavier than the air around it coasts broadside, without gravity. It keeps its orientation by its
-// inertia, and loses so little speed that its wake is that of a steady stream: 1/v grows by 1/2 C_D rho S/(m + A) a second.
+// A disc thousands of times denser than the air coasts broadside without gravity. Inertia keeps its orientation, and it loses so little speed that
+// its wake is that of a steady stream: 1/v grows by 1/2 C_D rho S/(m + A) per second.
 Coasting coast(double reynolds, int32_t load_model) {
     const double radius = 0.01, speed = 1.0, unit = 2.0 * radius / speed;
     const Fluid fluid{1.2, speed * 2.0 * radius / reynolds};
@@ -38,7 +38,7 @@ Coasting coast(double reynolds, int32_t load_model) {
     run.loads.noise_gain = 0.0f;
     run.loads.configure = silence;
     run.gravity = 0.0;
-    run.dt = static_cast<float>(0.05 * unit); // shorter ones would lose the deceleration in rounding
+    run.dt = static_cast<float>(0.05 * unit); // a shorter step would lose the deceleration in rounding
     run.duration = 200.0 * unit;
     run.interval = 100.0 * unit;
     Start start;
@@ -80,7 +80,7 @@ std::vector<Start> any_orientation(uint32_t falls) {
     return starts;
 }
 
-// Edges of length `size`, m. Of the octahedron sqrt(2) of them, of the tetrahedron sqrt(8).
+// Octahedron with edges of sqrt(2) size, tetrahedron with edges of sqrt(8) size; m.
 Triangles octahedron(double size) {
     Triangles mesh;
     for (size_t i = 0; i < 18; ++i) mesh.positions.push_back(i % 3 != i / 6 ? 0.0 : i / 3 % 2 == 0 ? size : -size);
@@ -94,7 +94,7 @@ Triangles tetrahedron(double size) {
     mesh.indices = {0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2};
     return mesh;
 }
-// Along z. 4 sides of length diameter/sqrt(2), or many.
+// Prism along z: 4 sides of length diameter/sqrt(2), or many.
 Triangles prism(uint32_t sides, double diameter, double length) {
     Triangles mesh;
     for (uint32_t i = 0; i < sides; ++i)
@@ -112,7 +112,7 @@ Triangles prism(uint32_t sides, double diameter, double length) {
     return mesh;
 }
 
-// Drag coefficient over the section of the sphere of the same volume, by the sphericity: that sphere's surface over the body's.
+// Drag coefficient over the section of the sphere of equal volume. Sphericity: that sphere's surface over the body's.
 double drag_by_sphericity(double phi, double reynolds) {
     const double a = std::exp(2.3288 - 6.4581 * phi + 2.4486 * phi * phi), b = 0.0964 + 0.5565 * phi;
     const double c = std::exp(4.905 - 13.8944 * phi + 18.4222 * phi * phi - 10.2599 * phi * phi * phi);
@@ -120,7 +120,7 @@ double drag_by_sphericity(double phi, double reynolds) {
     return 24.0 / reynolds * (1.0 + a * std::pow(reynolds, b)) + c / (1.0 + d / reynolds);
 }
 
-// m/s, of a body of this sphericity in water.
+// Settling speed, m/s, of a body of this sphericity in water.
 double settling_speed(double volume, double density, double phi) {
     const double d = std::cbrt(6.0 * volume / pi), weight = 9.81 * (density / water.density - 1.0) * volume;
     double speed = 0.1;
@@ -215,7 +215,7 @@ RowResult run_solids(const Context& context) {
     struct Case {
         const char* name;
         Asset body;
-        double sphericity; // of those whose speed is known
+        double sphericity; // of bodies with a known speed
         double tilt = 0.0; // of the axis z off the vertical (rods: 90), degrees
         Statistic descent = {};
     };
@@ -250,7 +250,7 @@ RowResult run_solids(const Context& context) {
         else
             result.show(std::string("speed, ") + c.name, c.descent.mean, "m/s");
     }
-    // They lie across the stream: the long axis level, the short one upright.
+    // They fall broadside: long axis level, short axis upright.
     result.add("rod 10:1: tilt of its axis, median", Rule::at_least, cases[5].tilt, 70.0, 0.0, "deg");
     result.add("spheroid 2:1:1: tilt of its axis, median", Rule::at_least, cases[4].tilt, 60.0, 0.0, "deg");
     result.add("spheroid 2:2:1: tilt of its axis, median", Rule::at_most, cases[6].tilt, 30.0, 0.0, "deg");

@@ -4,7 +4,7 @@
 #include "tools/lr_scorecard/measured_bodies.h"
 #include "tools/lr_scorecard/row.h"
 
-#include "baker/turbulence/turbulence.h" // homogeneous shear is no bake
+#include "baker/turbulence/turbulence.h" // homogeneous shear is not part of a bake
 
 #include <nlohmann/json.hpp>
 
@@ -128,7 +128,8 @@ RowResult run_langevin(const Context& context) {
     run.dt = static_cast<float>(0.5 * t_correlation);
     run.substeps = 20;
     run.interval = static_cast<double>(run.dt);
-    run.duration = (8 + rounds) * 0.5 * t_correlation; // after 4 times from rest, exp(-8) of the variance is missing
+    // From 4 times after the start at rest, when exp(-8) of the variance is missing.
+    run.duration = (8 + rounds) * 0.5 * t_correlation;
     run.threads = context.threads;
     const std::vector<Track> tracks = record(sphere, run, std::vector<Start>(4096));
 

@@ -42,8 +42,7 @@ struct Loads {
     int32_t integrator = LR_INTEGRATOR_DEFAULT;
     int32_t clock = LR_CLOCK_SPEED;
     float noise_gain = 1.0f;
-    // Called for a new batch before it has bodies; can override coefficients; can be empty. Concurrent measurements call it,
-    // each with its own world.
+    // Called for a new batch without bodies; can override coefficients; can be empty. Concurrent measurements call it, each with its own world.
     std::function<void(lr_world*, lr_batch)> configure;
 };
 

@@ -63,27 +63,27 @@ double smoothstep(double x) {
     return x * x * (3.0 - 2.0 * x);
 }
 
-// From 0 to 1 in n steps, finer at both ends.
+// n steps from 0 to 1, finer at both ends.
 double spaced(uint32_t i, uint32_t n) {
     return 0.5 - 0.5 * std::cos(pi * i / n);
 }
 
-// Of the wing, over its widest: narrow at the root, widest at 0.62 of the span, round at the tip.
+// Chord of the wing over its widest: narrow at the root, widest at 0.62 of the span, round at the tip.
 double planform(double part) {
     const double before = 0.45 + 0.55 * std::sin(0.5 * pi * std::min(part / 0.62, 1.0));
     return before * std::sqrt(std::max(0.0, 1.0 - std::pow(std::max(0.0, part - 0.62) / 0.38, 2.2)));
 }
 
-// The parts of a seed, m. All along x, from the centre of the nut.
+// Parts of a seed, m. Positions along x are from the centre of the nut.
 struct SeedParts {
     double nut_length, nut_width, nut_thickness, nut_y, root, tip, widest;
-    double membrane, rib; // thickness, and what the rib along the leading edge adds at mid-span
+    double membrane, rib; // thickness; at mid-span the rib along the leading edge adds `rib`
 
     double part(double x) const { return std::clamp((x - root) / (tip - root), 0.0, 1.0); }
-    // y of the leading and the trailing edge
+    // y of leading and trailing edge.
     std::pair<double, double> edges(double x) const {
         const double end = 2.0 * x / nut_length, half = 0.5 * nut_width * std::sqrt(std::max(0.0, 1.0 - end * end));
-        const double wing = smoothstep(x / root), chord = widest * planform(part(x)); // 0 where there is only the nut
+        const double wing = smoothstep(x / root), chord = widest * planform(part(x)); // 0 along the nut alone
         const double nut_front = std::abs(end) < 1.0 ? nut_y - half : nut_y,
                      nut_back = std::abs(end) < 1.0 ? nut_y + half : 0.0;
         return {nut_front * (1.0 - wing), std::max(nut_back, chord * wing)};
@@ -134,7 +134,7 @@ Triangles seed_pages(const SeedParts& parts) {
     return mesh;
 }
 
-// Triangle from the nose at the origin to a straight tail at x = -length, in rows. place: (part of the length, part of the width).
+// Triangle in rows from the nose at the origin to a straight tail at x = -length. place: (part of the length, part of the width).
 void add_wing(Triangles& mesh, uint32_t rows, const std::function<Vector3d(double, double)>& place) {
     std::vector<uint32_t> before, now;
     for (uint32_t i = 0; i <= rows; ++i, before = std::exchange(now, {})) {
@@ -158,7 +158,7 @@ Triangles dart_surface(const DartShape& shape) {
         add_wing(mesh, 10, [&](double along, double across) {
             const double y = dart_half_span * across, back = dart_length * along;
             double z = rise * y + flap * std::max(0.0, back - 0.9 * dart_length);
-            if (hand > 0.0) // about the middle of the chord; the root stays where it is
+            if (hand > 0.0) // turns about mid-chord; the root stays in place
                 z -= std::tan(shape.twist * degree) * std::min(1.0, across / 0.1) *
                      (back - 0.5 * dart_length * (1.0 + across));
             return Vector3d(-back, hand * y, z);
@@ -185,7 +185,7 @@ Seed seed_mesh(const SeedShape& shape) {
     double mean = 0.0;
     for (int i = 0; i < 400; ++i) mean += planform((i + 0.5) / 400.0) / 400.0;
     Seed seed;
-    for (int round = 0; round < 12; ++round) { // the tip is at the radius from the centre of mass
+    for (int round = 0; round < 12; ++round) { // until the tip is at the radius from the centre of mass
         const double span = p.tip - p.root, area = shape.chord * shape.radius * shape.radius,
                      nut = pi / 6.0 * p.nut_length * p.nut_width * p.nut_thickness,
                      wing = nut * (1.0 - nut_share) / nut_share;
@@ -212,8 +212,7 @@ Asset bake_seed(const Seed& seed) {
 
 Asset bake_dart(const DartShape& shape) {
     const Triangles surface = dart_surface(shape);
-    // More layers from the nose on, similar triangles: n of them, of `size`, move the centre of mass from 2/3 of the length
-    // to 2/3 (1 + n size^3)/(1 + n size^2).
+    // More layers at the nose: n similar triangles of `size` move the centre of mass from 2/3 of the length to 2/3 (1 + n size^3)/(1 + n size^2).
     constexpr double layers = 6.0;
     const auto place = [](double size) {
         return 2.0 / 3.0 * (1.0 + layers * std::pow(size, 3.0)) / (1.0 + layers * size * size);
@@ -275,7 +274,8 @@ Asset bake_ring(double diameter, double hole, double areal_density) {
     if (hole <= 0.0) return bake_disc(0.5 * diameter, 1e-4, areal_density, Fluid{});
     constexpr uint32_t around = 72;
     const uint32_t rings = hole < 0.6 ? 6 : 4;
-    const double step = 2.0 * pi / around, area = std::sqrt(step / std::sin(step)); // the circle's, as disc_mesh
+    // Area of the circle, as in disc_mesh.
+    const double step = 2.0 * pi / around, area = std::sqrt(step / std::sin(step));
     Triangles mesh;
     for (uint32_t i = 0; i <= rings; ++i)
         for (uint32_t j = 0; j < around; ++j) {
@@ -324,7 +324,7 @@ Asset bake_snow_crystal(double diameter) {
         {{5.0, 4.0}, {8.0, 3.0}, {11.0, 2.0}}}; // at, length
     const auto turned = [](const Vector2d& p, double angle) -> Vector2d { return Eigen::Rotation2Dd(-angle) * p; };
     const auto solid = [&](const Vector2d& p) {
-        double outside = 0.0; // of the hexagon in the middle
+        double outside = 0.0; // of the central hexagon
         for (int k = 0; k < 6; ++k) {
             Vector2d q = turned(p, k * pi / 3.0);
             outside = std::max(outside, std::abs(q.y()));

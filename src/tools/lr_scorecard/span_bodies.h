@@ -1,5 +1,5 @@
-// Bodies whose parts meet the air differently, from generated meshes: a winged seed, darts, caps, curled leaves, discs with
-// holes, crosses and snow crystals.
+// Bodies of parts that meet the air at different angles, from generated meshes: a winged seed, darts, caps, curled leaves, discs with holes, crosses
+// and snow crystals.
 #pragma once
 
 #include "tools/lr_scorecard/measured_bodies.h"
@@ -10,8 +10,8 @@ namespace lr::scorecard {
 struct SeedShape {
     double mass = 232e-6;    // kg, 72 % of it in the nut
     double radius = 0.0447;  // m, from the centre of mass to the tip
-    double chord = 0.257;    // mean, of the radius
-    double nut_place = 0.31; // centre of the nut behind the leading edge, of the widest chord
+    double chord = 0.257;    // mean chord, over the radius
+    double nut_place = 0.31; // centre of the nut behind the leading edge, over the widest chord
 };
 struct Seed {
     Triangles mesh; // m; the centre of the nut is at x = 0, the leading edge at y = 0
@@ -21,10 +21,10 @@ struct Seed {
 Seed seed_mesh(const SeedShape& shape);
 Asset bake_seed(const Seed& seed);
 
-// A dart of 20 cm, 10.5 cm wide, of 5 g: two wings that rise to the sides, a keel, the last tenth of the wings bent up. The nose is
-// made of more layers of paper. Nose towards +x, left +y, up +z.
+// A dart of 20 cm, 10.5 cm wide, of 5 g: two wings that rise to the sides, a keel, the last tenth of the wings bent up, more layers of paper at the
+// nose. Nose towards +x, left +y, up +z.
 struct DartShape {
-    double weight_place = 0.475; // centre of mass behind the nose, of the length
+    double weight_place = 0.475; // centre of mass behind the nose, over the length
     double flap = 6.0;           // degrees, trailing edges up
     double twist = 0.0;          // degrees, nose up, of the left wing
 };
@@ -45,8 +45,7 @@ Asset bake_ring(double diameter, double hole, double areal_density);
 // Two bars of this length that cross at right angles. width: of a bar.
 Asset bake_cross(double length, double width, double areal_density);
 
-// Six arms with side branches. Its mass is that of Nakaya and Terada (1935) for plane dendrites: 3.8 micrograms times
-// (diameter/mm)^2.
+// Six arms with side branches. Mass of plane dendrites (Nakaya and Terada 1935): 3.8 micrograms times (diameter/mm)^2.
 inline constexpr Fluid cold_air{1.32, 1.28e-5}; // -5 degrees C
 Asset bake_snow_crystal(double diameter);
 } // namespace lr::scorecard

@@ -13,10 +13,10 @@ namespace lr::scorecard {
 // At 1/60 s as games do, with a sample at each step.
 Run game_run(const Context& context, uint32_t substeps, double duration);
 
-// Any orientation, at rest; places differ, so that no two bodies have the same wake.
+// At rest in any orientation, at different places so that no two bodies meet the same turbulence.
 std::vector<Start> released_anyhow(uint32_t count, uint64_t seed);
 
-// The samples until the body has fallen this far. Empty for a body with numbers that are not finite.
+// Samples until the body has fallen this far. Empty if any number is not finite.
 std::span<const Sample> fallen(const Track& track, double height);
 
 // The last part of a fall.
@@ -29,8 +29,7 @@ double spin_of(std::span<const Sample> samples);                     // rad/s ab
 double share_of(const std::vector<bool>& seen);
 Statistic mean_descent(const std::vector<Track>& tracks, double part); // of the last part of each fall
 
-// Paths of the first falls from the side, apart from each other, to a depth, with strokes of this length along an axis of the
-// body every `every` samples.
+// Side views of the first falls, next to each other, to a depth, with strokes of this length along a body axis every `every` samples.
 struct Strokes {
     Eigen::Vector3d axis;
     double length = 0.0; // m
