@@ -2,13 +2,12 @@
 #include "baker/added_mass/added_mass.h"
 #include "baker/added_mass/rim_refinement.h"
 #include "baker/added_mass/surface_basis.h"
+#include "baker/eigensystem.h"
 #include "baker/mesh/mass_properties.h"
 #include "baker/mesh/mesh_check.h"
 #include "sheet_shapes.h"
 
 #include <doctest/doctest.h>
-
-#include <Eigen/Eigenvalues>
 
 #include <cmath>
 #include <numbers>
@@ -33,8 +32,8 @@ AddedMass solve(const Mesh& mesh, const Refinement& refinement = {}, const Vec& 
     REQUIRE(compute_sheet_added_mass(mesh, centre, refinement, result, faults, {}, once));
     CHECK(faults.empty());
     CHECK(result.residual < 1e-9);
-    const Eigen::SelfAdjointEigenSolver<Matrix6> eigen(result.value);
-    CHECK(eigen.eigenvalues()[0] >= -1e-15 * eigen.eigenvalues()[5]);
+    const Eigensystem<Matrix6> eigen = eigensystem(result.value);
+    CHECK(eigen.values[0] >= -1e-15 * eigen.values[5]);
     return result;
 }
 

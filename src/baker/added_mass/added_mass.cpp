@@ -7,10 +7,10 @@
 #include "baker/added_mass/single_cholesky.h"
 #include "baker/added_mass/surface_basis.h"
 #include "baker/added_mass/surface_correction.h"
+#include "baker/eigensystem.h"
 #include "baker/mesh/half_edges.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -84,11 +84,11 @@ void fix_constants(const Mesh& mesh, const SurfaceBasis& basis, const std::vecto
 
 // Replaces the matrix by the nearest one without negative eigenvalues; returns the largest eigenvalue removed.
 double clamp_to_positive(Matrix6& matrix) {
-    const Eigen::SelfAdjointEigenSolver<Matrix6> solver(matrix);
-    const double lowest = solver.eigenvalues()[0];
+    const Eigensystem<Matrix6> solver = eigensystem(matrix);
+    const double lowest = solver.values[0];
     if (lowest >= 0.0) return 0.0;
-    const Matrix6 vectors = solver.eigenvectors();
-    const Matrix6 result = vectors * solver.eigenvalues().cwiseMax(0.0).asDiagonal() * vectors.transpose();
+    const Matrix6 vectors = solver.vectors;
+    const Matrix6 result = vectors * solver.values.cwiseMax(0.0).asDiagonal() * vectors.transpose();
     matrix = 0.5 * (result + result.transpose());
     return -lowest;
 }

@@ -1,6 +1,7 @@
 #include "baker/added_mass/coarse_space.h"
 
-#include <Eigen/Eigenvalues>
+#include "baker/eigensystem.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -40,11 +41,11 @@ CoarseSpace::CoarseSpace(const FastHypersingular& matrix, const ModeOperator& ap
     // Omits directions with almost no energy: functions can be linearly dependent, and expansions of low degree have errors.
     const Eigen::VectorXd scale = product.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
     const Eigen::MatrixXd scaled = scale.asDiagonal() * (0.5 * (product + product.transpose())) * scale.asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled);
-    Eigen::VectorXd inverse = solver.eigenvalues();
+    const Eigensystem<Eigen::MatrixXd> solver = eigensystem(scaled);
+    Eigen::VectorXd inverse = solver.values;
     for (double& value : inverse) value = value > 1e-4 ? 1.0 / value : 0.0;
-    inverse_ = scale.asDiagonal() * solver.eigenvectors() * inverse.asDiagonal() * solver.eigenvectors().transpose() *
-               scale.asDiagonal();
+    inverse_ =
+        scale.asDiagonal() * solver.vectors * inverse.asDiagonal() * solver.vectors.transpose() * scale.asDiagonal();
 }
 
 void CoarseSpace::choose_functions(const FastHypersingular& matrix) {

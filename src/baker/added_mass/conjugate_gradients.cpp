@@ -1,6 +1,6 @@
 #include "baker/added_mass/conjugate_gradients.h"
 
-#include <Eigen/Eigenvalues>
+#include "baker/eigensystem.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,9 +33,8 @@ double condition_of(const std::vector<double>& alpha, const std::vector<double>&
         diagonal[i] = 1.0 / alpha[k] + (k > 0 ? beta[k - 1] / alpha[k - 1] : 0.0);
         if (i + 1 < n) beside[i] = std::sqrt(beta[k]) / alpha[k];
     }
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
-    solver.computeFromTridiagonal(diagonal, beside, Eigen::EigenvaluesOnly);
-    return solver.eigenvalues()[n - 1] / std::max(solver.eigenvalues()[0], 1e-300);
+    const Eigen::VectorXd values = tridiagonal_eigenvalues(diagonal, beside);
+    return values[n - 1] / std::max(values[0], 1e-300);
 }
 } // namespace
 

@@ -1,11 +1,11 @@
 #include "baker/added_mass/mixed_added_mass.h"
 
 #include "baker/added_mass/error_estimates.h"
+#include "baker/eigensystem.h"
 #include "baker/mesh/convex_hull.h"
 #include "baker/mesh/mesh_check.h"
 #include "baker/mesh/solid_region.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -93,16 +93,16 @@ double make_positive(Matrix6& m, Matrix6& error, double size) {
     scale.head<3>().setOnes();
     scale.tail<3>().setConstant(1.0 / size);
     const Matrix6 scaled = scale.asDiagonal() * m * scale.asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<Matrix6> solver(scaled);
-    const double largest = solver.eigenvalues().maxCoeff();
+    const Eigensystem<Matrix6> solver = eigensystem(scaled);
+    const double largest = solver.values.maxCoeff();
     if (!(largest > 0.0)) return HUGE_VAL;
-    const Eigen::Matrix<double, 6, 1> values = solver.eigenvalues().cwiseMax(1e-3 * largest);
-    if (values == solver.eigenvalues()) return 0.0;
+    const Eigen::Matrix<double, 6, 1> values = solver.values.cwiseMax(1e-3 * largest);
+    if (values == solver.values) return 0.0;
     const Eigen::Matrix<double, 6, 1> back = scale.cwiseInverse();
-    const Matrix6 vectors = solver.eigenvectors();
+    const Matrix6 vectors = solver.vectors;
     const Matrix6 good = back.asDiagonal() * (vectors * values.asDiagonal() * vectors.transpose()) * back.asDiagonal();
     m = 0.5 * (good + good.transpose());
-    const double less = std::max(0.0, -solver.eigenvalues().minCoeff());
+    const double less = std::max(0.0, -solver.values.minCoeff());
     error.diagonal() += (less + 1e-3 * largest) * back.cwiseAbs2();
     return less / largest;
 }

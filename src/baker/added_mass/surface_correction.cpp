@@ -1,6 +1,7 @@
 #include "baker/added_mass/surface_correction.h"
 
-#include <Eigen/Eigenvalues>
+#include "baker/eigensystem.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -185,11 +186,11 @@ private:
 } // namespace
 
 Eigen::Vector3d least_motion(const Eigen::Matrix3d& normal_matrix, const Eigen::Vector3d& right) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(normal_matrix);
+    const Eigensystem<Eigen::Matrix3d> solver = eigensystem(normal_matrix);
     Eigen::Vector3d move = Eigen::Vector3d::Zero();
     for (Eigen::Index k = 0; k < 3; ++k)
-        if (solver.eigenvalues()[k] > 0.01)
-            move += solver.eigenvectors().col(k) * (solver.eigenvectors().col(k).dot(right) / solver.eigenvalues()[k]);
+        if (solver.values[k] > 0.01)
+            move += solver.vectors.col(k) * (solver.vectors.col(k).dot(right) / solver.values[k]);
     return move;
 }
 

@@ -8,8 +8,8 @@
 #include "baker/aerodynamics/station_loads.h"
 #include "baker/aerodynamics/surface_measures.h"
 #include "baker/aerodynamics/surface_parts.h"
+#include "baker/eigensystem.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -122,9 +122,9 @@ Plan plan_of(Part part, const AerodynamicData& loads, double size) {
     const Part faces = faces_along(part, out.normal);
     const PartMoments m = moments_of(faces);
     const Matrix3d across = Matrix3d::Identity() - out.normal * out.normal.transpose();
-    const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(across * m.second * across);
-    const double shortest = std::max(solver.eigenvalues()[1], 0.0), longest = solver.eigenvalues()[2];
-    Vector3d length = solver.eigenvectors().col(2);
+    const Eigensystem<Matrix3d> solver = eigensystem(Matrix3d(across * m.second * across));
+    const double shortest = std::max(solver.values[1], 0.0), longest = solver.values[2];
+    Vector3d length = solver.vectors.col(2);
     length = (length - out.normal.dot(length) * out.normal).normalized();
     // Equal moments define no axes; the body's are used.
     if (!(longest >= 1.05 * shortest) || !(length.squaredNorm() > 0.5)) {

@@ -1,6 +1,7 @@
 #include "baker/aerodynamics/surface_parts.h"
 
-#include <Eigen/Eigenvalues>
+#include "baker/eigensystem.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -46,8 +47,8 @@ double two_axes(const Part& part, Vector3d a, Vector3d b, std::vector<char>& sec
             misfit += part[f].area * (1.0 - std::max(pa * pa, pb * pb));
         }
         if (sum[0].trace() <= 0.0 || sum[1].trace() <= 0.0) break;
-        a = Eigen::SelfAdjointEigenSolver<Matrix3d>(sum[0]).eigenvectors().col(2);
-        b = Eigen::SelfAdjointEigenSolver<Matrix3d>(sum[1]).eigenvectors().col(2);
+        a = eigensystem(sum[0]).vectors.col(2);
+        b = eigensystem(sum[1]).vectors.col(2);
     }
     return misfit;
 }
@@ -358,7 +359,7 @@ PartMoments moments_of(const Part& part) {
 }
 
 Vector3d common_normal(const PartMoments& moments, const Vector3d& like) {
-    const Vector3d n = Eigen::SelfAdjointEigenSolver<Matrix3d>(moments.normals).eigenvectors().col(2);
+    const Vector3d n = eigensystem(moments.normals).vectors.col(2);
     return n.dot(like) < 0.0 ? Vector3d(-n) : n;
 }
 
@@ -375,9 +376,9 @@ std::pair<double, double> extent_of(const Part& part, const Vector3d& direction)
 
 std::vector<Part> split_by_normal(Part part, std::size_t most) {
     const PartMoments m = moments_of(part);
-    const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(m.normals);
-    const Vector3d n = solver.eigenvectors().col(2), e = solver.eigenvectors().col(1);
-    const double tilt = 1.0 - solver.eigenvalues()[2];
+    const Eigensystem<Matrix3d> solver = eigensystem(m.normals);
+    const Vector3d n = solver.vectors.col(2), e = solver.vectors.col(1);
+    const double tilt = 1.0 - solver.values[2];
     if (most < 2 || tilt < folded) return {std::move(part)};
     double steep = 0.0;
     for (const Facet& f : part)
@@ -442,18 +443,18 @@ std::vector<Slice> sliced(const Part& part, const Vector3d& direction, std::size
         for (double& p : now) p /= beta;
         if (k + 1 < size) jacobi(k, k + 1) = jacobi(k + 1, k) = beta;
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(jacobi);
+    const Eigensystem<Eigen::MatrixXd> solver = eigensystem(jacobi);
     std::vector<Slice> out;
     Part rest = part;
     double share = 0.0, passed = 0.0;
     std::size_t next = 0;
     for (Eigen::Index k = 0; k < size; ++k) {
-        const double node = centre + scale * solver.eigenvalues()[k];
+        const double node = centre + scale * solver.values[k];
         if (k + 1 == size) {
             out.push_back({std::move(rest), node});
             break;
         }
-        const double first = solver.eigenvectors()(0, k);
+        const double first = solver.vectors(0, k);
         share += first * first * area;
         while (next + 1 < points.size() && passed + points[next].second < share) passed += points[next++].second;
         auto [below, above] = cut(rest, direction, centre + scale * points[next].first);

@@ -1,6 +1,7 @@
 #include "baker/mesh/mass_properties.h"
 
-#include <Eigen/Eigenvalues>
+#include "baker/eigensystem.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -85,10 +86,10 @@ struct UnitFrame {
 void set_inertia(const Eigen::Matrix3d& covariance, double size, MassProperties& result) {
     const Eigen::Matrix3d inertia = covariance.trace() * Eigen::Matrix3d::Identity() - covariance;
     result.inertia = 0.5 * (inertia + inertia.transpose()) * std::pow(size, 5);
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(inertia);
-    result.principal = solver.eigenvalues() * std::pow(size, 5);
-    result.axes = solver.eigenvectors();
-    fix_axes(solver.eigenvalues(), result.axes);
+    const Eigensystem<Eigen::Matrix3d> solver = eigensystem(inertia);
+    result.principal = solver.values * std::pow(size, 5);
+    result.axes = solver.vectors;
+    fix_axes(solver.values, result.axes);
 }
 
 // The first `solid_faces` faces cover their projection twice, as a closed surface does, the others once.

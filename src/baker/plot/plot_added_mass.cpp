@@ -1,8 +1,7 @@
+#include "baker/eigensystem.h"
 #include "baker/plot/plot_axis.h"
 #include "baker/plot/plot_mesh.h"
 #include "baker/plot/plots.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <array>
@@ -31,13 +30,13 @@ struct Ellipsoid {
             const Vector3d axis = radii[i] * axes.col(i);
             seen.col(i) << view.right.dot(axis), view.up.dot(axis);
         }
-        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(seen * seen.transpose());
-        const Eigen::Vector2d size = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+        const Eigensystem<Eigen::Matrix2d> solver = eigensystem(Eigen::Matrix2d(seen * seen.transpose()));
+        const Eigen::Vector2d size = solver.values.cwiseMax(0.0).cwiseSqrt();
         std::vector<SvgPoint> points;
         for (int i = 0; i < 96; ++i) {
             const double angle = 2.0 * pi * i / 96;
             const Eigen::Vector2d p =
-                solver.eigenvectors() * Eigen::Vector2d(size[0] * std::cos(angle), size[1] * std::sin(angle));
+                solver.vectors * Eigen::Vector2d(size[0] * std::cos(angle), size[1] * std::sin(angle));
             points.push_back(view.place(p[0], p[1]));
         }
         return points;
@@ -50,10 +49,10 @@ Ellipsoid ellipsoid_of(const AssetData& a, std::size_t first, double unit_sphere
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
             block(i, j) = a.added_mass[(first + static_cast<std::size_t>(i)) * 6 + first + static_cast<std::size_t>(j)];
-    const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(block);
+    const Eigensystem<Matrix3d> solver = eigensystem(block);
     Ellipsoid e;
-    e.axes = solver.eigenvectors();
-    e.principal = solver.eigenvalues().cwiseMax(0.0);
+    e.axes = solver.vectors;
+    e.principal = solver.values.cwiseMax(0.0);
     for (int i = 0; i < 3; ++i) e.radii[i] = std::pow(e.principal[i] / unit_sphere, 1.0 / power);
     return e;
 }

@@ -1,8 +1,7 @@
 #include "tools/falls/drop.h"
 
+#include "baker/eigensystem.h"
 #include "tools/falls/random.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -118,14 +117,14 @@ Shape shape_of(const lr_asset* asset, const Drop& options) {
     Eigen::Matrix3d added;
     for (int i = 0; i < 3; ++i)
         for (int k = 0; k < 3; ++k) added(i, k) = info.added_mass[6 * i + k];
-    shape.normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(added).eigenvectors().col(2);
+    shape.normal = baker::eigensystem(added).vectors.col(2);
     Eigen::Index largest = 0;
     shape.normal.cwiseAbs().maxCoeff(&largest);
     if (shape.normal[largest] < 0.0) shape.normal = -shape.normal;
     // The mean of x x^T over the mass, which for an ellipsoid is a fifth of its squared semi-axes. Drawn with the length of the body.
     const Eigen::Matrix3d inertia = Eigen::Map<const Eigen::Matrix3d>(info.inertia);
     const Eigen::Matrix3d spread = 0.5 * inertia.trace() * Eigen::Matrix3d::Identity() - inertia;
-    const double longest = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvalues()[2];
+    const double longest = baker::eigensystem(spread).values[2];
     shape.ellipsoid = spread * (0.25 * shape.length * shape.length / longest);
     return shape;
 }

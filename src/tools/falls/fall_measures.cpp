@@ -1,8 +1,7 @@
 #include "tools/falls/fall_measures.h"
 
+#include "baker/eigensystem.h"
 #include "tools/falls/regime.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +43,7 @@ double count_swings(std::span<const Eigen::Vector3d> normals) {
     const auto flat = [](const Eigen::Vector3d& n) { return Eigen::Vector2d(n.x(), n.z()); };
     for (const Eigen::Vector3d& n : normals) mean += flat(n) / static_cast<double>(normals.size());
     for (const Eigen::Vector3d& n : normals) spread += (flat(n) - mean) * (flat(n) - mean).transpose();
-    const Eigen::Vector2d axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvectors().col(1);
+    const Eigen::Vector2d axis = baker::eigensystem(spread).vectors.col(1);
     std::vector<double> signal;
     for (const Eigen::Vector3d& n : normals) signal.push_back(axis.dot(flat(n) - mean));
     std::vector<double> sorted = signal;

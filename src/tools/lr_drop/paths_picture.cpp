@@ -1,9 +1,8 @@
 #include "tools/lr_drop/paths_picture.h"
 
+#include "baker/eigensystem.h"
 #include "baker/length_text.h"
 #include "tools/encode_png.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <array>
@@ -83,9 +82,10 @@ void draw_body(Picture& picture, Point at, const falls::Shape& shape, const fall
         sample.orientation.toRotationMatrix() * shape.ellipsoid * sample.orientation.toRotationMatrix().transpose();
     Eigen::Matrix<double, 3, 2> plane;
     plane << axes.right, -falls::up();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> silhouette(plane.transpose() * turned * plane);
-    const Vector2d half = silhouette.eigenvalues().cwiseMax(0.0).cwiseSqrt() * scale;
-    const Vector2d along = silhouette.eigenvectors().col(1);
+    const baker::Eigensystem<Eigen::Matrix2d> silhouette =
+        baker::eigensystem(Eigen::Matrix2d(plane.transpose() * turned * plane));
+    const Vector2d half = silhouette.values.cwiseMax(0.0).cwiseSqrt() * scale;
+    const Vector2d along = silhouette.vectors.col(1);
     const bool front = (sample.orientation * shape.normal).dot(axes.toward_viewer) > 0.0;
     const auto ellipse = [&](double grown, Colour fill, float alpha) {
         const double major = half[1] + grown, minor = std::max(half[0] + grown, 0.8);

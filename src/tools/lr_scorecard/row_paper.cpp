@@ -1,4 +1,5 @@
 // The cases of the paper's section 7, with its pictures expressed as numbers.
+#include "baker/eigensystem.h"
 #include "tools/falls/random.h"
 #include "tools/falls/regime.h"
 #include "tools/falls/statistics.h"
@@ -7,8 +8,6 @@
 #include "tools/lr_scorecard/line_plot.h"
 #include "tools/lr_scorecard/measured_bodies.h"
 #include "tools/lr_scorecard/row.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -69,7 +68,7 @@ LeafFall measure_leaf(const Track& track, size_t smooth) {
         const Eigen::Vector2d v = Eigen::Vector2d(s.velocity.x(), s.velocity.z()) - mean;
         spread += v * v.transpose();
     }
-    const Eigen::Vector2d main = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvectors().col(1);
+    const Eigen::Vector2d main = baker::eigensystem(spread).vectors.col(1);
     double side = 0.0;
     for (const Sample& s : track.samples) {
         m.rolls += std::abs((s.orientation.conjugate() * s.spin).x()) * track.interval / (2.0 * pi);
@@ -259,7 +258,7 @@ RowResult run_rubber_ellipsoid(const Context& context) {
                 spread += h * h.transpose();
                 if (t == 0) line.points.push_back({0.01 * static_cast<double>(n), tilt});
             }
-            const Eigen::Vector2d both = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvalues();
+            const Eigen::Vector2d both = baker::eigensystem(spread).values;
             largest.push_back(most);
             ratio.push_back(std::sqrt(std::max(both[0], 0.0) / both[1]));
         }

@@ -1,9 +1,8 @@
+#include "baker/eigensystem.h"
 #include "tools/lr_scorecard/line_plot.h"
 #include "tools/lr_scorecard/measured_bodies.h"
 #include "tools/lr_scorecard/phase_map.h"
 #include "tools/lr_scorecard/row.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -100,7 +99,7 @@ std::string draw_paths(const std::vector<Point>& points, double diameter) {
             const Eigen::Vector3d n = s.orientation * Eigen::Vector3d::UnitZ();
             spread += Eigen::Vector2d(n.x(), n.z()) * Eigen::Vector2d(n.x(), n.z()).transpose();
         }
-        const Eigen::Vector2d side = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvectors().col(1);
+        const Eigen::Vector2d side = baker::eigensystem(spread).vectors.col(1);
         const Eigen::Vector3d across(side.x(), 0.0, side.y());
         const auto place = [&](const Eigen::Vector3d& p) -> PlotPoint {
             const Eigen::Vector3d r = (p - first.position) / diameter;
