@@ -132,7 +132,7 @@ private:
     }
 
     bool read() {
-        if (!read_input(options_, mesh_, input_, faults_) || !resize()) return false;
+        if (!read_input(options_, mesh_, card_, input_, faults_) || !resize()) return false;
         side_ = box_sides(mesh_).maxCoeff();
         if (box_sides(mesh_).norm() > longest_body && !options_.size && !options_.card && !options_.strict &&
             options_.unit == Unit::file) {
@@ -251,7 +251,19 @@ private:
         return combined_mass_properties(mesh_, solid_faces_, m.volume, m.first, m.second);
     }
 
+    // The mesh of a frayed card is smoothed; its weight lies where the image is opaque.
+    MassProperties card_properties() const {
+        const PlaneMoments& m = card_.opaque;
+        Eigen::Vector3d first = Eigen::Vector3d::Zero();
+        Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+        first.head<2>() = m.first;
+        second.topLeftCorner<2, 2>() = m.second;
+        second(2, 2) = m.area * thickness_ * thickness_ / 12.0;
+        return combined_mass_properties(mesh_, 0, thickness_ * m.area, thickness_ * first, thickness_ * second);
+    }
+
     MassProperties properties_of(const Mesh& mesh) const {
+        if (options_.card) return card_properties();
         return is_sheet() ? compute_sheet_mass_properties(mesh, thickness_) : compute_mass_properties(mesh);
     }
 
@@ -532,6 +544,7 @@ private:
     Eigen::Vector3d broad_normal_ = Eigen::Vector3d::Zero();
     Stations stations_;
     Mesh mesh_;
+    CardReport card_;
     MassProperties solid_;
     Eigen::Vector3d center_ = Eigen::Vector3d::Zero();
 };

@@ -51,25 +51,24 @@ bool stands_alone(const std::string& path) {
            extension == ".3mf";
 }
 
-bool trace_card(const BakeOptions& o, Mesh& mesh, InputFiles& input, Faults& faults) {
+bool trace_card(const BakeOptions& o, Mesh& mesh, CardReport& card, InputFiles& input, Faults& faults) {
     CardOptions how = *o.card;
     how.width /= units_per_metre(o.unit);
-    CardReport unused;
     if (o.mesh_bytes)
-        return read_card_memory(o.mesh_bytes->data(), o.mesh_bytes->size(), how, o.mesh_path, mesh, unused, faults);
+        return read_card_memory(o.mesh_bytes->data(), o.mesh_bytes->size(), how, o.mesh_path, mesh, card, faults);
     std::shared_ptr<const InputFiles::Bytes> image = input.read(o.mesh_path, &faults);
     if (image && !how.mask_path.empty()) image = input.read(how.mask_path, &faults);
-    const bool good = image && read_card_memory(image->data(), image->size(), how, o.mesh_path, mesh, unused, faults);
+    const bool good = image && read_card_memory(image->data(), image->size(), how, o.mesh_path, mesh, card, faults);
     input.forget_bytes();
     return good;
 }
 } // namespace
 
-bool read_input(const BakeOptions& o, Mesh& mesh, InputFiles& input, Faults& faults) {
+bool read_input(const BakeOptions& o, Mesh& mesh, CardReport& card, InputFiles& input, Faults& faults) {
     MeshReadOptions how = reading_of(o);
     how.mesh = o.mesh;
     add_memory(o, input);
-    if (o.card) return trace_card(o, mesh, input, faults);
+    if (o.card) return trace_card(o, mesh, card, input, faults);
     if (o.mesh_arrays) return read_mesh_arrays(o.mesh_arrays->positions, o.mesh_arrays->indices, how, mesh, faults);
     if (!o.mesh_bytes) return read_mesh(o.mesh_path, how, mesh, faults, &input);
     std::string extension = mesh_path(o).extension().string();
@@ -111,12 +110,13 @@ std::optional<uint64_t> find_input_hash(const BakeOptions& options) {
             add_memory(options, input);
         } else if (!options.semi_axes) {
             Mesh mesh;
+            CardReport card;
             if (options.card && !options.card->mask_path.empty() &&
                 (!input.read(options.mesh_path, &ignored) || !input.read(options.card->mask_path, &ignored)))
                 return {};
             const bool read = options.card || stands_alone(options.mesh_path)
                                   ? input.read(options.mesh_path, &ignored) != nullptr
-                                  : read_input(options, mesh, input, ignored);
+                                  : read_input(options, mesh, card, input, ignored);
             if (!read) return {};
         }
         if (options.mass && options.mass->arrays) {

@@ -9,8 +9,8 @@
 
 namespace lr::baker {
 
-// For meshes and cards, not ellipsoids.
-bool read_input(const BakeOptions& options, Mesh& mesh, InputFiles& input, Faults& faults);
+// For meshes and cards, not ellipsoids. card: filled for a card.
+bool read_input(const BakeOptions& options, Mesh& mesh, CardReport& card, InputFiles& input, Faults& faults);
 
 // Reads the mesh of options.mass. Call after read_input.
 bool read_mass_input(const BakeOptions& options, Mesh& mesh, InputFiles& input, Faults& faults);

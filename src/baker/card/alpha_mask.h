@@ -3,6 +3,8 @@
 
 #include "asset/input_faults.h"
 
+#include <Eigen/Core>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -20,6 +22,10 @@ using KeyColour = std::array<uint8_t, 3>; // sRGB
 struct AlphaMask {
     std::size_t width = 0, height = 0;
     std::vector<uint16_t> opacity; // 0 to 65535, row by row from the bottom: y points up
+
+    Eigen::Vector2d centre() const {
+        return 0.5 * Eigen::Vector2d(static_cast<double>(width), static_cast<double>(height));
+    }
 
     // Transparent outside the image, so that its border closes every outline.
     double at(std::ptrdiff_t x, std::ptrdiff_t y) const {

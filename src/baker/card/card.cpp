@@ -1,6 +1,5 @@
 #include "baker/card/card.h"
 
-#include "baker/card/outline.h"
 #include "baker/card/outline_simplify.h"
 #include "baker/card/planar_mesh.h"
 #include "baker/file_faults.h"
@@ -76,6 +75,7 @@ public:
         stairs_ = outlines.stairs;
         report_.pieces = outlines.pieces.size();
         if (!choose(outlines)) return false;
+        weigh(mask, outlines.pinholes);
         if (!smooth_frayed(mask)) return false;
         mask = AlphaMask{};
         return mesh();
@@ -94,9 +94,11 @@ private:
         if (outlines.specks > 0)
             faults_.push_back({FaultId::image_specks, Severity::warning, where_,
                                sentence(outlines.specks, outlines.speck_area, " specks", "were ignored"), remedy});
-        if (outlines.pinholes > 0)
+        if (!outlines.pinholes.empty())
             faults_.push_back({FaultId::image_specks, Severity::warning, where_,
-                               sentence(outlines.pinholes, outlines.pinhole_area, " pinholes", "were closed"), remedy});
+                               sentence(outlines.pinholes.size(), outlines.pinhole_area, " pinholes",
+                                        keeps_pinholes(options_) ? "were closed for the flow" : "were closed"),
+                               remedy});
     }
 
     // "1 at 120,88 (61 %), 2 at 300,90 (39 %)": centres in pixels from the top left, as in image editors.
@@ -188,31 +190,23 @@ private:
         area_ = 0.0;
         for (const Loop& loop : loops_) area_ += signed_area(loop);
         report_.traced_area = area_ * pixel() * pixel();
+        centre_flow(mask.centre());
         faults_.push_back({FaultId::image_too_ragged, Severity::warning, where_,
                            "The outline is too frayed for " + std::to_string(options_.triangles) +
                                " triangles: details below about " + std::to_string(2 * smoothed_ + 1) +
-                               " pixels were smoothed; the area changed by " + rounded(100.0 * (area_ / traced - 1.0)) +
-                               " %, and its centre moved by " + rounded(100.0 * moved_by()) + " % of the length.",
+                               " pixels were smoothed for the flow, whose area changed by " +
+                               rounded(100.0 * (area_ / traced - 1.0)) + " %; mass and inertia are exact.",
                            "None needed for a body seen from afar; give more --triangles to keep finer details."});
         return true;
     }
 
-    // Shift of the centre by smoothing, over the longer side: dense parts fill up, sparse ones vanish.
-    double moved_by() const {
-        const auto centre = [](const std::vector<Loop>& loops) {
-            Eigen::Vector3d sum = Eigen::Vector3d::Zero(); // moments, area
-            for (const Loop& loop : loops)
-                for (std::size_t i = 0; i < loop.size(); ++i) {
-                    const Eigen::Vector2d &a = loop[i], &b = loop[(i + 1) % loop.size()];
-                    const double twice = a.x() * b.y() - a.y() * b.x();
-                    sum += twice * Eigen::Vector3d((a.x() + b.x()) / 3.0, (a.y() + b.y()) / 3.0, 1.0);
-                }
-            return Eigen::Vector2d(sum.head<2>() / sum.z());
-        };
-        Eigen::AlignedBox2d box;
-        for (const Loop& loop : region_)
-            for (const Eigen::Vector2d& p : loop) box.extend(p);
-        return (centre(loops_) - centre(region_)).norm() / box.sizes().maxCoeff();
+    // By smoothing, what is dense fills, and what is sparse goes: the loads would act beside the centre of mass and turn the body.
+    void centre_flow(const Eigen::Vector2d& origin) {
+        PlaneMoments smooth;
+        for (const Loop& loop : loops_) smooth += moments(loop, origin);
+        const Eigen::Vector2d shift = opaque_.first / opaque_.area - smooth.first / smooth.area;
+        for (Loop& loop : loops_)
+            for (Eigen::Vector2d& p : loop) p += shift;
     }
 
     // Whether the outline is longer than about the sides of the wanted triangles or, simplified as for the mesh, has too many corners for them: each
@@ -235,23 +229,41 @@ private:
                           short_edge * edge);
     }
 
-    // The opacity in and near the chosen regions, zero elsewhere.
-    AlphaMask only_region(const AlphaMask& mask) const {
-        if (options_.all_pieces || report_.pieces == 1) return mask;
-        AlphaMask kept{mask.width, mask.height, std::vector<uint16_t>(mask.opacity.size(), 0)};
-        std::vector<std::vector<double>> crossings(mask.height);
+    // Where the chosen regions begin and end along the middle of each line of the image, in turns.
+    void cross_lines(const AlphaMask& mask) {
+        crossings_.assign(mask.height, {});
         for (const Loop& loop : region_)
             for (std::size_t i = 0; i < loop.size(); ++i) {
                 const Eigen::Vector2d &a = loop[i], &b = loop[(i + 1) % loop.size()];
                 const double low = std::min(a.y(), b.y()), high = std::max(a.y(), b.y());
                 for (auto y = static_cast<std::ptrdiff_t>(std::max(0.0, std::ceil(low - 0.5)));
                      y < static_cast<std::ptrdiff_t>(mask.height) && static_cast<double>(y) + 0.5 < high; ++y)
-                    crossings[static_cast<std::size_t>(y)].push_back(a.x() + (static_cast<double>(y) + 0.5 - a.y()) /
-                                                                                 (b.y() - a.y()) * (b.x() - a.x()));
+                    crossings_[static_cast<std::size_t>(y)].push_back(a.x() + (static_cast<double>(y) + 0.5 - a.y()) /
+                                                                                  (b.y() - a.y()) * (b.x() - a.x()));
             }
+        for (std::vector<double>& at : crossings_) std::sort(at.begin(), at.end());
+    }
+
+    // What the mesh leaves out has its weight all the same, unless it was asked to leave it out.
+    void weigh(const AlphaMask& mask, const std::vector<Pinhole>& pinholes) {
+        cross_lines(mask);
+        for (const Loop& loop : region_) opaque_ += moments(loop, mask.centre());
+        for (const Pinhole& hole : pinholes) {
+            const std::vector<double>& at = crossings_[hole.pixel / mask.width];
+            const double x = static_cast<double>(hole.pixel % mask.width) + 0.5;
+            const bool inside = (std::lower_bound(at.begin(), at.end(), x) - at.begin()) % 2 != 0;
+            if (inside && keeps_pinholes(options_)) opaque_ += hole.moments;
+        }
+        const double square = pixel() * pixel();
+        report_.opaque = {square * opaque_.area, square * pixel() * opaque_.first, square * square * opaque_.second};
+    }
+
+    // The opacity within the chosen regions and near them, without the others.
+    AlphaMask only_region(const AlphaMask& mask) const {
+        if (options_.all_pieces || report_.pieces == 1) return mask;
+        AlphaMask kept{mask.width, mask.height, std::vector<uint16_t>(mask.opacity.size(), 0)};
         for (std::size_t y = 0; y < mask.height; ++y) {
-            std::vector<double>& at = crossings[y];
-            std::sort(at.begin(), at.end());
+            const std::vector<double>& at = crossings_[y];
             for (std::size_t i = 0; i + 1 < at.size(); i += 2)
                 for (auto x = static_cast<std::size_t>(std::max(0.0, at[i]));
                      x < mask.width && static_cast<double>(x) < at[i + 1]; ++x)
@@ -361,7 +373,9 @@ private:
     CardReport& report_;
     Faults& faults_;
     std::vector<Loop> loops_, region_; // pixels; region_: before smoothing
-    std::size_t smoothed_ = 0;         // pixels
+    std::vector<std::vector<double>> crossings_;
+    PlaneMoments opaque_;      // pixels, about the centre of the image
+    std::size_t smoothed_ = 0; // pixels
     double area_ = 0.0;
     bool stairs_ = false;
 };

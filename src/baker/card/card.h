@@ -2,6 +2,7 @@
 #pragma once
 
 #include "baker/card/alpha_mask.h"
+#include "baker/card/outline.h"
 #include "baker/mesh/mesh.h"
 
 #include <cstddef>
@@ -28,8 +29,9 @@ struct CardReport {
     std::size_t pieces = 0, holes = 0; // regions in the image; holes of the mesh
     double area = 0.0, outline = 0.0;  // of the mesh, m^2 and m
     double traced_area = 0.0;          // within the outline before simplification, m^2
-    double edge = 0.0;                 // target edge length, m
-    double smallest_angle = 0.0;       // degrees
+    PlaneMoments opaque;         // of the image, before any smoothing and closing: m^2, m^3, m^4 in the mesh's frame
+    double edge = 0.0;           // target edge length, m
+    double smallest_angle = 0.0; // degrees
 };
 
 // The number of regions, each of which `piece` can choose; 0 and faults if there is no outline.

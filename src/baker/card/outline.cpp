@@ -20,6 +20,7 @@ namespace {
 constexpr double clearance = 1.0 / 256.0;
 // A mask with more points is noise; 16 bytes each.
 constexpr std::size_t max_points = 1 << 24;
+constexpr std::size_t points_of_pinhole = sizeof(Pinhole) / sizeof(Eigen::Vector2d);
 
 // The corners 0 to 3 of cell (x, y) are the centres of the pixels (x-1, y-1), (x, y-1), (x, y), (x-1, y); edge k runs from
 // corner k to k + 1.
@@ -42,9 +43,11 @@ public:
     }
 
     std::vector<Loop> outer, holes;
-    std::vector<double> outer_area, hole_area, pinhole_area;
-    std::size_t dropped_outer = 0, dropped_holes = 0;
-    double dropped_outer_area = 0.0, dropped_hole_area = 0.0, largest = 0.0;
+    std::vector<double> outer_area, hole_area;
+    std::vector<std::size_t> hole_pixel;
+    std::vector<Pinhole> pinholes;
+    std::size_t dropped_outer = 0;
+    double dropped_outer_area = 0.0, largest = 0.0;
 
 private:
     bool opaque(std::ptrdiff_t x, std::ptrdiff_t y) const { return mask_.at(x, y) >= level_; }
@@ -81,7 +84,7 @@ private:
             y += to_y[exit];
             entry = (exit + 2) % 4;
         } while (x != first_x || y != first_y || entry != 0);
-        return keep();
+        return keep(static_cast<std::size_t>(first_y - 1) * mask_.width + static_cast<std::size_t>(first_x));
     }
 
     Eigen::Vector2d crossing(std::ptrdiff_t x, std::ptrdiff_t y, double from, std::size_t edge, double to) const {
@@ -93,29 +96,31 @@ private:
                 std::clamp(p.y(), 0.0, static_cast<double>(mask_.height))};
     }
 
-    bool keep() {
+    // pixel: right of the first crossing; of a hole, within it.
+    bool keep(std::size_t pixel) {
         const double area = signed_area(loop_);
         const bool hole = area < 0.0;
         if (!hole) largest = std::max(largest, area);
-        if (std::abs(area) < least(hole)) {
-            drop(hole, std::abs(area));
-            return true;
-        }
-        points_ += loop_.size();
+        const bool dropped = std::abs(area) < least(hole);
+        if (dropped && !hole) drop(area);
+        if (dropped && hole) close(pixel, loop_);
+        points_ += !dropped ? loop_.size() : hole ? points_of_pinhole : 0;
         if (points_ > max_points) return false;
+        if (dropped) return true;
         (hole ? holes : outer).push_back(loop_);
         (hole ? hole_area : outer_area).push_back(std::abs(area));
+        if (hole) hole_pixel.push_back(pixel);
         return true;
     }
 
 public:
     bool stairs() const { return 2 * abrupt_ > crossings_; }
     double least(bool hole) const { return hole ? std::min(speck_ * largest, least_hole_) : speck_ * largest; }
-    void drop(bool hole, double area) {
-        (hole ? dropped_holes : dropped_outer) += 1;
-        (hole ? dropped_hole_area : dropped_outer_area) += area;
-        if (hole) pinhole_area.push_back(area);
+    void drop(double area) {
+        ++dropped_outer;
+        dropped_outer_area += area;
     }
+    void close(std::size_t pixel, const Loop& hole) { pinholes.push_back({pixel, moments(hole, mask_.centre())}); }
 
 private:
     const AlphaMask& mask_;
@@ -130,7 +135,8 @@ private:
 double least_hole_that_counts(const Tracer& traced) {
     constexpr double uncounted = 0.01; // of the largest region
     constexpr std::size_t most = 5000; // noise has more
-    std::vector<double> areas = traced.pinhole_area;
+    std::vector<double> areas;
+    for (const Pinhole& hole : traced.pinholes) areas.push_back(-hole.moments.area);
     for (const double area : traced.hole_area)
         if (area < traced.least(true)) areas.push_back(area);
     std::sort(areas.begin(), areas.end(), std::greater<>());
@@ -182,7 +188,7 @@ void nest(Tracer& traced, Outlines& out) {
                      [&](std::size_t a, std::size_t b) { return traced.outer_area[a] > traced.outer_area[b]; });
     for (const std::size_t i : order) {
         if (traced.outer_area[i] < traced.least(false)) { // the largest was not known during tracing
-            traced.drop(false, traced.outer_area[i]);
+            traced.drop(traced.outer_area[i]);
             continue;
         }
         out.pieces.emplace_back();
@@ -194,7 +200,7 @@ void nest(Tracer& traced, Outlines& out) {
         if (!traced.holes.empty()) insides.emplace_back(piece.loops.front());
     for (std::size_t i = 0; i < traced.holes.size(); ++i) {
         if (traced.hole_area[i] < traced.least(true)) {
-            traced.drop(true, traced.hole_area[i]);
+            traced.close(traced.hole_pixel[i], traced.holes[i]);
             continue;
         }
         const Eigen::Vector2d p = traced.holes[i].front();
@@ -206,6 +212,25 @@ void nest(Tracer& traced, Outlines& out) {
     }
 }
 } // namespace
+
+PlaneMoments& PlaneMoments::operator+=(const PlaneMoments& other) {
+    area += other.area;
+    first += other.first;
+    second += other.second;
+    return *this;
+}
+
+// Sums over the triangles of the origin and each side.
+PlaneMoments moments(const Loop& loop, const Eigen::Vector2d& origin) {
+    PlaneMoments sum;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Eigen::Vector2d a = loop[i] - origin, b = loop[i + 1 < loop.size() ? i + 1 : 0] - origin, both = a + b;
+        const double part = 0.5 * (a.x() * b.y() - a.y() * b.x());
+        sum +=
+            {part, part / 3.0 * both, part / 12.0 * (a * a.transpose() + b * b.transpose() + both * both.transpose())};
+    }
+    return sum;
+}
 
 double signed_area(const Loop& loop) {
     double twice = 0.0;
@@ -263,9 +288,9 @@ bool trace_outlines(const AlphaMask& mask, double threshold, double speck, bool 
                      [](const Piece& a, const Piece& b) { return a.area > b.area; });
     out.stairs = traced.stairs();
     out.specks = traced.dropped_outer;
-    out.pinholes = traced.dropped_holes;
     out.speck_area = traced.dropped_outer_area;
-    out.pinhole_area = traced.dropped_hole_area;
+    for (const Pinhole& hole : traced.pinholes) out.pinhole_area -= hole.moments.area;
+    out.pinholes = std::move(traced.pinholes);
     return true;
 }
 } // namespace lr::baker

@@ -12,6 +12,18 @@ namespace lr::baker {
 
 using Loop = std::vector<Eigen::Vector2d>; // pixels, y up; the opaque side is on the left
 
+// Integrals over what is within outlines: area, first and second moments about the origin.
+struct PlaneMoments {
+    double area = 0.0;
+    Eigen::Vector2d first = Eigen::Vector2d::Zero();
+    Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
+
+    PlaneMoments& operator+=(const PlaneMoments& other);
+};
+
+// Those of a hole are negative.
+PlaneMoments moments(const Loop& loop, const Eigen::Vector2d& origin);
+
 // Positive for an outer outline, negative for a hole.
 double signed_area(const Loop& loop);
 double perimeter(const Loop& loop);
@@ -22,10 +34,17 @@ struct Piece {
     double area = 0.0; // pixels^2
 };
 
+// A closed hole.
+struct Pinhole {
+    std::size_t pixel;    // one within it, counted row by row
+    PlaneMoments moments; // negative; pixels, about the centre of the image
+};
+
 struct Outlines {
-    std::vector<Piece> pieces;            // largest first
-    std::size_t specks = 0, pinholes = 0; // number of ignored regions and closed holes
-    bool stairs = false;                  // most of the outline is between fully opaque and fully transparent pixels
+    std::vector<Piece> pieces; // largest first
+    std::vector<Pinhole> pinholes;
+    std::size_t specks = 0; // number of ignored regions
+    bool stairs = false;    // most of the outline is between fully opaque and fully transparent pixels
     double speck_area = 0.0, pinhole_area = 0.0; // total, pixels^2
 };
 
