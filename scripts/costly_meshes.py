@@ -171,6 +171,31 @@ def pleats(mesh):
         mesh.faces += [(2 * a, 2 * c, 2 * b), (2 * a, 2 * d, 2 * c), (2 * a + 1, 2 * b + 1, 2 * c + 1), (2 * a + 1, 2 * c + 1, 2 * d + 1)]
 
 
+def comb(mesh):
+    """A closed plate with 1870 teeth: lines through its side meet them all."""
+    n = 1870
+    outline = [p for i in range(n) for p in ((i / n, 0), (i / n, 1), ((i + 0.5) / n, 1), ((i + 0.5) / n, 0))]
+    outline += [(1, 0), (1, -0.1), (0, -0.1)]
+    m = len(outline)
+    mesh.add([(x, y, z) for x, y in outline for z in (0, 0.01)], [])
+    for i in range(m):
+        a, b = 2 * i, 2 * ((i + 1) % m)
+        mesh.faces += [(a, b + 1, b), (a, a + 1, b + 1)]
+    root = [k for i in range(n) for k in (4 * i, 4 * i + 3)] + [4 * n, m - 2]
+    flat = [f for i in range(0, 4 * n, 4) for f in ((i, i + 2, i + 1), (i, i + 3, i + 2))]
+    flat += [(m - 1, b, a) for a, b in zip(root, root[1:])]
+    mesh.faces += [f for a, b, c in flat for f in ((2 * a, 2 * b, 2 * c), (2 * c + 1, 2 * b + 1, 2 * a + 1))]
+
+
+def egg(mesh):
+    """A smooth solid, whose hull has all its corners."""
+    def place(u, v):
+        polar, x = math.pi * v, circle(u, 1)
+        r = (1 + 0.25 * math.cos(polar)) * (1 if 0 < v < 1 else 0)
+        return r * math.sin(polar) * x[0], 0.7 * r * math.sin(polar) * x[1], (1 + 0.25 * math.cos(polar)) * math.cos(polar)
+    mesh.grid(122, 123, place)
+
+
 def bake(lr_bake, path):
     command = [lr_bake, "mesh", str(path), "-o", str(path.with_suffix(".lrb")), "--size", "50cm"]
     run = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
@@ -190,7 +215,7 @@ def main():
     args.folder.mkdir(parents=True, exist_ok=True)
     good = True
     print("| mesh | triangles | s | MB | solved |\n|---|---|---|---|---|")
-    for make in (wavy, fan, can, hair, layers, onion, grass, furniture, spring, soup, bundle, burr, crumpled, pleats):
+    for make in (wavy, fan, can, hair, layers, onion, grass, furniture, spring, soup, bundle, burr, crumpled, pleats, comb, egg):
         random.seed(1)
         mesh = Mesh()
         make(mesh)

@@ -226,3 +226,23 @@ TEST_CASE("hull of a can with thousands of sides: in time, of fewer corners, wit
         for (int i = 0; i < 2 * sides; i += 97) CHECK(n.dot(points[static_cast<std::size_t>(i)] - a) <= hull.slack);
     }
 }
+
+TEST_CASE("hull of a smooth body has few corners, for loading takes the square of their number, with the slack told") {
+    Mesh mesh = test::icosphere(5);
+    for (Eigen::Vector3d& v : mesh.vertices) v = v.cwiseProduct(Eigen::Vector3d(1.0, 0.8, 0.6 + 0.1 * v.z()));
+    ConvexHull hull;
+    Faults faults;
+    REQUIRE(compute_convex_hull(mesh.vertices, hull, faults));
+    CHECK(hull.vertices.size() <= 4000);
+    CHECK(hull.vertices.size() > 2000);
+    CHECK(hull.slack < 2e-3);
+    double outside = 0.0;
+    for (const Face& f : hull.faces) {
+        const Eigen::Vector3d& a = hull.vertices[f[0]];
+        const Eigen::Vector3d n = (hull.vertices[f[1]] - a).cross(hull.vertices[f[2]] - a).normalized();
+        for (std::size_t i = 0; i < mesh.vertices.size(); i += 7)
+            outside = std::max(outside, n.dot(mesh.vertices[i] - a));
+    }
+    CHECK(outside <= hull.slack);
+    CHECK(outside > 0.0);
+}

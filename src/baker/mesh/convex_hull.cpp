@@ -5,12 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace lr::baker {
 namespace {
 
 // About a second of work. A hull has some ten intermediate faces per point, more with a flat round side of thousands of corners.
 constexpr std::size_t most_hull_faces = 2000000;
+// The time to load an asset goes with their square: half a second.
+constexpr std::size_t most_corners = 4000;
 
 // Rounds the points to floats of one spacing, at most half a unit in the last place of the largest coordinate, and takes their hull, which is convex
 // without a tolerance. Rounding the corners of a hull instead tilts slivers, which can become concave. Rounding also turns flat faces into bumps, so
@@ -33,48 +36,58 @@ bool rounded_hull(std::vector<shape::HullPoint>& points, shape::ConvexHull& out)
 }
 
 // The furthest points in many directions, spread evenly over the sphere (spherical Fibonacci points).
-std::vector<uint32_t> extreme_points(const std::vector<shape::HullPoint>& points) {
-    constexpr std::size_t directions = 4000;
+std::vector<uint32_t> extreme_points(const std::vector<shape::HullPoint>& points, const std::vector<uint32_t>& among) {
+    constexpr std::size_t directions = most_corners;
     std::vector<uint32_t> found;
     for (std::size_t i = 0; i < directions; ++i) {
         const double z = 1.0 - (2.0 * static_cast<double>(i) + 1.0) / static_cast<double>(directions);
         const double turn = 2.399963229728653 * static_cast<double>(i), r = std::sqrt(1.0 - z * z);
         const double x = r * std::cos(turn), y = r * std::sin(turn);
-        std::size_t best = 0;
+        uint32_t best = 0;
         double furthest = -HUGE_VAL;
-        for (std::size_t k = 0; k < points.size(); ++k) {
+        for (const uint32_t k : among) {
             const double reach = x * points[k][0] + y * points[k][1] + z * points[k][2];
             if (reach > furthest) furthest = reach, best = k;
         }
-        found.push_back(static_cast<uint32_t>(best));
+        found.push_back(best);
     }
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
 }
 
-double furthest_outside(const std::vector<shape::HullPoint>& points, const shape::ConvexHull& hull) {
+double furthest_outside(const std::vector<shape::HullPoint>& points, const std::vector<uint32_t>& among,
+                        const shape::ConvexHull& hull) {
     const auto at = [&](uint32_t i) { return Eigen::Vector3d(points[i][0], points[i][1], points[i][2]); };
     double most = 0.0;
     for (const shape::HullTriangle& f : hull.triangles) {
         const Eigen::Vector3d a = at(hull.points[f[0]]);
         const Eigen::Vector3d n = (at(hull.points[f[1]]) - a).cross(at(hull.points[f[2]]) - a).normalized();
         const double level = n.dot(a);
-        for (const shape::HullPoint& p : points) most = std::max(most, n[0] * p[0] + n[1] * p[1] + n[2] * p[2] - level);
+        for (const uint32_t k : among) most = std::max(most, n.dot(at(k)) - level);
     }
     return most;
 }
 
-// The hull of all points or, where that takes too long, of extreme_points.
+// The hull of all points or, where that takes too long or has too many corners, of extreme_points.
 shape::HullOutcome hull_in_time(const std::vector<shape::HullPoint>& points, shape::ConvexHull& hull) {
     const shape::HullOutcome outcome = shape::convex_hull(points, hull, most_hull_faces);
-    if (outcome != shape::HullOutcome::too_costly) return outcome;
-    const std::vector<uint32_t> kept = extreme_points(points);
+    const bool costly = outcome == shape::HullOutcome::too_costly;
+    if (!costly && (outcome != shape::HullOutcome::done || hull.flat || hull.points.size() <= most_corners))
+        return outcome;
+    std::vector<uint32_t> among = hull.points;
+    if (costly) {
+        among.resize(points.size());
+        std::iota(among.begin(), among.end(), 0U);
+    }
+    const double slack = costly ? 0.0 : hull.slack;
+    const std::vector<uint32_t> kept = extreme_points(points, among);
     std::vector<shape::HullPoint> few;
     for (const uint32_t i : kept) few.push_back(points[i]);
     const shape::HullOutcome then = shape::convex_hull(few, hull);
     for (uint32_t& i : hull.points) i = kept[i];
-    if (then == shape::HullOutcome::done) hull.slack = std::max(hull.slack, furthest_outside(points, hull));
+    if (then == shape::HullOutcome::done)
+        hull.slack = std::max(hull.slack, slack + furthest_outside(points, among, hull));
     return then;
 }
 } // namespace

@@ -10,6 +10,8 @@ namespace {
 
 constexpr std::size_t rays = 192; // along each side, for overlaps
 constexpr std::size_t trapped_cells = 48;
+// Per face, in bins that hold it: a line through a stack of broad faces meets them all, however small the bins.
+constexpr std::size_t most_entries = 512, fewest_bins = 16;
 
 double wedge(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return a.x() * b.y() - a.y() * b.x();
@@ -48,38 +50,56 @@ SolidRegion::SolidRegion(const Mesh& mesh, const std::vector<Face>& faces) {
             low_ = low_.cwiseMin(v);
             high_ = high_.cwiseMax(v);
         }
+        // No line crosses it; coarse surfaces have thousands.
+        const auto& t = faces_.back();
+        if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) faces_.pop_back();
     }
     if (faces_.empty()) return;
-    bins_ = std::clamp<std::size_t>(static_cast<std::size_t>(std::sqrt(static_cast<double>(faces_.size()))), 1, 256);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto p = static_cast<Eigen::Index>((axis + 1) % 3), q = static_cast<Eigen::Index>((axis + 2) % 3);
-        const auto bin = [&](double x, Eigen::Index k) {
-            const double size = high_[k] - low_[k];
-            const double at = size > 0.0 ? (x - low_[k]) / size * static_cast<double>(bins_) : 0.0;
-            return static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(bins_ - 1)));
-        };
-        const double row = (high_[q] - low_[q]) / static_cast<double>(bins_), slack = 1e-9 * (high_ - low_).maxCoeff();
+        std::size_t& bins = bins_[axis];
+        bins = std::clamp<std::size_t>(static_cast<std::size_t>(std::sqrt(static_cast<double>(faces_.size()))), 1, 256);
+        const double slack = 1e-9 * (high_ - low_).maxCoeff();
+        // Calls use(first bin, last bin, face) for each row of bins that a face reaches.
         const auto visit = [&](const auto& use) {
+            const double row = (high_[q] - low_[q]) / static_cast<double>(bins);
             for (std::size_t i = 0; i < faces_.size(); ++i) {
                 const auto& t = faces_[i];
                 const auto [q0, q1] = std::minmax({t[0][q], t[1][q], t[2][q]});
-                for (std::size_t b = bin(q0, q); b <= bin(q1, q); ++b) {
-                    // Only bins that the triangle crosses: the rectangle around a slanting needle has a hundred times as many.
+                for (std::size_t b = bin(axis, q0, q), last = bin(axis, q1, q); b <= last; ++b) {
+                    // The rectangle around a slanting needle has a hundred times the bins that the needle crosses.
                     const auto [from, to] = extent_in(t, p, q, low_[q] + static_cast<double>(b) * row - slack,
                                                       low_[q] + static_cast<double>(b + 1) * row + slack);
-                    for (std::size_t a = bin(from - slack, p); a <= bin(to + slack, p); ++a)
-                        use(b * bins_ + a, static_cast<uint32_t>(i));
+                    use(b * bins + bin(axis, from - slack, p), b * bins + bin(axis, to + slack, p),
+                        static_cast<uint32_t>(i));
                 }
             }
         };
+        for (;; bins /= 2) {
+            std::size_t entries = 0;
+            visit([&](std::size_t from, std::size_t to, uint32_t) { entries += to + 1 - std::min(from, to + 1); });
+            if (entries <= most_entries * faces_.size() || bins < 2 * fewest_bins) break;
+        }
         std::vector<uint32_t>& start = start_[axis];
-        start.assign(bins_ * bins_ + 1, 0);
-        visit([&](std::size_t b, uint32_t) { ++start[b + 1]; });
-        for (std::size_t b = 0; b < bins_ * bins_; ++b) start[b + 1] += start[b];
+        start.assign(bins * bins + 1, 0);
+        visit([&](std::size_t from, std::size_t to, uint32_t) {
+            for (std::size_t b = from; b <= to; ++b) ++start[b + 1];
+        });
+        for (std::size_t b = 0; b < bins * bins; ++b) start[b + 1] += start[b];
         list_[axis].resize(start.back());
         std::vector<uint32_t> next(start.begin(), start.end() - 1);
-        visit([&](std::size_t b, uint32_t i) { list_[axis][next[b]++] = i; });
+        visit([&](std::size_t from, std::size_t to, uint32_t i) {
+            for (std::size_t b = from; b <= to; ++b) list_[axis][next[b]++] = i;
+        });
     }
+    const auto length = [&](std::size_t axis) { return list_[axis].size() / (bins_[axis] * bins_[axis]); };
+    std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) { return length(a) < length(b); });
+}
+
+std::size_t SolidRegion::bin(std::size_t axis, double x, Eigen::Index k) const {
+    const double size = high_[k] - low_[k], last = static_cast<double>(bins_[axis] - 1);
+    return static_cast<std::size_t>(
+        std::clamp(size > 0.0 ? (x - low_[k]) / size * static_cast<double>(bins_[axis]) : 0.0, 0.0, last));
 }
 
 void SolidRegion::cross(std::size_t axis, double p, double q, Crossings& out) const {
@@ -87,12 +107,7 @@ void SolidRegion::cross(std::size_t axis, double p, double q, Crossings& out) co
     const auto a = static_cast<Eigen::Index>((axis + 1) % 3), b = static_cast<Eigen::Index>((axis + 2) % 3);
     const auto along = static_cast<Eigen::Index>(axis);
     if (p < low_[a] || p > high_[a] || q < low_[b] || q > high_[b]) return;
-    const auto bin = [&](double x, Eigen::Index k) {
-        const double size = high_[k] - low_[k];
-        const double at = size > 0.0 ? (x - low_[k]) / size * static_cast<double>(bins_) : 0.0;
-        return static_cast<std::size_t>(std::clamp(at, 0.0, static_cast<double>(bins_ - 1)));
-    };
-    const std::size_t cell = bin(q, b) * bins_ + bin(p, a);
+    const std::size_t cell = bin(axis, q, b) * bins_[axis] + bin(axis, p, a);
     const Eigen::Vector2d at(p, q);
     // The side of an edge on which the point lies. Ordered by the edge's ends, so that both of its faces agree on a line through it.
     const auto side = [&](const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
@@ -104,8 +119,8 @@ void SolidRegion::cross(std::size_t axis, double p, double q, Crossings& out) co
     for (uint32_t i = start_[axis][cell]; i < start_[axis][cell + 1]; ++i) {
         const auto& t = faces_[list_[axis][i]];
         const Eigen::Vector2d u(t[0][a], t[0][b]), v(t[1][a], t[1][b]), w(t[2][a], t[2][b]);
-        const bool uv = side(u, v), vw = side(v, w), wu = side(w, u);
-        if (uv != vw || vw != wu) continue;
+        const bool uv = side(u, v);
+        if (side(v, w) != uv || side(w, u) != uv) continue;
         const double area = wedge(v - u, w - u);
         const double x = wedge(at - u, w - u), y = wedge(v - u, at - u);
         const double depth =
@@ -120,7 +135,8 @@ bool SolidRegion::contains(const Eigen::Vector3d& point) const {
     Crossings crossings;
     // By majority of three lines, since one may graze a face.
     int votes = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const std::size_t axis : order_) {
+        if (axis == order_[2] && votes != 1) break;
         const auto k = static_cast<Eigen::Index>(axis);
         cross(axis, point[(k + 1) % 3], point[(k + 2) % 3], crossings);
         int winding = 0;

@@ -46,12 +46,15 @@ public:
 private:
     using Crossings = std::vector<std::pair<double, int>>;
 
+    std::size_t bin(std::size_t axis, double x, Eigen::Index k) const; // for lines along an axis, of the coordinate k
+
     // Crossings of faces along a line, in order, with the change of the winding number.
     void cross(std::size_t axis, double p, double q, Crossings& out) const;
 
     std::vector<std::array<Eigen::Vector3d, 3>> faces_;
     Eigen::Vector3d low_, high_;
-    std::size_t bins_ = 1; // along each side of the box
+    std::array<std::size_t, 3> bins_{1, 1, 1};  // along each side of the box, for lines along each axis
+    std::array<std::size_t, 3> order_{0, 1, 2}; // axes, those with short lists first
     std::array<std::vector<uint32_t>, 3> start_, list_;
 };
 
