@@ -92,7 +92,7 @@ def goals(rows, mix):
     ratio("One substep a step at most 1.2 times the cost of four, a body-step", 1.2, rows.find(substeps=1), main)
     flat = [row for row in (rows.find(bodies=n) for n in COUNTS[1:]) if row]
     if len(flat) > 1:
-        ratio(f"Flat from {int(flat[0]['bodies']):,} to {int(flat[-1]['bodies']):,} bodies, dearest over cheapest", 1.25,
+        ratio(f"Flat from {int(flat[0]['bodies']):,} to {int(flat[-1]['bodies']):,} bodies, costliest over cheapest", 1.25,
               max(flat, key=cpu), min(flat, key=cpu))
     one = rows.find(bodies=1, substeps=1, target="auto")
     if one:
@@ -317,7 +317,7 @@ def bound_section(rows, ports, mix):
 
 HEAD = """# Performance
 
-This page is for people who make the library faster, or compare it: the speed of the kernel beside its goals and beside other engines, and the
+This page is for engineers who make the library faster, or compare it: the speed of the kernel beside its goals and beside other engines, and the
 optimisations that were tried. `scripts/performance.py` writes everything before "Optimisations" from measurements:
 
     scripts/setup.sh bench                       # peers, valgrind, matplotlib; all of them optional
@@ -325,25 +325,29 @@ optimisations that were tried. `scripts/performance.py` writes everything before
     scripts/performance.sh                       # about 6 minutes; --quick: 1 minute
 
 Times are ns per body and substep of 1/240 s, through the C API and the shared library as it ships. The body is the paper's leaf, an ellipsoid of 8 cm
-x 2 cm x 0.1 mm in air; a *sheet*'s weight is off centre, and on the full path its loads too. All rows of a run are alive at once and timed in turns, a burst of 2 ms or one
-step each, {rounds} rounds; the tables give the median and the least. *wall* is elapsed time, *CPU* the processor time of the process, which other
-processes do not lengthen. Ratios and verdicts are of CPU medians with one thread, of wall medians with two. *cycles*: CPU time over that of an
-addition that waits for the one before it, timed right after each burst. *x sketch*: speed relative to the first sketch (native) with as many bodies
-and substeps, median of the rounds' ratios. *workers*: threads besides the caller's. *bytes*: all memory of the world per body. *hash*:
-`lr_world_hash` after the first four steps; equal for equal scenes, whatever the instruction set and the workers. All rows:
-`build/release/bench/rows.csv`.
+x 2 cm x 0.1 mm in air. The weight of a *sheet* is off centre; on the full path its loads are too. All rows of a run exist at once and are timed in
+turns, a burst of 2 ms or one step each, {rounds} rounds; the tables give the median and the least.
+
+- *wall* is elapsed time, *CPU* the processor time of the process, which other processes do not lengthen. Ratios and verdicts are of CPU medians with
+  one thread, of wall medians with two.
+- *cycles*: CPU time over that of an addition that waits for the one before it, timed right after each burst.
+- *x sketch*: speed relative to the first sketch (native) with as many bodies and substeps, median of the rounds' ratios.
+- *workers*: threads besides the caller's. *bytes*: all memory of the world per body.
+- *hash*: `lr_world_hash` after the first four steps; equal for equal scenes, whatever the instruction set and the workers.
+
+All rows: `build/release/bench/rows.csv`.
 """
 PEERS = """Each runs in the same process and the same turns, on one thread, with denormals flushed.
 
 - **sketch**: `tests/bench/peers/sketch_step-inl.h`: RK4, LANGEVIN with the SPEED clock, six Gaussians by Philox and Box-Muller, diagonal, fused
   multiply-adds; compiled with `-O3 -march=native`, also without fused multiply-adds, and as x86-64-v3.
 - **scalar**, **eigen**: Algorithm 2 of the paper with the equations of [physics.md](physics.md), 3 and 4: RK4, `std::normal_distribution`; plain C++
-  and Eigen, single precision, compiled as the library is. Both descend at 0.70 m/s and spin at 32 rad/s on average, the library at 0.69 to 0.71 and
+  and Eigen, single precision, compiled like the library. Both descend at 0.70 m/s and spin at 32 rad/s on average, the library at 0.69 to 0.71 and
   33.
-- **bullet**: gravity, quadratic drag, and Bullet's own integration of rigid bodies; no broad phase, contacts, islands. No fluid.
+- **bullet**: gravity, quadratic drag, and Bullet's own integration of rigid bodies; no broad phase, contacts, islands or fluid.
 - **ode**: gravity, quadratic drag, `dWorldQuickStep` without geometry. No fluid.
 - **mujoco**: free ellipsoids in its ellipsoid fluid model, without contacts, constraints and noise. This version computes fluid forces through a
-  dense Jacobian, so its cost per body grows with the bodies of a model, and the fair rows are those with few.
+  dense Jacobian, so the cost of a body grows with the bodies of a model, and the fair rows are those with few.
 
 """
 SCENE_TEXT = """`bench_scene`: flat leaves of 7 x 4 cm, 0.2 mm, 0.1 g, their weight off centre, AERODYNAMIC loads, a step of 1/60 s with one substep, a body in 0.5
@@ -352,21 +356,22 @@ wind and colliders.
 
 """
 BY_HAND = "## Optimisations"
-INSTRUCTIONS = """Counted by callgrind under AVX2, which has 8 bodies in a vector, 1024 bodies: `scripts/count_instructions.sh`, which also counts single functions.
+INSTRUCTIONS = """Counted by callgrind under AVX2 (8 bodies in a vector) with 1024 bodies: `scripts/count_instructions.sh`, which also counts single functions.
 
 """
-BOUND = """`scripts/port_bound.py` follows one step instruction by instruction (64 bodies, 4 substeps) and assigns each to the pipe that takes it, with the
-cycles that it takes there without waiting, measured here by `lr_bench --ports`. Multiplications and additions have two pipes each; divisions and
-roots share a unit beside them; all together can start four instructions per cycle. The rest of the time is waiting: chains of instructions that need
-each other's results.
+BOUND = """`scripts/port_bound.py` follows one step (64 bodies, 4 substeps) instruction by instruction. It assigns each to the pipe that takes it, with the
+cycles that it takes there without waiting, measured by `lr_bench --ports`. Multiplications and additions have two pipes each; divisions and roots
+share a unit beside them; all together can start four instructions per cycle. The rest of the time is waiting: chains of instructions that need each
+other's results.
 
 """
 
 
-HEAP_TEXT = """`bench_heap`: plates of 70 x 40 x 0.4 mm, 0.18 g, friction 0.5, AERODYNAMIC loads, steps of 1/60 s with two substeps. Medians of wall time a step
-and its worst; us of CPU time for each awake body and substep. Overlaps, by separating axes: pairs deeper than 0.1 mm; depths of pairs deeper than
-0.01 mm; deep: bodies more than their thickness within another. Tremor: the farthest that any corner goes in the second after.
-Scene `bullet`: the heap by Bullet, of plates of 4 mm, as it pushes thinner ones through each other, without air but a drag; it does not come to rest.
+HEAP_TEXT = """`bench_heap`: plates of 70 x 40 x 0.4 mm, 0.18 g, friction 0.5, AERODYNAMIC loads, steps of 1/60 s with two substeps. Median and worst wall time of a
+step; us of CPU time for each awake body and substep. Overlaps are found by separating axes. *overlaps*: pairs deeper than 0.1 mm; *median*, *99 %*:
+depths of pairs deeper than 0.01 mm; *deep*: bodies more than their thickness within another; *tremor*: the largest displacement of any corner in the
+second after. Scene `bullet`: the heap by Bullet, without air but a drag. Its plates have 4 mm, since thinner ones pass through each other; it does
+not come to rest.
 
 """
 
