@@ -56,7 +56,7 @@ apart() { # samples or a binding: prints the output of its tests as one block
     cat "$log"
     $good
 }
-step_outside() { # samples and bindings; the dear ones, Unreal and the web, are steps of scripts/verify.sh
+step_outside() { # samples and bindings; the costly ones, Unreal and the web, are steps of scripts/verify.sh
     cmake --install build/release --prefix "$prefix" >/dev/null
     /usr/bin/python3 bindings/generator/test_api_model.py
     export -f apart samples configure

@@ -53,7 +53,7 @@ struct Phase {
     const char* name;
     std::vector<Cost> costs{};
     std::optional<Quality> quality{};
-    double over_flight = 0.0; // CPU time of the dearest step over free flight; 0: not measured
+    double over_flight = 0.0; // CPU time of the costliest step over free flight; 0: not measured
 };
 
 // Prints rows as they come, and collects them for the file.
@@ -79,7 +79,7 @@ public:
                      cpu_worst = quantile(phase.costs, &Cost::cpu, 1.0);
         std::printf("%-9s %-8s %7u %6u %5.0f %7.0f %8.2f %8.2f %8.2f %8.2f %7.3f  %016" PRIx64 "\n", scene, phase.name,
                     threads, bodies, steps, awake / steps, wall_median, wall_worst, cpu_median, cpu_worst, us, hash);
-        if (phase.over_flight > 0.0) std::printf("    dearest step over free flight %.2f\n", phase.over_flight);
+        if (phase.over_flight > 0.0) std::printf("    costliest step over free flight %.2f\n", phase.over_flight);
         if (phase.quality) print(*phase.quality);
         std::fflush(stdout);
         if (!csv_) return;

@@ -112,9 +112,9 @@ bool landing(const Options& o, uint32_t workers) {
                         (i + 1) * static_cast<double>(step_seconds), 1e3 * c.wall, 1e3 * c.cpu, awake[i]);
     }
     row("landing, mean", workers, {sum.wall / landing_steps, sum.cpu / landing_steps}, o.bodies, with);
-    row("landing, dearest", workers, most, o.bodies, with);
+    row("landing, costliest", workers, most, o.bodies, with);
     row("landing, nothing there", workers, nothing, o.bodies, without);
-    std::printf("%-24s workers %u  dearest step over one of free bodies %.3f, cpu %.3f\n\n", "landing", workers,
+    std::printf("%-24s workers %u  costliest step over one of free bodies %.3f, cpu %.3f\n\n", "landing", workers,
                 most.wall / nothing.wall, most.cpu / nothing.cpu);
     return true;
 }
@@ -163,8 +163,9 @@ bool walk(const Options& o, uint32_t workers) {
         sum += scene.awake();
     }
     row("walking, median", workers, median(times), o.bodies, scene);
-    const auto dearest = std::max_element(times.begin(), times.end(), [](auto& a, auto& b) { return a.wall < b.wall; });
-    row("walking, dearest", workers, *dearest, o.bodies, scene);
+    const auto costliest =
+        std::max_element(times.begin(), times.end(), [](auto& a, auto& b) { return a.wall < b.wall; });
+    row("walking, costliest", workers, *costliest, o.bodies, scene);
     std::printf("%-24s workers %u  awake before %u, meanwhile %.0f, at most %u\n\n", "walking", workers, before,
                 sum / steps, most);
     return true;
