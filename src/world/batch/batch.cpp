@@ -357,7 +357,6 @@ void Batch::note_sleep(uint32_t index) {
     __atomic_store_n(&cut_noted_[index / cut_bodies], uint8_t{1}, __ATOMIC_RELAXED);
 }
 
-// Both clear the mark that they return.
 bool Batch::take_note(uint32_t index) {
     return std::exchange(columns_.row<uint32_t>(column_noted)[index], 0u) != 0;
 }

@@ -213,6 +213,7 @@ private:
     void moved(uint32_t index); // updates the slot of a body that now has this index
     void lie_down(uint32_t index);
     void wake_near(const Box& box, double share, double round);
+    // Both clear the mark that they return.
     bool take_cut(uint32_t cut) { return std::exchange(cut_noted_[cut], uint8_t{0}) != 0; }
     bool take_note(uint32_t index);
     bool is_diagonal_with(const AerodynamicData& loads) const;
