@@ -914,6 +914,7 @@ LR_API lr_status lr_batch_get_load_gains(const lr_world* world, lr_batch batch, 
  *  - bodies that are created or set count as of that time too;
  *  - lr_batch_write_transforms extrapolates to the present by the bodies' velocities;
  *  - a force on one of its bodies ends the wait, and acts with the impulse that it would have had in one step;
+ *  - a collider that moves within the bounds of its bodies ends the wait, since it would pass through them;
  *  - its rules, emitter and events wait too.
  * divisor: 1 to 1024; default 1.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_INVALID_ARGUMENT. */

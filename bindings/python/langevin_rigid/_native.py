@@ -2509,6 +2509,7 @@ PROTOTYPES = {
          - bodies that are created or set count as of that time too;
          - lr_batch_write_transforms extrapolates to the present by the bodies' velocities;
          - a force on one of its bodies ends the wait, and acts with the impulse that it would have had in one step;
+         - a collider that moves within the bounds of its bodies ends the wait, since it would pass through them;
          - its rules, emitter and events wait too.
 
         world: the world

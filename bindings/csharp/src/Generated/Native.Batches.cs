@@ -79,6 +79,8 @@ namespace LangevinRigid
         /// velocities;</para>
         /// <para>- a force on one of its bodies ends the wait, and acts with the impulse that it would have had in one
         /// step;</para>
+        /// <para>- a collider that moves within the bounds of its bodies ends the wait, since it would pass through
+        /// them;</para>
         /// <para>- its rules, emitter and events wait too.</para>
         /// </summary>
         /// <param name="world">the world</param>

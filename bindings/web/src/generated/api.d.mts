@@ -1527,6 +1527,7 @@ export interface RawFunctions {
    *  - bodies that are created or set count as of that time too;
    *  - lr_batch_write_transforms extrapolates to the present by the bodies' velocities;
    *  - a force on one of its bodies ends the wait, and acts with the impulse that it would have had in one step;
+   *  - a collider that moves within the bounds of its bodies ends the wait, since it would pass through them;
    *  - its rules, emitter and events wait too.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STALE_BATCH, LR_ERROR_INVALID_ARGUMENT.
    */
