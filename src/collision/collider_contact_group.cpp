@@ -115,11 +115,11 @@ uint32_t ContactGroup::place(uint32_t i, float gap) {
 }
 
 void ContactGroup::add(uint32_t i, uint32_t collider, const Contact& contact, const Pose& pose,
-                       const SurfaceMotion& motion) {
+                       const SurfaceMotion& motion, Vector lifted) {
     const Collider& c = step_->colliders->at(collider);
-    const Vector point = to_outer(pose_of(i), contact.arm);
-    put(i, {contact.arm, rotate(pose.rotation, contact.normal), motion.velocity_at(point), motion.lag_at(point),
-            contact.gap, pair_friction(*step_->settings, c), pair_restitution(*step_->settings, c), collider});
+    const Vector point = to_outer(pose_of(i), contact.arm), normal = rotate(pose.rotation, contact.normal);
+    put(i, {contact.arm, normal, motion.velocity_at(point), motion.lag_at(point), contact.gap - dot(normal, lifted),
+            pair_friction(*step_->settings, c), pair_restitution(*step_->settings, c), collider});
 }
 
 // Returns the slot, or contact_slots.
@@ -238,20 +238,20 @@ void ContactGroup::find_floors(const ContactSubstep& substep) {
 
 void ContactGroup::touch_others(uint32_t i, const ContactSubstep& substep) {
     const float margin = margin_of(i, substep.h), scale = arrays_.field[field_scale][i];
-    const Pose at = pose_of(i);
+    const Pose at = pose_of(i), lifted{at.position + lift_[i], at.rotation};
     const Box around = grown({at.position, at.position}, 1.2f * step_->shape->reach * scale + margin);
     Contact contacts[most_contacts];
-    const auto add_all = [&](uint32_t slot, const Pose& pose, uint32_t count) {
+    const auto add_all = [&](uint32_t slot, const Pose& pose, uint32_t count, Vector by) {
         if (count == 0) return;
         const SurfaceMotion motion = motion_of(step_->colliders->at(slot), substep);
-        for (uint32_t n = 0; n < count; ++n) add(i, slot, contacts[n], pose, motion);
+        for (uint32_t n = 0; n < count; ++n) add(i, slot, contacts[n], pose, motion, by);
     };
     // All parts of a mesh give one manifold: hundreds of parts can be under a body.
     std::optional<ContactPoints> mesh;
     uint32_t mesh_slot = 0;
     Pose mesh_pose{}, began{};
     const auto finish_mesh = [&] {
-        if (mesh) add_all(mesh_slot, mesh_pose, mesh->keep(contacts, true));
+        if (mesh) add_all(mesh_slot, mesh_pose, mesh->keep(contacts, true), lift_[i]);
         mesh.reset();
     };
     const MeshFloor& floor = floor_[i];
@@ -260,7 +260,7 @@ void ContactGroup::touch_others(uint32_t i, const ContactSubstep& substep) {
         const Pose pose = pose_at(c, substep.end);
         ContactPoints points(*step_->shape, scale, relative(pose, at), margin);
         add_floor(points, *c.geometry.mesh, floor);
-        add_all(floor.slot, pose, points.keep(contacts, true));
+        add_all(floor.slot, pose, points.keep(contacts, true), {});
     }
     each_candidate(i, around, [&](const Candidate& candidate) {
         const Collider& c = step_->colliders->at(candidate.slot);
@@ -269,16 +269,19 @@ void ContactGroup::touch_others(uint32_t i, const ContactSubstep& substep) {
         if (c.geometry.kind != ColliderKind::mesh) {
             const Pose pose = pose_at(c, substep.end);
             const Pose from = relative(pose_at(c, substep.begin), pose_in(substep.before, i));
+            bool fast = false;
+            const bool below = side_below(i, c, at, substep, fast) && !fast;
             add_all(candidate.slot, pose,
-                    find_contacts(*step_->shape, scale, relative(pose, at), c.geometry, candidate.part, margin,
-                                  contacts, &from));
+                    find_contacts(*step_->shape, scale, relative(pose, below ? at : lifted), c.geometry, candidate.part,
+                                  margin, contacts, &from, below ? Vector{} : rotate(inverse(pose.rotation), up_[i])),
+                    below ? Vector{} : lift_[i]);
             return;
         }
         if (!mesh) {
             mesh_slot = candidate.slot;
             mesh_pose = pose_at(c, substep.end);
             began = relative(pose_at(c, substep.begin), pose_in(substep.before, i));
-            mesh.emplace(*step_->shape, scale, relative(mesh_pose, at), margin, &began,
+            mesh.emplace(*step_->shape, scale, relative(mesh_pose, lifted), margin, &began,
                          mesh_slot == floor.slot ? floor.side : int8_t{0});
         }
         add_mesh(*mesh, *c.geometry.mesh, candidate.part);
@@ -305,6 +308,7 @@ void ContactGroup::collect(const ContactSubstep& substep) {
     slots_.used = 0;
     std::fill(filled_, filled_ + contact_lanes, uint8_t{0});
     find_floors(substep);
+    for (uint32_t i = 0; i < count_; ++i) up_[i] = lift(i, pose_of(i), substep.end, substep, lift_[i]);
     stop_before_passing_through(substep);
     touch_grounds(substep);
     for (uint32_t i = 0; i < count_; ++i) touch_others(i, substep);

@@ -151,8 +151,8 @@ struct TouchList {
 Vector floor_side(uint32_t packed, uint32_t slot);
 
 // The displacement that puts a centre of mass back in front of what it entered or crossed between `from` and `to` (m, world); zero if nothing. Planes
-// and heightfields are solid below and do not count. floor: of column_floor. alone: the floor of a body solved alone; this floor and moving
-// colliders, both of which push the body, then do not count. Null in heaps.
+// and heightfields are solid below and do not count. floor: of column_floor. alone: the floor of a body solved alone, which does not count since it
+// pushes the body. Null in heaps.
 Vector way_back(const ContactStep& step, float scale, uint32_t floor, const MeshFloor* alone, Vector from, Vector to,
                 const ContactSubstep& substep);
 
@@ -205,6 +205,9 @@ private:
     void resolve(const ContactSubstep& substep);
     void ground_effect(const ContactSubstep& substep);
     void find_floors(const ContactSubstep& substep);
+    std::optional<FlatSide> side_below(uint32_t lane, const Collider& collider, const Pose& at,
+                                       const ContactSubstep& substep, bool& fast) const;
+    Vector lift(uint32_t lane, const Pose& at, float part, const ContactSubstep& substep, Vector& slow) const;
     void leave_floors(const ContactSubstep& substep);
     void stay_in_front(const ContactSubstep& substep);
     void stop_before_passing_through(const ContactSubstep& substep);
@@ -212,7 +215,8 @@ private:
     void touch_others(uint32_t lane, const ContactSubstep& substep);
     void touch_sleeping(uint32_t lane, const ContactSubstep& substep);
     uint32_t put(uint32_t lane, const SlotContact& contact);
-    void add(uint32_t lane, uint32_t collider, const Contact& contact, const Pose& pose, const SurfaceMotion& motion);
+    void add(uint32_t lane, uint32_t collider, const Contact& contact, const Pose& pose, const SurfaceMotion& motion,
+             Vector lifted = {});
     uint32_t place(uint32_t lane, float gap);
     Pose pose_of(uint32_t lane) const { return pose_in(arrays_.field, lane); }
     float margin_of(uint32_t lane, float h) const;
@@ -228,6 +232,8 @@ private:
     bool wet_[contact_lanes] = {}; // carries the water's added mass
     Near near_[contact_lanes];
     MeshFloor floor_[contact_lanes]; // of this substep
+    // m: takes a body out of all that supports it, and of what it is not swept over, before it meets other things.
+    Vector up_[contact_lanes], lift_[contact_lanes];
     Asleep at_rest_[contact_slots][contact_lanes];
     ContactSlots slots_;
 };

@@ -10,6 +10,8 @@
 namespace lr {
 namespace {
 
+constexpr double into_support = -0.7; // cosine: directions below it lead into what supports the body
+
 void add_plane(ContactPoints& set) {
     const PlacedBody& body = set.body;
     const Vector up{0.0f, 1.0f, 0.0f};
@@ -97,16 +99,8 @@ std::optional<FlatSide> flat_side(const Geometry& solid, Vector from, Vector to,
     return most > 0.0f ? std::optional(side) : std::nullopt;
 }
 
-float depth_below(const Geometry& solid, const FlatSide& side) {
-    if (!solid.hull) return 2.0f * side.offset;
-    float least = side.offset;
-    for (uint32_t i = 0; i < solid.hull->vertex_count; ++i)
-        least = std::min(least, dot(side.normal, solid.hull->corner(i)));
-    return side.offset - least;
-}
-
 uint32_t find_contacts(const BodyShape& shape, float scale, const Pose& at, const Geometry& collider, ColliderPart part,
-                       float margin, Contact* out, const Pose* began) {
+                       float margin, Contact* out, const Pose* began, Vector lift) {
     const float far = scale * shape.reach + margin;
     if (distance_from(collider, at.position) > far) return 0;
     ContactPoints set(shape, scale, at, margin, began);
@@ -124,7 +118,9 @@ uint32_t find_contacts(const BodyShape& shape, float scale, const Pose& at, cons
         if (add_flat_side(set, collider)) break;
         const PlacedCollider placed(collider, at.position);
         const double enough = static_cast<double>(margin + set.body.radius) + placed.radius;
-        const Separation along = separate(set.body, placed, enough);
+        Sides sides;
+        if (const float high = length(lift); high > 0.0f) sides = {1.0 / wide(high) * to_double(lift), into_support};
+        const Separation along = separate(set.body, placed, enough, sides);
         if (along.distance >= enough) break;
         if (collider.kind == ColliderKind::sphere && collider.size[0] > set.body.reach)
             add_sphere_points(set, collider.size[0]);

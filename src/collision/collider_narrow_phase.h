@@ -21,9 +21,10 @@ struct Contact {
 
 // Finds contacts closer than `margin`; never misses a pair that overlaps. On round colliders a flat ellipsoid also gets contacts on its other rims,
 // up to a tenth of the reach and twice the depth farther. Writes at most most_contacts, those that hold the body best, and returns their number.
-// began: the pose at the beginning of the substep, to keep the body on its side of a thin thing.
+// began: the pose at the beginning of the substep, to keep the body on its side of a thin thing. lift: away from what supports the body, collider frame;
+// zero: nothing. Overlapping cores do not part against it.
 uint32_t find_contacts(const BodyShape& shape, float scale, const Pose& at, const Geometry& collider, ColliderPart part,
-                       float margin, Contact* out, const Pose* began = nullptr);
+                       float margin, Contact* out, const Pose* began = nullptr, Vector lift = {});
 
 // Swept test by conservative advancement: the fraction of the path, 0 to 1, up to which the pair stays apart, to a tenth of the body's thickness or a
 // hundredth of its reach. Never too large, may be too small. Position is linear, rotation the normalised linear quaternion. 1 for planes, and for
@@ -41,9 +42,6 @@ struct FlatSide {
 };
 // The side that acts as a plane for a body outside it at first, if the whole path lies over the side, at least `far` from its edges.
 std::optional<FlatSide> flat_side(const Geometry& solid, Vector from, Vector to, float far);
-// m: from the side to the opposite end of the solid.
-float depth_below(const Geometry& solid, const FlatSide& side);
-
 // The triangle of a mesh part that leaves the least free fraction, the first among equals; free 1: none. Triangles with skips(context, triangle,
 // index) are left out.
 struct MetTriangle {

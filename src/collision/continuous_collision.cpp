@@ -5,6 +5,7 @@
 #include "collision/triangle_contact.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace lr {
 namespace {
@@ -97,13 +98,6 @@ bool keep_sides(const BodyShape& s, float scale, const Side* sides, uint32_t cou
     return true;
 }
 
-// Whether a side of the solid acts as a plane on this path, so that contacts find the body without a swept test.
-bool over_flat_side(const Geometry& solid, const Pose& from, const Pose& to, float reach) {
-    const auto side = flat_side(solid, from.position, to.position, reach);
-    // Beyond the middle of a thin solid the next substep would take the far side.
-    return side && side->offset - dot(side->normal, to.position) < 0.5f * depth_below(solid, *side);
-}
-
 // The displacement that takes a centre of mass `clear` out of a solid again, through the side over which it came. In the solid's frame.
 Vector way_out(const Geometry& solid, Vector from, Vector to, float clear) {
     const auto side = flat_side(solid, from, to, 0.0f);
@@ -112,25 +106,95 @@ Vector way_out(const Geometry& solid, Vector from, Vector to, float clear) {
 }
 } // namespace
 
+// The side of a box or a hull that acts as a plane for a body that ends the substep at `at`. fast: its path is so long that it is swept all the same,
+// as over mesh floors. At rest the path is the fall in a substep, which the margin includes.
+std::optional<FlatSide> ContactGroup::side_below(uint32_t i, const Collider& c, const Pose& at,
+                                                 const ContactSubstep& substep, bool& fast) const {
+    const Geometry& solid = c.geometry;
+    if (!has_flat_sides(solid.kind)) return {};
+    const float reach = arrays_.field[field_scale][i] * step_->shape->reach;
+    const Vector first = relative(pose_at(c, substep.begin), pose_in(substep.before, i)).position;
+    const Vector last = relative(pose_at(c, substep.end), at).position;
+    fast = !(length(last - first) < reach + margin_of(i, substep.h));
+    const auto side = flat_side(solid, first, last, reach);
+    if (!side) return {};
+    float least = -side->offset;
+    for (uint32_t k = 0; solid.hull && k < solid.hull->vertex_count; ++k)
+        least = std::min(least, dot(side->normal, solid.hull->corner(k)));
+    // Beyond the middle of a thin solid the next substep would take the far side.
+    return dot(side->normal, last) > 0.5f * (side->offset + least) ? side : std::nullopt;
+}
+
+// The free motion takes a resting body below its support by g h^2: a thin one by more than its thickness. There it would pass below a thing that
+// stands on the same ground, or be pushed out through its lower side, which the ground does not allow. So bodies meet other things where their
+// supports leave them. Returns the displacement (m) that takes it out of its supports at one end of the substep, and in `slow` that for those over
+// which it is not swept; zero if it has nothing else to meet.
+Vector ContactGroup::lift(uint32_t i, const Pose& at, float part, const ContactSubstep& substep, Vector& slow) const {
+    Vector out{};
+    slow = {};
+    const MeshFloor& floor = floor_[i];
+    const Near& near = near_[i];
+    const auto is_floor = [&](const Candidate& c) { return floor.count > 0 && c.slot == floor.slot; };
+    bool others = near.overflowed, floor_met = false;
+    for (uint32_t k = 0; k < near.count && !others; ++k)
+        others = !is_floor(near.candidate[k]) && !is_ground(step_->colliders->at(near.candidate[k].slot).geometry.kind);
+    if (!others) return out;
+    others = near.overflowed;
+    const float scale = arrays_.field[field_scale][i];
+    for (uint32_t k = 0; k < near.count; ++k) {
+        const Collider& c = step_->colliders->at(near.candidate[k].slot);
+        const Pose pose = pose_at(c, part), here = relative(pose, at);
+        const Vector x = here.position;
+        bool fast = false;
+        FlatSide side{{0.0f, 1.0f, 0.0f}, 0.0f};
+        if (is_floor(near.candidate[k])) {
+            if (std::exchange(floor_met, true)) continue;
+            ContactPoints points(*step_->shape, scale, here, 0.0f);
+            add_floor(points, *c.geometry.mesh, floor);
+            if (points.count() == 0) continue;
+            side = {floor.up, lowest(*step_->shape, scale, here, floor.up) - points.least_gap(0)};
+        } else if (const HeightfieldGeometry* const f = c.geometry.heightfield) {
+            if (!f->covers(x.x, x.z)) continue;
+            const auto below = height_at(*f, x.x, x.z);
+            side = {below.normal, dot(below.normal, {x.x, below.height, x.z})};
+        } else if (c.geometry.kind != ColliderKind::plane) {
+            const auto found = side_below(i, c, pose_of(i), substep, fast);
+            others = others || !found;
+            if (!found) continue;
+            side = *found;
+        }
+        const Vector up = rotate(pose.rotation, side.normal);
+        const float in = side.offset - lowest(*step_->shape, scale, here, side.normal) - dot(up, out);
+        if (!(in > 0.0f)) continue;
+        out = out + in * up;
+        if (!fast) slow = slow + in * up;
+    }
+    // Deeper overlap is from before.
+    const float most =
+        length(pose_of(i).position - pose_in(substep.before, i).position) + shallow * scale * step_->shape->reach;
+    if (!others || !(length(out) < most)) out = slow = {};
+    return out;
+}
+
 void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
     const float begin = substep.begin, end = substep.end;
     for (uint32_t i = 0; i < count_; ++i) {
         const float scale = arrays_.field[field_scale][i];
-        const Pose from = pose_in(substep.before, i), to = pose_of(i);
+        Pose from = pose_in(substep.before, i), to = pose_of(i);
+        Vector slow;
+        from.position = from.position + lift(i, from, begin, substep, slow);
+        to.position = to.position + lift_[i];
         const float little = 1e-3f * scale * step_->shape->reach;
         const float margin = margin_of(i, substep.h);
         const auto free_way = [&](const Pose& target, const Candidate& candidate) {
             const Collider& c = step_->colliders->at(candidate.slot);
-            if (c.geometry.kind == ColliderKind::plane) return 1.0f;
             // Solid below: the path could jump only over parts thinner than itself.
             if (const HeightfieldGeometry* const f = c.geometry.heightfield; f && !c.moves)
                 if (length(target.position - from.position) < 0.5f * std::min(f->spacing[0], f->spacing[1]))
                     return 1.0f;
             const Pose first = relative(pose_at(c, begin), from), last = relative(pose_at(c, end), target);
-            // As over mesh floors, fast bodies are swept. At rest the path is the fall in a substep, which the margin includes.
-            const float reach = scale * step_->shape->reach;
-            if (has_flat_sides(c.geometry.kind) && length(last.position - first.position) < reach + margin)
-                if (over_flat_side(c.geometry, first, last, reach)) return 1.0f;
+            bool fast = false;
+            if (side_below(i, c, target, substep, fast) && !fast) return 1.0f;
             return free_fraction(*step_->shape, scale, first, last, c.geometry, candidate.part);
         };
         // A stopped body slides along the thing to the next one, then along both to a third.
@@ -168,13 +232,14 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
             if (!(free < 1.0f)) break;
             met_before[met_count++] = candidate;
             const Collider& c = step_->colliders->at(candidate.slot);
-            const Pose ends = pose_at(c, end), met = mix(from, target, free);
+            const Pose ends = pose_at(c, end);
+            Pose met = mix(from, target, free);
             Pose aside{to.position - from.position, to.rotation};
             Stop& stop = stops[count];
             Side& side = sides[count];
             stop.candidate = candidate;
-            slides = find_side(*step_->shape, scale, relative(pose_at(c, begin + free * (end - begin)), met),
-                               c.geometry, candidate.part, margin, stop, side);
+            const Pose there = relative(pose_at(c, begin + free * (end - begin)), met);
+            slides = find_side(*step_->shape, scale, there, c.geometry, candidate.part, margin, stop, side);
             if (slides) {
                 side.normal = rotate(ends.rotation, side.normal);
                 side.offset += dot(side.normal, ends.position - from.position);
@@ -187,14 +252,16 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
                     ++count;
                 slides = count < most_stops && met_count < most_met &&
                          keep_sides(*step_->shape, scale, sides, count, little, aside);
-            } else {
+            } else { // the search gave up before they touched: a thing that moves takes the body along, or it would go through
                 ++count;
+                met = {to_outer(ends, there.position), ends.rotation * there.rotation};
             }
             target = slides ? Pose{from.position + aside.position, to.rotation} : met;
         }
         if (count == 0) continue;
         const Rotation& q = target.rotation;
         put_in(arrays_.field, field_x, i, target.position);
+        lift_[i] = {};
         put_in(arrays_.field, field_qx, i, {q.x, q.y, q.z});
         arrays_.field[field_qw][i] = q.w;
         // The body may have left a thing again, which still takes its speed.
@@ -245,10 +312,13 @@ void ContactGroup::stay_in_front(const ContactSubstep& substep) {
             return c == a_body || !is_ground(step_->colliders->at(c).geometry.kind);
         };
         if (!std::any_of(slots_.slot, slots_.slot + filled_[i], presses)) continue;
-        const Vector at = pose_of(i).position, from = pose_in(substep.before, i).position;
+        Vector slow;
+        const Pose to = pose_of(i), began = pose_in(substep.before, i);
+        const Vector at = to.position + lift(i, to, substep.end, substep, slow),
+                     from = began.position + lift(i, began, substep.begin, substep, slow);
         const Vector back = way_back(*step_, arrays_.field[field_scale][i], arrays_.floor ? arrays_.floor[i] : 0,
                                      &floor_[i], from, at, substep);
-        put_in(arrays_.field, field_x, i, at + back);
+        if (dot(back, back) > 0.0f) put_in(arrays_.field, field_x, i, at + back);
     }
 }
 
@@ -273,7 +343,7 @@ Vector way_back(const ContactStep& step, float scale, uint32_t floor, const Mesh
             {low_of(from, at), high_of(from, at)}, step.settings->layers, [&](const Candidate& candidate) {
                 const Collider& c = step.colliders->at(candidate.slot);
                 const Geometry& g = c.geometry;
-                if (is_ground(g.kind) || (c.moves && (alone || round >= rounds_of_all))) return;
+                if (is_ground(g.kind) || (c.moves && round >= rounds_of_all)) return;
                 if (alone && alone->count > 0 && candidate.slot == alone->slot) return;
                 const Pose begin = pose_at(c, substep.begin), end = pose_at(c, substep.end);
                 const Vector a = to_inner(begin, from), b = to_inner(end, at);

@@ -50,7 +50,7 @@ struct Search {
     Separation best{};
     bool any = false;
 
-    bool allowed(Double3 n) const { return !sides.one || dot(n, sides.front) > 0.0; }
+    bool allowed(Double3 n) const { return dot(n, sides.front) > sides.least; }
     void offer(Double3 n, double distance) {
         if (any && !(distance > best.distance)) return;
         any = true;
@@ -137,7 +137,7 @@ Separation separate_from_plane(const PlacedBody& body, const PlacedCollider& col
 
 Separation separate(const PlacedBody& body, const PlacedCollider& collider, double enough, const Sides& sides) {
     const Nearest nearest = nearest_points(body, collider, enough);
-    if (!nearest.overlap && (!sides.one || dot(nearest.normal, sides.front) > 0.0))
+    if (!nearest.overlap && (sides.least < 0.0 || dot(nearest.normal, sides.front) > 0.0))
         return {nearest.normal, nearest.lower, true, nearest.on_body, nearest.on_collider};
 
     Search search{body, collider, sides, {}, false};
@@ -164,7 +164,7 @@ Separation separate(const PlacedBody& body, const PlacedCollider& collider, doub
     const Separation of_body = search.best;
     const bool has_body = search.any;
     if (has_collider) search.offer(of_collider.normal, of_collider.distance);
-    if (!search.any) search.offer(sides.one ? sides.front : Double3{0.0, 1.0, 0.0});
+    if (!search.any) search.offer(sides.least == 0.0 ? sides.front : Double3{0.0, 1.0, 0.0});
     // For a sphere against a polytope a face normal is exact.
     if (collider.count == 1 && body.count > 0) return search.best;
     // Each start leads to a local minimum of the depth.

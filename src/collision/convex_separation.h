@@ -28,10 +28,11 @@ struct Separation {
     Double3 on_body, on_collider;
 };
 
-// Sides of a triangle that collide: both, or only the side of `front`.
+// Directions along which cores that overlap may part: normal . front > least. Without a restriction all. For a side of a triangle least is 0; then
+// cores that do not overlap must part along them too.
 struct Sides {
-    bool one = false;
     Double3 front = {};
+    double least = -1.0;
 };
 
 // enough: m; stops once the pair is known to be farther apart.

@@ -99,12 +99,12 @@ void add_triangle(ContactPoints& set, const Triangle& t, bool alone = false) {
         return;
     }
     const Double3 normal = to_double(t.normal);
-    Separation along = separate(body, collider, enough, {t.one_sided, normal});
+    Separation along = separate(body, collider, enough, t.one_sided ? Sides{normal, 0.0} : Sides{});
     if (along.distance >= enough) return;
     Double3 side = along.has_points ? along.normal : Double3{};
     if (!along.has_points && !t.one_sided) {
         side = side_before(set, t);
-        if (dot(side, side) > 0.0) along = separate(body, collider, enough, {true, side});
+        if (dot(side, side) > 0.0) along = separate(body, collider, enough, {side, 0.0});
     }
     if (!is_hidden(t, to_float(along.normal))) return add_manifold(set, collider, along);
     if (!alone) return add_over_triangle(set, t, collider, along.has_points, side);
