@@ -27,8 +27,8 @@ constexpr double grey_tolerance = 0.2;
 constexpr double edge_tolerance = 0.02;
 // Limits above which an outline is frayed: its length over triangles times edge length, and its corners over triangles.
 constexpr double most_outline = 1.0, most_corners = 0.5, spare_corners = 150.0;
-constexpr double same_area = 0.05;  // change of the area by smoothing that is small enough to stop
-constexpr double most_change = 0.1; // change of the area above which closing pinholes is better
+// The same of an outline whose gaps are closed anyway: with more it needs up to twice the triangles.
+constexpr double most_corners_closed = 0.25;
 constexpr double short_edge = 0.25; // in edge lengths: see simplify_outlines
 
 // A --speck above the default asks to close pinholes.
@@ -56,10 +56,8 @@ bool check_options(const CardOptions& o, Faults& faults) {
 
 class CardMesher {
 public:
-    CardMesher(const CardOptions& options, bool keep_pinholes, const std::string& where, Mesh& out, CardReport& report,
-               Faults& faults)
-        : options_(options), keep_pinholes_(keep_pinholes), where_(where), out_(out), report_(report), faults_(faults) {
-    }
+    CardMesher(const CardOptions& options, const std::string& where, Mesh& out, CardReport& report, Faults& faults)
+        : options_(options), where_(where), out_(out), report_(report), faults_(faults) {}
 
     bool run(const void* bytes, std::size_t size) {
         AlphaMask mask;
@@ -69,14 +67,14 @@ public:
         report_.image_width = mask.width;
         report_.image_height = mask.height;
         Outlines outlines;
-        if (!trace_outlines(mask, options_.alpha, options_.speck, keep_pinholes_, where_, outlines, faults_))
+        if (!trace_outlines(mask, options_.alpha, options_.speck, keeps_pinholes(options_), where_, outlines, faults_))
             return false;
         report_specks(outlines);
         stairs_ = outlines.stairs;
         report_.pieces = outlines.pieces.size();
         if (!choose(outlines)) return false;
         weigh(mask, outlines.pinholes);
-        if (!smooth_frayed(mask)) return false;
+        if (!close_frayed(mask)) return false;
         mask = AlphaMask{};
         return mesh();
     }
@@ -147,71 +145,102 @@ private:
         return true;
     }
 
-    // Smooths an outline that is too long for the wanted triangles, such as noise or a fern's leaflets: its mesh would take minutes and have detail
-    // that does not affect the flow. Averages the opacity over squares, twice as wide each time, and moves the threshold to keep the area.
-    bool smooth_frayed(AlphaMask& mask) {
-        const double traced = area_;
-        const bool frayed = is_frayed();
-        double best = HUGE_VAL; // change of the area
-        std::vector<Loop> loops;
-        // In a regular pattern the mean opacity is the same everywhere, so a threshold takes all or nothing until squares are large.
-        for (std::size_t reach = 1; frayed && reach <= 64 && best > same_area; reach *= 2) {
-            AlphaMask blurred = only_region(mask);
-            blur(blurred, reach);
-            blur(blurred, reach);
+    // Closes the narrow gaps of an outline that is too long for the wanted triangles, such as a fern's: its mesh would take minutes. Gaps narrower than
+    // the viscous length are closed to the flow too. Takes the smallest reach of 1, 2, 4, ... pixels that is enough.
+    bool close_frayed(const AlphaMask& mask) {
+        if (!is_frayed(most_corners)) return true;
+        const AlphaMask kept = only_region(mask);
+        std::size_t reach = 1;
+        stairs_ = true;
+        for (;; reach *= 2) {
             Outlines outlines;
             Faults ignored;
-            if (!trace_outlines(blurred, level_of_area(blurred, traced), options_.speck, keep_pinholes_, where_,
+            if (2 * reach > std::max(mask.width, mask.height) ||
+                !trace_outlines(closed(kept, reach), options_.alpha, options_.speck, keeps_pinholes(options_), where_,
                                 outlines, ignored))
-                break;
+                return fail(faults_, FaultId::image_too_ragged, where_,
+                            "The outline is too frayed for " + std::to_string(options_.triangles) + " triangles.",
+                            "Smooth the mask, reduce the image, or give more --triangles.");
             loops_.clear();
             area_ = 0.0;
-            const std::size_t pieces = options_.all_pieces ? outlines.pieces.size() : 1;
-            std::size_t holes = 0;
-            for (std::size_t i = 0; i < pieces; ++i) {
-                holes += outlines.pieces[i].loops.size() - 1;
-                area_ += outlines.pieces[i].area;
-                for (Loop& loop : outlines.pieces[i].loops) loops_.push_back(std::move(loop));
+            report_.holes = 0;
+            outlines.pieces.resize(options_.all_pieces ? outlines.pieces.size() : 1);
+            for (Piece& piece : outlines.pieces) {
+                report_.holes += piece.loops.size() - 1;
+                area_ += piece.area;
+                for (Loop& loop : piece.loops) loops_.push_back(std::move(loop));
             }
-            const double change = std::abs(area_ / traced - 1.0);
-            stairs_ = false;
-            if (change >= best || is_frayed()) continue;
-            best = change;
-            loops = loops_;
-            smoothed_ = reach;
-            report_.holes = holes;
+            if (!is_frayed(most_corners_closed)) break;
         }
-        if (!frayed) return true;
-        if (smoothed_ == 0 || (keep_pinholes_ && best > most_change))
-            return fail(faults_, FaultId::image_too_ragged, where_,
-                        "The outline is too frayed for " + std::to_string(options_.triangles) + " triangles.",
-                        "Smooth the mask, reduce the image, or give more --triangles.");
-        loops_ = std::move(loops);
-        area_ = 0.0;
-        for (const Loop& loop : loops_) area_ += signed_area(loop);
         report_.traced_area = area_ * pixel() * pixel();
-        centre_flow(mask.centre());
-        faults_.push_back({FaultId::image_too_ragged, Severity::warning, where_,
-                           "The outline is too frayed for " + std::to_string(options_.triangles) +
-                               " triangles: details below about " + std::to_string(2 * smoothed_ + 1) +
-                               " pixels were smoothed for the flow, whose area changed by " +
-                               rounded(100.0 * (area_ / traced - 1.0)) + " %; mass and inertia are exact.",
-                           "None needed for a body seen from afar; give more --triangles to keep finer details."});
+        report_.closed_gap = 2.0 * static_cast<double>(reach) * pixel();
+        faults_.push_back(
+            {FaultId::image_too_ragged, Severity::warning, where_,
+             "The outline is too frayed for " + std::to_string(options_.triangles) + " triangles: gaps below about " +
+                 std::to_string(2 * reach) + " pixels were closed for the flow, and are " +
+                 rounded(100.0 * (1.0 - opaque_.area / area_)) + " % of its surface; mass and inertia are exact.",
+             "None needed for a body seen from afar; give more --triangles to keep finer details."});
         return true;
     }
 
-    // By smoothing, what is dense fills, and what is sparse goes: the loads would act beside the centre of mass and turn the body.
-    void centre_flow(const Eigen::Vector2d& origin) {
-        PlaneMoments smooth;
-        for (const Loop& loop : loops_) smooth += moments(loop, origin);
-        const Eigen::Vector2d shift = opaque_.first / opaque_.area - smooth.first / smooth.area;
-        for (Loop& loop : loops_)
-            for (Eigen::Vector2d& p : loop) p += shift;
+    // Where no disc of the reach fits between opaque pixels, all are opaque (a morphological closing).
+    AlphaMask closed(const AlphaMask& mask, std::size_t reach) const {
+        const double level = options_.alpha * 65535.0;
+        const std::size_t width = mask.width + 2 * reach, height = mask.height + 2 * reach;
+        std::vector<uint8_t> bits(width * height, 0);
+        for (std::size_t y = 0; y < mask.height; ++y)
+            for (std::size_t x = 0; x < mask.width; ++x)
+                bits[(y + reach) * width + x + reach] = mask.opacity[y * mask.width + x] >= level;
+        grow(bits, width, reach, 1);
+        grow(bits, width, reach, 0);
+        AlphaMask out = mask;
+        for (std::size_t y = 0; y < mask.height; ++y)
+            for (std::size_t x = 0; x < mask.width; ++x) {
+                uint16_t& opacity = out.opacity[y * mask.width + x];
+                if (bits[(y + reach) * width + x + reach] != 0 && opacity < level) opacity = 65535;
+            }
+        return out;
+    }
+
+    // All pixels within the reach of one that has this value get it. Per row: those near each are as many neighbours as its distance within its column
+    // leaves.
+    static void grow(std::vector<uint8_t>& bits, std::size_t width, std::size_t reach, uint8_t value) {
+        const std::size_t height = bits.size() / width, far = reach + 1;
+        std::vector<std::size_t> half(far);
+        for (std::size_t d = 0; d < far; ++d)
+            half[d] = static_cast<std::size_t>(std::sqrt(static_cast<double>(reach * reach - d * d)));
+        std::vector<uint16_t> away(bits.size());
+        std::vector<uint16_t> column(width, static_cast<uint16_t>(far));
+        const auto pass = [&](std::size_t y, bool first) {
+            for (std::size_t i = y * width, x = 0; x < width; ++x, ++i) {
+                const auto next = static_cast<uint16_t>(std::min<std::size_t>(column[x] + 1U, far));
+                column[x] = bits[i] == value ? uint16_t{0} : first ? next : std::min(next, away[i]);
+                away[i] = column[x];
+            }
+        };
+        for (std::size_t y = 0; y < height; ++y) pass(y, true);
+        std::fill(column.begin(), column.end(), static_cast<uint16_t>(far));
+        for (std::size_t y = height; y-- > 0;) pass(y, false);
+        std::vector<int32_t> begins(width + 1);
+        for (std::size_t y = 0; y < height; ++y) {
+            std::fill(begins.begin(), begins.end(), 0);
+            for (std::size_t x = 0; x < width; ++x) {
+                const uint16_t d = away[y * width + x];
+                if (d > reach) continue;
+                ++begins[x - std::min(x, half[d])];
+                --begins[std::min(width, x + half[d] + 1)];
+            }
+            int32_t open = 0;
+            for (std::size_t x = 0; x < width; ++x) {
+                open += begins[x];
+                if (open > 0) bits[y * width + x] = value;
+            }
+        }
     }
 
     // Whether the outline is longer than about the sides of the wanted triangles or, simplified as for the mesh, has too many corners for them: each
     // corner costs at least one.
-    bool is_frayed() const {
+    bool is_frayed(double corners_each) const {
         double length = 0.0;
         for (const Loop& loop : loops_) length += perimeter(loop);
         const auto wanted = static_cast<double>(options_.triangles);
@@ -221,7 +250,7 @@ private:
         simplify(loops, edge);
         std::size_t corners = 0;
         for (const Loop& loop : loops) corners += loop.size();
-        return static_cast<double>(corners) > most_corners * wanted + spare_corners;
+        return static_cast<double>(corners) > corners_each * wanted + spare_corners;
     }
 
     void simplify(std::vector<Loop>& loops, double edge) const {
@@ -272,49 +301,6 @@ private:
         return kept;
     }
 
-    // Mean over squares of 2 reach + 1 pixels: along the rows, then down the columns. Columns are summed row by row, because strides of a power of
-    // two are slow.
-    static void blur(AlphaMask& mask, std::size_t reach) {
-        const std::size_t width = mask.width, height = mask.height;
-        const double share = 1.0 / static_cast<double>(2 * reach + 1);
-        const auto mean = [share](uint32_t sum) { // rounded down
-            return static_cast<uint16_t>(static_cast<int32_t>((static_cast<double>(sum) + 0.5) * share));
-        };
-        std::vector<uint16_t> before(mask.opacity.size());
-        for (std::size_t y = 0; y < height; ++y) {
-            const uint16_t* const from = mask.opacity.data() + y * width;
-            uint16_t* const to = before.data() + y * width;
-            uint32_t sum = 0;
-            for (std::size_t i = 0; i < std::min(reach, width); ++i) sum += from[i];
-            for (std::size_t i = 0; i < width; ++i) {
-                if (i + reach < width) sum += from[i + reach];
-                if (i > reach) sum -= from[i - reach - 1];
-                to[i] = mean(sum);
-            }
-        }
-        std::vector<uint32_t> sums(width, 0);
-        const auto add = [&](std::size_t y) {
-            for (std::size_t x = 0; x < width; ++x) sums[x] += before[y * width + x];
-        };
-        for (std::size_t y = 0; y < std::min(reach, height); ++y) add(y);
-        for (std::size_t y = 0; y < height; ++y) {
-            if (y + reach < height) add(y + reach);
-            if (y > reach)
-                for (std::size_t x = 0; x < width; ++x) sums[x] -= before[(y - reach - 1) * width + x];
-            for (std::size_t x = 0; x < width; ++x) mask.opacity[y * width + x] = mean(sums[x]);
-        }
-    }
-
-    // The threshold above which as many pixels lie as the area has.
-    static double level_of_area(const AlphaMask& mask, double area) {
-        std::vector<std::size_t> count(65536, 0);
-        for (const uint16_t value : mask.opacity) ++count[value];
-        std::size_t level = 65535;
-        double sum = 0.0;
-        while (level > 1 && (sum += static_cast<double>(count[level])) < area) --level;
-        return std::clamp(static_cast<double>(level) / 65535.0, 0.001, 0.999);
-    }
-
     bool mesh() {
         const auto wanted = static_cast<double>(options_.triangles);
         double edge = std::sqrt(area_ / (wanted * std::sqrt(3.0) / 4.0)); // equilateral
@@ -359,23 +345,25 @@ private:
             out_.vertices.emplace_back(at.x(), at.y(), 0.0);
         }
         out_.faces = mesh.faces;
+        PlaneMoments flow;
         for (const Loop& loop : outline) {
             report_.area += signed_area(loop) * metres * metres;
             report_.outline += perimeter(loop) * metres;
+            flow += moments(loop, centre);
         }
+        if (report_.closed_gap > 0.0)
+            report_.off_centre = metres * (opaque_.first / opaque_.area - flow.first / flow.area);
         report_.smallest_angle = smallest_angle(mesh);
     }
 
     const CardOptions& options_;
-    const bool keep_pinholes_;
     const std::string& where_;
     Mesh& out_;
     CardReport& report_;
     Faults& faults_;
     std::vector<Loop> loops_, region_; // pixels; region_: before smoothing
     std::vector<std::vector<double>> crossings_;
-    PlaneMoments opaque_;      // pixels, about the centre of the image
-    std::size_t smoothed_ = 0; // pixels
+    PlaneMoments opaque_; // pixels, about the centre of the image
     double area_ = 0.0;
     bool stairs_ = false;
 };
@@ -403,20 +391,8 @@ bool read_card_memory(const void* bytes, std::size_t size, const CardOptions& op
     out = Mesh{};
     report = CardReport{};
     if (!check_options(options, faults)) return false;
-    const bool keeps = keeps_pinholes(options);
     try {
-        Faults found;
-        bool good = CardMesher(options, keeps, where, out, report, found).run(bytes, size);
-        if (!good && keeps && found.back().id == FaultId::image_too_ragged) {
-            // Small holes fray the outline: it may be simple enough with all of them closed.
-            CardOptions closing = options;
-            closing.speck = CardOptions{}.speck;
-            found.clear();
-            report = CardReport{};
-            good = CardMesher(closing, false, where, out, report, found).run(bytes, size);
-        }
-        faults.insert(faults.end(), found.begin(), found.end());
-        return good;
+        return CardMesher(options, where, out, report, faults).run(bytes, size);
     } catch (const std::bad_alloc&) {
         return fail(faults, FaultId::image_unreadable, where, "The image does not fit into memory.",
                     "Reduce its resolution.");

@@ -29,7 +29,10 @@ struct CardReport {
     std::size_t pieces = 0, holes = 0; // regions in the image; holes of the mesh
     double area = 0.0, outline = 0.0;  // of the mesh, m^2 and m
     double traced_area = 0.0;          // within the outline before simplification, m^2
-    PlaneMoments opaque;         // of the image, before any smoothing and closing: m^2, m^3, m^4 in the mesh's frame
+    PlaneMoments opaque;     // of the image, before any smoothing and closing: m^2, m^3, m^4 in the mesh's frame
+    double closed_gap = 0.0; // m, the widest gap of a frayed outline that was closed for the flow; 0: none
+    // m, from the centre of the closed surface to that of the opaque one.
+    Eigen::Vector2d off_centre = Eigen::Vector2d::Zero();
     double edge = 0.0;           // target edge length, m
     double smallest_angle = 0.0; // degrees
 };
