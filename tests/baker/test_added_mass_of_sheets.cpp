@@ -310,9 +310,9 @@ TEST_CASE("winding, place, unit and axes do not matter") {
     Mesh small = mesh;
     test::apply(small, 1e-3 * Eigen::Matrix3d::Identity());
     const Matrix6 millimetres = solve(small, coarse()).value;
-    CHECK(1e9 * millimetres(2, 2) == doctest::Approx(m.value(2, 2)).epsilon(1e-9));
+    CHECK(1e9 * millimetres(2, 2) == doctest::Approx(m.value(2, 2)).epsilon(1e-7));
     CHECK(std::abs(1e12 * millimetres(2, 4) - m.value(2, 4)) < 1e-9 * m.value(2, 2));
-    CHECK(1e15 * millimetres(4, 4) == doctest::Approx(m.value(4, 4)).epsilon(1e-9));
+    CHECK(1e15 * millimetres(4, 4) == doctest::Approx(m.value(4, 4)).epsilon(1e-7));
 }
 
 TEST_CASE("folded sheets couple translation and turning, as thin solids of that shape do") {

@@ -3,8 +3,10 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <functional>
 #include <numbers>
+#include <vector>
 
 using namespace lr::falls;
 using Eigen::AngleAxisd;
@@ -247,4 +249,12 @@ TEST_CASE("fall measures: landings, shares and words") {
                                    fall_with(Motion::fluttering, still, 1, 1)});
     CHECK(summary_word(mixed) == std::string("mixed"));
     CHECK(sentence(mixed, sheet()) == "falls at about 1.0 m/s, flutters or glides");
+}
+
+TEST_CASE("statistics: of a sample, with quantiles between its values; peaks that rise and fall far enough") {
+    const Statistic s = summarise({9.0, 1.0, 4.0, 2.0});
+    CHECK((s.count == 4 && s.mean == 4.0 && s.p25 == 1.75 && s.p50 == 3.0));
+    CHECK(s.deviation == doctest::Approx(std::sqrt(38.0 / 3.0)));
+    CHECK(s.standard_error == doctest::Approx(0.5 * s.deviation));
+    CHECK(peaks(std::vector<double>{0.0, 3.0, 1.5, 2.0, 0.5, 4.0, 0.0}, 1.0) == std::vector<size_t>{1, 5});
 }
