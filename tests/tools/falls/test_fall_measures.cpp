@@ -251,7 +251,7 @@ TEST_CASE("fall measures: landings, shares and words") {
     CHECK(sentence(mixed, sheet()) == "falls at about 1.0 m/s, flutters or glides");
 }
 
-TEST_CASE("statistics: of a sample, with quantiles between its values; peaks that rise and fall far enough") {
+TEST_CASE("statistics: of a sample, with quantiles between its values, and peaks that rise and fall far enough") {
     const Statistic s = summarise({9.0, 1.0, 4.0, 2.0});
     CHECK((s.count == 4 && s.mean == 4.0 && s.p25 == 1.75 && s.p50 == 3.0));
     CHECK(s.deviation == doctest::Approx(std::sqrt(38.0 / 3.0)));
