@@ -12,6 +12,7 @@
 #include <cmath>
 #include <filesystem>
 #include <new>
+#include <span>
 
 namespace lr::baker {
 namespace {
@@ -119,6 +120,19 @@ private:
         return text;
     }
 
+    // Replaces the outline by that of these regions.
+    void take(std::span<Piece> pieces) {
+        loops_.clear();
+        area_ = 0.0;
+        report_.holes = 0;
+        for (Piece& piece : pieces) {
+            report_.holes += piece.loops.size() - 1;
+            area_ += piece.area;
+            for (Loop& loop : piece.loops) loops_.push_back(std::move(loop));
+        }
+        report_.traced_area = area_ * pixel() * pixel();
+    }
+
     bool choose(Outlines& outlines) {
         std::vector<Piece>& pieces = outlines.pieces;
         if (options_.piece && (*options_.piece < 1 || *options_.piece > pieces.size()))
@@ -135,12 +149,7 @@ private:
                                options_.all_pieces ? "Choose one with --piece N if they are separate bodies."
                                                    : "Give --islands to bake each by itself, --piece N for one of "
                                                      "them, or --piece all for one body."});
-        for (std::size_t i = first; i < end; ++i) {
-            report_.holes += pieces[i].loops.size() - 1;
-            area_ += pieces[i].area;
-            for (Loop& loop : pieces[i].loops) loops_.push_back(std::move(loop));
-        }
-        report_.traced_area = area_ * pixel() * pixel();
+        take({pieces.begin() + static_cast<std::ptrdiff_t>(first), pieces.begin() + static_cast<std::ptrdiff_t>(end)});
         region_ = loops_;
         return true;
     }
@@ -161,18 +170,10 @@ private:
                 return fail(faults_, FaultId::image_too_ragged, where_,
                             "The outline is too frayed for " + std::to_string(options_.triangles) + " triangles.",
                             "Smooth the mask, reduce the image, or give more --triangles.");
-            loops_.clear();
-            area_ = 0.0;
-            report_.holes = 0;
-            outlines.pieces.resize(options_.all_pieces ? outlines.pieces.size() : 1);
-            for (Piece& piece : outlines.pieces) {
-                report_.holes += piece.loops.size() - 1;
-                area_ += piece.area;
-                for (Loop& loop : piece.loops) loops_.push_back(std::move(loop));
-            }
+            const std::span<Piece> pieces = outlines.pieces;
+            take(options_.all_pieces ? pieces : pieces.first(1));
             if (!is_frayed(most_corners_closed)) break;
         }
-        report_.traced_area = area_ * pixel() * pixel();
         report_.closed_gap = 2.0 * static_cast<double>(reach) * pixel();
         faults_.push_back(
             {FaultId::image_too_ragged, Severity::warning, where_,
@@ -273,7 +274,7 @@ private:
         for (std::vector<double>& at : crossings_) std::sort(at.begin(), at.end());
     }
 
-    // What the mesh leaves out has its weight all the same, unless it was asked to leave it out.
+    // Mass, centre and inertia are those of the traced outline, less the pinholes that are closed for the flow alone.
     void weigh(const AlphaMask& mask, const std::vector<Pinhole>& pinholes) {
         cross_lines(mask);
         for (const Loop& loop : region_) opaque_ += moments(loop, mask.centre());
