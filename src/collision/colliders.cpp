@@ -228,7 +228,8 @@ void Colliders::move(uint32_t slot, const lr_collider_motion& motion) {
     if (motion.mode == LR_MOVE_TO) {
         c.end = {pose.position, nearer_to(c.begin.rotation, pose.rotation)};
         m.linear = m.angular = {0.0f, 0.0f, 0.0f};
-        m.pending = std::memcmp(&c.begin, &c.end, sizeof c.end) != 0; // one told to stay keeps nothing awake
+        // A collider told to stay keeps nothing awake. NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): -0 for 0 only moves it once more
+        m.pending = std::memcmp(&c.begin, &c.end, sizeof c.end) != 0;
     } else {
         c.begin = c.end = pose;
         m.linear = vector_of(motion.linear_velocity);
