@@ -93,7 +93,8 @@ SurfaceInstant Water::at(double time) const {
         put(to_float(along), to.direction);
         const double size = wide(from.length), amplitude = wide(from.amplitude);
         const double frequency = record_.frequency[i];
-        const double turns = (static_cast<double>(from.phase) - frequency * time) / turn;
+        const double carried = dot(along, to_double(vector_of(d.current))) * turn / size;
+        const double turns = (static_cast<double>(from.phase) - (frequency + carried) * time) / turn;
         to.turns_per_m = static_cast<float>(1.0 / size);
         to.number = static_cast<float>(turn / size);
         to.turn = static_cast<float>(turns - std::floor(turns));

@@ -247,6 +247,35 @@ TEST_CASE("small bodies ride on long waves") {
     CHECK(std::abs(travelled) < 10.0); // Stokes drift, not the wave's own speed of 4 m/s
 }
 
+// Seen by someone who moves with water and air, waves on a current are those of still water: bodies ride on them alike.
+TEST_CASE("a current carries waves along with what floats on them") {
+    const Asset disc = make(ellipsoid(0.03, 0.003, 0.03, 200.0));
+    lr_body_state state[2];
+    for (const bool moving : {false, true}) {
+        const World world = make(world_desc());
+        const float along = moving ? 0.5f : 0.0f;
+        lr_water_desc d = water_desc();
+        d.wave_count = 1;
+        d.waves[0] = {{1.0f, 0.0f, 0.0f}, 2.0f, 0.05f, 0.5f};
+        d.current[0] = along;
+        set_water(world, d);
+        set_wind(world, along, 0.0f, 0.0f);
+        const lr_batch batch = add_batch(world, with_loads(LR_LOADS_AERODYNAMIC), disc, 1);
+        no_turbulence(world, batch);
+        lr_body_desc b = at_height(0.045);
+        b.linear_velocity[0] = along;
+        const lr_body body = add_body(world, batch, b);
+        steps(world, 300, 1.0f / 60.0f, 4);
+        state[moving] = state_of(world, body);
+        state[moving].position[0] -= 5.0f * along;
+        state[moving].linear_velocity[0] -= along;
+    }
+    for (size_t k = 0; k < 3; ++k) {
+        CHECK(std::abs(state[0].position[k] - state[1].position[k]) < 2e-4f);
+        CHECK(std::abs(state[0].linear_velocity[k] - state[1].linear_velocity[k]) < 1e-3f);
+    }
+}
+
 TEST_CASE("a callback's surface is as good as a plane there, and one that is none is refused") {
     const Asset ball = make(ellipsoid(0.05, 0.05, 0.05, 500.0));
     const auto run = [&](float plane, float raised, bool callback) {

@@ -396,8 +396,9 @@ namespace LangevinRigid
         public float* Gradient8;
     }
 
-    /// <summary>A long-crested deep-water wave. Heights of waves add up. The frequency sqrt(2 pi g/length) uses the
-    /// world's gravity at the time of <see cref="Native.lr_world_set_water"/>.</summary>
+    /// <summary>A long-crested deep-water wave. Heights of waves add up. The frequency in the water, sqrt(2 pi
+    /// g/length), uses the world's gravity at the time of <see cref="Native.lr_world_set_water"/>; the current carries
+    /// the waves along.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct Wave
     {
