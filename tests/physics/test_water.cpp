@@ -247,6 +247,20 @@ TEST_CASE("small bodies ride on long waves") {
     CHECK(std::abs(travelled) < 10.0); // Stokes drift, not the wave's own speed of 4 m/s
 }
 
+// They take a wake of some centimetres a second with them into the water. Some kept it, and sailed across the pond.
+TEST_CASE("leaves that fall into still water come to rest there") {
+    const Asset leaf = make(ellipsoid(0.035, 0.02, 0.00015, 350.0));
+    const World world = make(world_desc());
+    set_water(world, water_desc());
+    const lr_batch batch = add_batch(world, batch_desc(), leaf, 100);
+    const float low[3] = {-2.0f, 1.0f, -2.0f}, high[3] = {2.0f, 1.0f, 2.0f};
+    REQUIRE(lr_batch_spawn_box(world.get(), batch, low, high, 100, nullptr) == LR_OK);
+    steps(world, 1800, 1.0f / 60.0f, 4);
+    float velocities[100][6];
+    REQUIRE(lr_batch_write_velocities(world.get(), batch, velocities, 0, 100, nullptr) == LR_OK);
+    for (const auto& v : velocities) CHECK(std::hypot(v[0], v[1], v[2]) < 0.008f);
+}
+
 // Seen by someone who moves with water and air, waves on a current are those of still water: bodies ride on them alike.
 TEST_CASE("a current carries waves along with what floats on them") {
     const Asset disc = make(ellipsoid(0.03, 0.003, 0.03, 200.0));

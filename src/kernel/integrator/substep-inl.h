@@ -13,6 +13,8 @@
 #include "kernel/loads/station_loads-inl.h"
 #include "kernel/math/gaussian_noise-inl.h"
 
+#include <type_traits>
+
 HWY_BEFORE_NAMESPACE();
 namespace lr::LR_KERNEL_NAMESPACE {
 
@@ -144,18 +146,22 @@ HWY_INLINE Vec3 wind_of_substep(const StepInput& in, uint32_t i) {
     return broadcast(wind);
 }
 
-// Rate and stationary variance of gusts.
+// Rate and stationary variance of gusts. Near water, where constants differ from lane to lane, a gust also decays by its own speed: what floats goes
+// along with it, and would otherwise keep it for ever.
 struct Gusts {
     VF alpha, variance;
 };
-template <class A> HWY_INLINE Gusts gusts_at(const StepInput& in, const A& a, const Held& held, VF nu, VF age, Vec3 v) {
+template <class A>
+HWY_INLINE Gusts gusts_at(const StepInput& in, const A& a, const Held& held, VF nu, const Body& b, Vec3 v) {
     if (HWY_LIKELY(in.clock == Clock::speed)) {
         const VF speed = hn::Sqrt(speed_squared(v)), turbulent = speed / (constant(a.wake_reynolds) * nu + speed);
-        return {constant(a.rate_of_gusts) * held.inverse_length * speed,
+        VF pace = speed;
+        if constexpr (!std::is_same_v<A, AerodynamicConstants>) pace = hn::Max(speed, hn::Sqrt(dot(b.gust, b.gust)));
+        return {constant(a.rate_of_gusts) * held.inverse_length * pace,
                 constant(a.variance_of_gusts) * (turbulent * turbulent) * weighted(a.broadside, times(v, v))};
     }
     VF alpha, beta_squared;
-    sample_table(in.table, constant(0.5f) * constant(in.h) + age, alpha, beta_squared);
+    sample_table(in.table, constant(0.5f) * constant(in.h) + b.age, alpha, beta_squared);
     return {alpha, constant(a.gust_gain) * beta_squared / (alpha + alpha + constant(1e-20f))};
 }
 
@@ -171,7 +177,7 @@ HWY_INLINE void aerodynamic_motion(const StepInput& in, const C& c, Held& held, 
     if (HWY_LIKELY(motion == 0)) {
         b.t.v -= to_body(b.q, b.gust);
         const Vec3 v = centre_velocity<kFull>(a, b.t);
-        advance_wake(in, a, held, nu, hn::Sqrt(gusts_at(in, a, held, nu, b.age, v).variance), gauss, v,
+        advance_wake(in, a, held, nu, hn::Sqrt(gusts_at(in, a, held, nu, b, v).variance), gauss, v,
                      load_spin<kFull>(a, b.t), b);
         b.x += constant(in.h) * b.gust;
     }
@@ -190,7 +196,7 @@ HWY_INLINE void aerodynamic_motion(const StepInput& in, const C& c, Held& held, 
         rk4_substep<kFull, true>(in, c, held, hn::Zero(DF()), gauss, b);
     }
     b.t.v += to_body(b.q, b.gust);
-    const Gusts gusts = gusts_at(in, a, held, nu, b.age, middle);
+    const Gusts gusts = gusts_at(in, a, held, nu, b, middle);
     b.gust = without_dust(next_gust(b.gust, gusts.alpha, gusts.variance, in.h, gauss));
 }
 
