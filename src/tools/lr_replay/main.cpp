@@ -82,9 +82,12 @@ int run(int argc, char** argv) {
         ->check(CLI::NonNegativeNumber);
     app.add_flag("--print", print, "Print each call as text");
     CLI::Option* const of = app.add_option("--body", body, "Id of a body for --csv, as shown by --print");
-    app.add_option("--csv", csv, "Write the pose of the body after each step to this file")->needs(of);
+    of->needs(app.add_option("--csv", csv, "Write the pose of the body after each step to this file")->needs(of));
     app.add_option("--memory", megabytes, "Memory limit of the world, MB")
+        ->capture_default_str()
         ->check(CLI::Range(uint64_t{1}, uint64_t{1} << 24));
+    app.footer(
+        "Exit code: 0 equal; 1 a difference; 2 a recording that is refused, R01 to R10; 3 wrong usage or a bad file.");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
