@@ -84,7 +84,7 @@ class AirMixin:
 
     def set_uniform_wind(self, velocity: "ArrayLike") -> None:
         """Sets the uniform wind, m/s. The wind changes linearly over the next step."""
-        x, y, z = np.asarray(velocity, float).ravel().tolist()
+        x, y, z = rows(velocity, 3, "velocity")[0].tolist()
         self._change("lr_world_set_uniform_wind", x, y, z)
 
     @property

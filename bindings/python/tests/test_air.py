@@ -26,6 +26,8 @@ class Wind(WorldCase):
         np.testing.assert_allclose(self.world.sample_wind((5, 5, 5)), [3, 0, 1])
         np.testing.assert_allclose(self.world.uniform_wind, [3, 0, 1])
         self.world.set_uniform_wind((0, 0, 0))
+        with self.assertRaisesRegex(ValueError, "velocity: .* 3"):
+            self.world.set_uniform_wind(3)
         swirl = self.world.add_vortex(core=lr.VortexCore.RANKINE, circulation=2 * np.pi, core_radius=0.5)
         np.testing.assert_allclose(self.world.sample_wind([[1, 0, 0], [0, 3, 2]]), [[0, 0, -1], [0.5, 0, 0]], atol=1e-5)
         swirl.update(circulation=4 * np.pi)
