@@ -83,10 +83,10 @@ enum {
     LR_ERROR_ASSET_CORRUPT = -14,       /* an asset file, but damaged */
     LR_ERROR_ASSET_INVALID = -15,       /* an undamaged asset file with numbers that no body can have */
     LR_ERROR_SNAPSHOT_FORMAT = -16,     /* not a snapshot, damaged, or of another version */
-    LR_ERROR_SNAPSHOT_MISMATCH = -17,   /* the snapshot's world has other batches or assets */
+    LR_ERROR_SNAPSHOT_MISMATCH = -17,   /* the snapshot's world has other batches, capacities or assets */
     LR_ERROR_UNSUPPORTED = -18,         /* not available on this processor or in this build */
     LR_ERROR_THREADS = -19,             /* the worker threads could not be started */
-    LR_ERROR_TIMESTEP_ZERO = -20,       /* dt is 0 */
+    LR_ERROR_TIMESTEP_ZERO = -20,       /* dt is 0: while paused, do not step */
     LR_ERROR_TIMESTEP_NEGATIVE = -21,   /* dt is negative */
     LR_ERROR_TIMESTEP_NOT_FINITE = -22, /* dt is NaN or infinite */
     LR_ERROR_TIMESTEP_TOO_LARGE = -23,  /* dt / substeps exceeds LR_MAX_SUBSTEP */
@@ -346,7 +346,8 @@ typedef struct lr_world_desc {
                                enqueue; 0 guesses the machine's threads less one, from 1 to 64, and logs a warning */
     uint64_t seed;         /* of all noise; default 0 */
     float gravity[3];      /* m/s^2; default 0, -9.81, 0 */
-    float fluid_density;   /* kg/m^3, >= 0; default 0: each batch uses the fluid that its asset was baked in */
+    float fluid_density; /* kg/m^3, >= 0; default 0: each batch uses the fluid that its asset was baked in. For a vacuum
+                              set 1e-6 */
     lr_simd_target simd_target; /* LR_SIMD_*; default LR_SIMD_AUTO */
     float fluid_viscosity;  /* m^2/s, kinematic, >= 0; default 0: each batch uses the value its asset was baked with */
     lr_allocator allocator; /* copied; default null functions: the C library's */

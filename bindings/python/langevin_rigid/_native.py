@@ -1020,7 +1020,7 @@ FIELD_DOCS = {
         'worker_count': "threads besides the caller's, 0 to 64; default 0: everything runs on the caller's thread. With `jobs`: threads of the job system besides the caller's, and the most indices in one enqueue; 0 guesses the machine's threads less one, from 1 to 64, and logs a warning",
         'seed': 'of all noise; default 0',
         'gravity': 'm/s^2; default 0, -9.81, 0',
-        'fluid_density': 'kg/m^3, >= 0; default 0: each batch uses the fluid that its asset was baked in',
+        'fluid_density': 'kg/m^3, >= 0; default 0: each batch uses the fluid that its asset was baked in. For a vacuum set 1e-6',
         'simd_target': '`SimdTarget`; default `SimdTarget.AUTO`',
         'fluid_viscosity': 'm^2/s, kinematic, >= 0; default 0: each batch uses the value its asset was baked with',
         'allocator': "copied; default null functions: the C library's",

@@ -76,10 +76,10 @@ class Status(IntEnum):
     ASSET_CORRUPT = -14  # an asset file, but damaged
     ASSET_INVALID = -15  # an undamaged asset file with numbers that no body can have
     SNAPSHOT_FORMAT = -16  # not a snapshot, damaged, or of another version
-    SNAPSHOT_MISMATCH = -17  # the snapshot's world has other batches or assets
+    SNAPSHOT_MISMATCH = -17  # the snapshot's world has other batches, capacities or assets
     UNSUPPORTED = -18  # not available on this processor or in this build
     THREADS = -19  # the worker threads could not be started
-    TIMESTEP_ZERO = -20  # dt is 0
+    TIMESTEP_ZERO = -20  # dt is 0: while paused, do not step
     TIMESTEP_NEGATIVE = -21  # dt is negative
     TIMESTEP_NOT_FINITE = -22  # dt is NaN or infinite
     TIMESTEP_TOO_LARGE = -23  # dt / substeps exceeds `MAX_SUBSTEP`

@@ -42,13 +42,13 @@ namespace LangevinRigid
         AssetInvalid = -15,
         /// <summary>Not a snapshot, damaged, or of another version.</summary>
         SnapshotFormat = -16,
-        /// <summary>The snapshot's world has other batches or assets.</summary>
+        /// <summary>The snapshot's world has other batches, capacities or assets.</summary>
         SnapshotMismatch = -17,
         /// <summary>Not available on this processor or in this build.</summary>
         Unsupported = -18,
         /// <summary>The worker threads could not be started.</summary>
         Threads = -19,
-        /// <summary>Dt is 0.</summary>
+        /// <summary>Dt is 0: while paused, do not step.</summary>
         TimestepZero = -20,
         /// <summary>Dt is negative.</summary>
         TimestepNegative = -21,

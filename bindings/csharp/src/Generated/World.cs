@@ -69,7 +69,8 @@ namespace LangevinRigid
         public ulong Seed;
         /// <summary>m/s^2; default 0, -9.81, 0</summary>
         public Float3 Gravity;
-        /// <summary>kg/m^3, &gt;= 0; default 0: each batch uses the fluid that its asset was baked in</summary>
+        /// <summary>kg/m^3, &gt;= 0; default 0: each batch uses the fluid that its asset was baked in. For a vacuum set
+        /// 1e-6</summary>
         public float FluidDensity;
         /// <summary><see cref="SimdTarget"/>; default <see cref="SimdTarget.Auto"/></summary>
         public SimdTarget SimdTarget;

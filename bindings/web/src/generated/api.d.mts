@@ -39,13 +39,13 @@ export declare const LR: {
   readonly ERROR_ASSET_INVALID: -15;
   /** not a snapshot, damaged, or of another version */
   readonly ERROR_SNAPSHOT_FORMAT: -16;
-  /** the snapshot's world has other batches or assets */
+  /** the snapshot's world has other batches, capacities or assets */
   readonly ERROR_SNAPSHOT_MISMATCH: -17;
   /** not available on this processor or in this build */
   readonly ERROR_UNSUPPORTED: -18;
   /** the worker threads could not be started */
   readonly ERROR_THREADS: -19;
-  /** dt is 0 */
+  /** dt is 0: while paused, do not step */
   readonly ERROR_TIMESTEP_ZERO: -20;
   /** dt is negative */
   readonly ERROR_TIMESTEP_NEGATIVE: -21;
@@ -336,7 +336,7 @@ export interface WorldDesc {
   seed: bigint;
   /** 3 elements. m/s^2; default 0, -9.81, 0 */
   gravity: number[];
-  /** kg/m^3, >= 0; default 0: each batch uses the fluid that its asset was baked in */
+  /** kg/m^3, >= 0; default 0: each batch uses the fluid that its asset was baked in. For a vacuum set 1e-6 */
   fluidDensity: number;
   /** LR_SIMD_*; default LR_SIMD_AUTO */
   simdTarget: number;
