@@ -229,8 +229,10 @@ void ContactGroup::find_floors(const ContactSubstep& substep) {
             find_floor(*step_->shape, arrays_.field[field_scale][i], relative(begin, pose_in(substep.before, i)),
                        relative(end, pose_of(i)), margin_of(i, substep.h), *c.geometry.mesh, near + first, k - first,
                        floor);
-            if (!all) floor.count = 0;
-            if (floor.count > 0 || floor.side != 0) kept = packed_floor(rotate(end.rotation, floor.up), slot);
+            const Vector up = rotate(end.rotation, floor.up);
+            // The lower edge of a broom or a wheel would push along the mean of its faces, into the ground on which the body lies.
+            if (!all || (!floor.even && dot(up, step_->weight) > 0.0f)) floor.count = 0;
+            if (floor.count > 0 || floor.side != 0) kept = packed_floor(up, slot);
         }
         if (arrays_.floor) arrays_.floor[i] = kept;
     }
@@ -283,6 +285,7 @@ void ContactGroup::touch_others(uint32_t i, const ContactSubstep& substep) {
             began = relative(pose_at(c, substep.begin), pose_in(substep.before, i));
             mesh.emplace(*step_->shape, scale, relative(mesh_pose, lifted), margin, &began,
                          mesh_slot == floor.slot ? floor.side : int8_t{0});
+            mesh->up = direction_of(rotate(inverse(mesh_pose.rotation), up_[i]));
         }
         add_mesh(*mesh, *c.geometry.mesh, candidate.part);
     });

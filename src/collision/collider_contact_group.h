@@ -62,7 +62,8 @@ struct ContactStep {
     const Colliders* colliders;
     const BodyShape* shape;
     const lr_batch_contact* settings;
-    float gravity;                              // m/s^2, magnitude
+    Vector weight;                              // m/s^2, gravity
+    float gravity;                              // m/s^2, its magnitude
     float fluid_density;                        // kg/m^3
     float dt;                                   // s, length of the step
     float gain;                                 // m/s: allowance for speed gained in it

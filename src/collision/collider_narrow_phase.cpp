@@ -10,8 +10,6 @@
 namespace lr {
 namespace {
 
-constexpr double into_support = -0.7; // cosine: directions below it lead into what supports the body
-
 void add_plane(ContactPoints& set) {
     const PlacedBody& body = set.body;
     const Vector up{0.0f, 1.0f, 0.0f};
@@ -104,6 +102,7 @@ uint32_t find_contacts(const BodyShape& shape, float scale, const Pose& at, cons
     const float far = scale * shape.reach + margin;
     if (distance_from(collider, at.position) > far) return 0;
     ContactPoints set(shape, scale, at, margin, began);
+    set.up = direction_of(lift);
     switch (collider.kind) {
     case ColliderKind::plane:
         add_plane(set);
@@ -118,9 +117,7 @@ uint32_t find_contacts(const BodyShape& shape, float scale, const Pose& at, cons
         if (add_flat_side(set, collider)) break;
         const PlacedCollider placed(collider, at.position);
         const double enough = static_cast<double>(margin + set.body.radius) + placed.radius;
-        Sides sides;
-        if (const float high = length(lift); high > 0.0f) sides = {1.0 / wide(high) * to_double(lift), into_support};
-        const Separation along = separate(set.body, placed, enough, sides);
+        const Separation along = separate(set.body, placed, enough, {.up = set.up});
         if (along.distance >= enough) break;
         if (collider.kind == ColliderKind::sphere && collider.size[0] > set.body.reach)
             add_sphere_points(set, collider.size[0]);

@@ -24,6 +24,7 @@ public:
     const float margin;
     const Pose* const before;
     const int8_t side;
+    Double3 up{}; // unit: away from what supports the body; zero: nothing does
 
     // point: m, on the body's surface, from its centre of mass along the collider's axes.
     void add(Vector point, Vector normal, float gap);

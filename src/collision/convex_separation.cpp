@@ -50,7 +50,7 @@ struct Search {
     Separation best{};
     bool any = false;
 
-    bool allowed(Double3 n) const { return dot(n, sides.front) > sides.least; }
+    bool allowed(Double3 n) const { return dot(n, sides.front) > sides.least && dot(n, sides.up) > into_support; }
     void offer(Double3 n, double distance) {
         if (any && !(distance > best.distance)) return;
         any = true;
@@ -164,7 +164,10 @@ Separation separate(const PlacedBody& body, const PlacedCollider& collider, doub
     const Separation of_body = search.best;
     const bool has_body = search.any;
     if (has_collider) search.offer(of_collider.normal, of_collider.distance);
-    if (!search.any) search.offer(sides.least == 0.0 ? sides.front : Double3{0.0, 1.0, 0.0});
+    if (!search.any) {
+        const Double3 n = sides.least == 0.0 ? sides.front : Double3{0.0, 1.0, 0.0};
+        search.offer(n, separation_along(body, collider, n));
+    }
     // For a sphere against a polytope a face normal is exact.
     if (collider.count == 1 && body.count > 0) return search.best;
     // Each start leads to a local minimum of the depth.
@@ -174,10 +177,8 @@ Separation separate(const PlacedBody& body, const PlacedCollider& collider, doub
     if (collider.count == 1) return search.best; // the line between the middles has been tried
     const Double3 apart = to_double(body.center) - collider.middle();
     const double size = length(apart);
-    if (size > 0.0 && search.allowed(apart)) {
-        const Double3 n = 1.0 / size * apart;
+    if (const Double3 n = 1.0 / size * apart; size > 0.0 && search.allowed(n))
         refine(search, {n, separation_along(body, collider, n), false, {}, {}});
-    }
     return search.best;
 }
 } // namespace lr

@@ -28,12 +28,18 @@ struct Separation {
     Double3 on_body, on_collider;
 };
 
-// Directions along which cores that overlap may part: normal . front > least. Without a restriction all. For a side of a triangle least is 0; then
-// cores that do not overlap must part along them too.
+// Directions along which cores that overlap may part: normal . front > least, and normal . up > into_support. Without a restriction all. For a side of
+// a triangle least is 0; then cores that do not overlap must part along them too.
 struct Sides {
     Double3 front = {};
     double least = -1.0;
+    Double3 up = {}; // away from what supports the body; zero: nothing does
 };
+inline constexpr double into_support = -0.7;
+inline Double3 direction_of(Vector v) {
+    const float size = length(v);
+    return size > 0.0f ? 1.0 / static_cast<double>(size) * to_double(v) : Double3{};
+}
 
 // enough: m; stops once the pair is known to be farther apart.
 Separation separate(const PlacedBody& body, const PlacedCollider& collider, double enough, const Sides& sides = {});

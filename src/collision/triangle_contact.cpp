@@ -58,7 +58,7 @@ Double3 side_before(const ContactPoints& set, const Triangle& t) {
     if (!set.before) return {};
     const PlacedBody body(*set.body.shape, set.body.scale, *set.before);
     const PlacedCollider collider(t.corners, set.before->position);
-    const Double3 side = separate(body, collider, std::numeric_limits<double>::infinity()).normal;
+    const Double3 side = separate(body, collider, std::numeric_limits<double>::infinity(), {.up = set.up}).normal;
     // If the body was beside the triangle and slides over it, rounding would decide.
     return std::abs(dot(side, to_double(t.normal))) < beside ? Double3{} : side;
 }
@@ -99,12 +99,12 @@ void add_triangle(ContactPoints& set, const Triangle& t, bool alone = false) {
         return;
     }
     const Double3 normal = to_double(t.normal);
-    Separation along = separate(body, collider, enough, t.one_sided ? Sides{normal, 0.0} : Sides{});
+    Separation along = separate(body, collider, enough, t.one_sided ? Sides{normal, 0.0, set.up} : Sides{.up = set.up});
     if (along.distance >= enough) return;
     Double3 side = along.has_points ? along.normal : Double3{};
     if (!along.has_points && !t.one_sided) {
         side = side_before(set, t);
-        if (dot(side, side) > 0.0) along = separate(body, collider, enough, {side, 0.0});
+        if (dot(side, side) > 0.0) along = separate(body, collider, enough, {side, 0.0, set.up});
     }
     if (!is_hidden(t, to_float(along.normal))) return add_manifold(set, collider, along);
     if (!alone) return add_over_triangle(set, t, collider, along.has_points, side);

@@ -24,7 +24,11 @@ uint32_t left_behind(const Asset& asset, int32_t floor, int32_t kind, float spee
     for (const float x : {-0.02f, 0.02f})
         for (const float y : {-0.5f, 0.5f})
             for (const float z : {-3.0f, 3.0f}) corners.insert(corners.end(), {x, y, z});
-    lr_collider_desc d = kind == LR_COLLIDER_BOX ? box_collider(0.02f, 0.5f, 3.0f) : hull_collider(corners);
+    const Triangles sides{corners, {0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1,
+                                    2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3}};
+    lr_collider_desc d = kind == LR_COLLIDER_BOX    ? box_collider(0.02f, 0.5f, 3.0f)
+                         : kind == LR_COLLIDER_HULL ? hull_collider(corners)
+                                                    : mesh_collider(sides);
     d.position[0] = -1.0f, d.position[1] = 0.5f;
     lr_collider_motion broom = motion_of(add_collider(world, d), LR_MOVE_TO);
     std::copy_n(d.position, 3, broom.position);
@@ -54,7 +58,7 @@ TEST_CASE("no leaf slips under a broom that ends at the ground") {
     const Asset leaf = make(ellipsoid(0.03, 0.0005, 0.02, 400.0)), card = make(rigid_box(0.06, 0.0004, 0.04, 400.0));
     for (const Asset* asset : {&leaf, &card})
         for (const int32_t floor : {LR_COLLIDER_PLANE, LR_COLLIDER_BOX, LR_COLLIDER_MESH})
-            for (const int32_t kind : {LR_COLLIDER_BOX, LR_COLLIDER_HULL}) {
+            for (const int32_t kind : {LR_COLLIDER_BOX, LR_COLLIDER_HULL, LR_COLLIDER_MESH}) {
                 CAPTURE(asset == &card);
                 CAPTURE(floor);
                 CAPTURE(kind);

@@ -44,11 +44,13 @@ void StepChunks::run(uint32_t chunk) const {
 
 ContactRun contact_run(const lr_world& world, Batch& batch, const WaterStep* water, const StepTime& time,
                        float seconds) {
-    const float gravity = length(vector_of(world.gravity));
+    const Vector weight = vector_of(world.gravity);
+    const float gravity = length(weight);
     const ContactStep step{world.target->contact,
                            &world.colliders,
                            &batch.asset().shape,
                            &batch.contact(),
+                           weight,
                            gravity,
                            static_cast<float>(batch.settings().fluid_density),
                            seconds,
