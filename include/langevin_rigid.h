@@ -629,7 +629,8 @@ LR_API lr_status lr_world_sample_wind(const lr_world* world, const float* positi
 #define LR_MAX_WAVES 8u
 
 /* A long-crested deep-water wave. Heights of waves add up. The frequency in the water, sqrt(2 pi g/length), uses the
- * world's gravity at the time of lr_world_set_water; the current carries the waves along. */
+ * world's gravity at the time of lr_world_set_water. The current carries the waves along; a change of it leaves them
+ * where they are. */
 typedef struct lr_wave {
     float direction[3]; /* of travel: any vector not along the normal; only its part in the plane counts */
     float length;       /* m, crest to crest, 1e-3 to 1e6 */

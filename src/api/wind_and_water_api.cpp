@@ -137,7 +137,7 @@ lr_status lr_world_set_water(lr_world* world, const lr_water_desc* desc) {
             if (const Outcome outcome = check_water(*d); outcome.refused()) return outcome;
         const Water::Record before = w.surface.record();
         if (d)
-            w.surface.set(*d, w.gravity);
+            w.surface.set(*d, w.gravity, w.time);
         else
             w.surface.clear();
         w.wake_in_water(before);

@@ -63,14 +63,19 @@ bool Water::consistent(const Record& r) {
         const bool wave = r.present != 0 && i < r.desc.wave_count;
         if (!in_range(r.frequency[i], 0.0, wave ? frequency_of(r.desc.waves[i], strongest) : 0.0)) return false;
     }
+    for (const double way : r.drift)
+        if (!in_range(way, r.present != 0 ? -most_way : 0.0, r.present != 0 ? most_way : 0.0)) return false;
     return true;
 }
 
-void Water::set(const lr_water_desc& desc, const float gravity[3]) {
+void Water::set(const lr_water_desc& desc, const float gravity[3], double time) {
     const FloatMode mode;
+    const Record before = record_;
     record_ = Record{};
     record_.present = 1;
     record_.desc = desc;
+    for (uint32_t k = 0; k < 3 && before.present != 0; ++k)
+        record_.drift[k] = before.drift[k] + (wide(before.desc.current[k]) - wide(desc.current[k])) * time;
     std::fill(record_.desc.waves + desc.wave_count, record_.desc.waves + LR_MAX_WAVES, lr_wave{}); // part of the hash
     for (uint32_t i = 0; i < desc.wave_count; ++i)
         record_.frequency[i] = frequency_of(desc.waves[i], to_double(vector_of(gravity)));
@@ -81,6 +86,7 @@ SurfaceInstant Water::at(double time) const {
     const lr_water_desc& d = record_.desc;
     Double3 up = to_double(vector_of(d.normal));
     normalise(up);
+    const Double3 drift{record_.drift[0], record_.drift[1], record_.drift[2]};
     put(vector_of(d.position), out.point);
     put(vector_of(d.current), out.current);
     put(to_float(up), out.up);
@@ -93,8 +99,8 @@ SurfaceInstant Water::at(double time) const {
         put(to_float(along), to.direction);
         const double size = wide(from.length), amplitude = wide(from.amplitude);
         const double frequency = record_.frequency[i];
-        const double carried = dot(along, to_double(vector_of(d.current))) * turn / size;
-        const double turns = (static_cast<double>(from.phase) - (frequency + carried) * time) / turn;
+        const double carried = dot(along, time * to_double(vector_of(d.current)) + drift) * turn / size;
+        const double turns = (static_cast<double>(from.phase) - frequency * time - carried) / turn;
         to.turns_per_m = static_cast<float>(1.0 / size);
         to.number = static_cast<float>(turn / size);
         to.turn = static_cast<float>(turns - std::floor(turns));

@@ -20,6 +20,7 @@ public:
     struct Record {
         uint32_t present, reserved;
         double frequency[LR_MAX_WAVES]; // rad/s
+        double drift[3];                // m: currents have carried the waves by current * time + drift
         lr_water_desc desc;
     };
     static bool consistent(const Record& record);
@@ -28,8 +29,8 @@ public:
 
     bool present() const { return record_.present != 0; }
     const lr_water_desc& desc() const { return record_.desc; }
-    // The desc must be valid.
-    void set(const lr_water_desc& desc, const float gravity[3]);
+    // The desc must be valid. The waves stay where they are at `time` if the current changes.
+    void set(const lr_water_desc& desc, const float gravity[3], double time);
     void clear() { record_ = Record{}; }
 
     SurfaceInstant at(double time) const;

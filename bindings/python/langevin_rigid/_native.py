@@ -436,7 +436,8 @@ class lr_ground_wind_desc(ctypes.Structure):
 
 class lr_wave(ctypes.Structure):
     """A long-crested deep-water wave. Heights of waves add up. The frequency in the water, sqrt(2 pi g/length), uses the
-    world's gravity at the time of lr_world_set_water; the current carries the waves along.
+    world's gravity at the time of lr_world_set_water. The current carries the waves along; a change of it leaves them
+    where they are.
     """
     _fields_ = [
         ('direction', ctypes.c_float * 3),

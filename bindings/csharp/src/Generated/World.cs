@@ -398,8 +398,8 @@ namespace LangevinRigid
     }
 
     /// <summary>A long-crested deep-water wave. Heights of waves add up. The frequency in the water, sqrt(2 pi
-    /// g/length), uses the world's gravity at the time of <see cref="Native.lr_world_set_water"/>; the current carries
-    /// the waves along.</summary>
+    /// g/length), uses the world's gravity at the time of <see cref="Native.lr_world_set_water"/>. The current carries
+    /// the waves along; a change of it leaves them where they are.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct Wave
     {

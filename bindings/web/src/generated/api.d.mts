@@ -504,7 +504,8 @@ export interface WindQuery {
 
 /**
  * A long-crested deep-water wave. Heights of waves add up. The frequency in the water, sqrt(2 pi g/length), uses the
- * world's gravity at the time of lr_world_set_water; the current carries the waves along.
+ * world's gravity at the time of lr_world_set_water. The current carries the waves along; a change of it leaves them
+ * where they are.
  */
 export interface Wave {
   /** 3 elements. of travel: any vector not along the normal; only its part in the plane counts */
