@@ -26,15 +26,14 @@ concept Pointer = requires(A a) {
     a.pointer;
 };
 
-// Calls with one pointer replaced.
-template <size_t Replaced, class... P, class... A>
-lr_status call(lr_status (*function)(P...), const std::tuple<A...>& arguments, void* instead) {
+// Calls with the pointer at the place `replaced` exchanged for `instead`.
+template <class... P, class... A>
+lr_status call(lr_status (*function)(P...), const std::tuple<A...>& arguments, size_t replaced = sizeof...(A),
+               void* instead = nullptr) {
     const auto argument = [&]<size_t I, class T>(std::integral_constant<size_t, I>, T*) -> T {
         const auto& given = std::get<I>(arguments);
-        if constexpr (I == Replaced)
-            return static_cast<T>(instead);
-        else if constexpr (Pointer<std::remove_cvref_t<decltype(given)>>)
-            return given.pointer;
+        if constexpr (Pointer<std::remove_cvref_t<decltype(given)>>)
+            return I == replaced ? static_cast<T>(instead) : given.pointer;
         else
             return static_cast<T>(given);
     };

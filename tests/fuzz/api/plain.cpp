@@ -67,7 +67,7 @@ void run(Fuzzer& f, const char* name, lr_status (*function)(P...), std::tuple<A.
     }
     (arguments(s), std::index_sequence_for<A...>());
     w.state.wild = true;
-    call.ended(test::call<sizeof...(A)>(function, all, nullptr));
+    call.ended(test::call(function, all));
 }
 
 struct Function {
