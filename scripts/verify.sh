@@ -20,11 +20,11 @@ steps=( # name, minutes on two cores, title
     "bench         2 lr_bench: its columns, and equal hashes"
     "unreal        3 Unreal plugin, against stand-ins for the engine"
     "web           4 WebAssembly package: held hashes, wrapper, types; the page in a browser"
-    "long          7 Long tests, and load"
+    "long          8 Long tests, and load"
     "scorecard     5 Scorecard: every row"
     "valgrind      6 Valgrind over the API's tests"
     "tsan         16 ThreadSanitizer"
-    "asan         12 AddressSanitizer and UndefinedBehaviorSanitizer: long tests, and the baker"
+    "asan         14 AddressSanitizer and UndefinedBehaviorSanitizer: long and exact tests, and the baker"
     "corpus       45 Models that Debian packages: how many bake"
     "fuzz         12 Fuzzers: assets 20 s, API, meshes and cards 60 s each"
     "clang         7 Held hashes: clang"
@@ -99,6 +99,7 @@ step_asan() { # the part that ./test.sh omits
     cmake --build build/asan
     run_ctest build/asan -L 'long|corpus' -LE exact
     run_ctest build/asan -R '^tests_(baker|core|contact|determinism|drop)|lr_replay' -LE 'long|exact'
+    run_ctest build/asan -R '^tests_api' -L exact -LE long
 }
 step_corpus() { # needs the package mirrors once
     release

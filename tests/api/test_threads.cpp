@@ -132,7 +132,13 @@ TEST_CASE("worlds on threads of their own, with workers and callbacks, each as i
 
 TEST_CASE("worlds of several threads share one job system, which runs their tasks in any order") {
     std::vector<PlayedScene> scenes = some_scenes();
-    for (PlayedScene& scene : scenes) scene.bodies = scene.body_contact ? 150 : 1500; // work for more than one thread
+#ifdef LR_TEST_QUICK // chunks are short: LR_CHUNK_BODIES
+    constexpr uint32_t touching = 60, apart = 600;
+#else
+    constexpr uint32_t touching = 150, apart = 1500;
+#endif
+    for (PlayedScene& scene : scenes)
+        scene.bodies = scene.body_contact ? touching : apart; // work for more than one thread
     std::vector<uint64_t> expected, got(scenes.size());
     for (const PlayedScene& scene : scenes) expected.push_back(outcome(scene));
     for (uint32_t threads : {1u, 4u}) {

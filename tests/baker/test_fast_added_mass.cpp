@@ -103,7 +103,7 @@ TEST_CASE("fast added mass is that of the dense matrix" * doctest::test_suite("l
     }
 }
 
-TEST_CASE("fast added mass: ellipsoid of 20,480 triangles against Lamb" * doctest::test_suite("exact")) {
+TEST_CASE("fast added mass: ellipsoid of 20,480 triangles against Lamb" * doctest::test_suite("long-exact")) {
     // closed forms of test_added_mass.cpp at 4:2:1, over the volume
     const AddedMass m = solve(test::ellipsoid(4, 2, 1, 5), all_fast());
     const double volume = 4.0 / 3.0 * 3.14159265358979323846 * 8.0;

@@ -248,7 +248,7 @@ TEST_CASE("a block in the stream: no flow through it, no divergence, and shear f
         CHECK(table.chi_star(n) == doctest::Approx(table.stationary_chi_star).epsilon(0.05));
 }
 
-TEST_CASE("the stationary point of a wake hardly depends on the grid" * doctest::test_suite("exact")) {
+TEST_CASE("the stationary point of a wake hardly depends on the grid" * doctest::test_suite("long-exact")) {
     // Without the diffusion of Eq. 13 epsilon* nearly doubles here; with it a body of two cells is within 10 % of four.
     TurbulenceOptions o = leaf();
     o.cells = {16, 16, 8};
@@ -271,7 +271,7 @@ TEST_CASE("an all-fluid mask is the empty stream") {
     CHECK(make(o).chi == without.chi);
 }
 
-TEST_CASE("extreme parameters give finite positive tables" * doctest::test_suite("exact")) {
+TEST_CASE("extreme parameters give finite positive tables" * doctest::test_suite("long-exact")) {
     for (double u0 : {1e-9, 1e6})
         for (double l : {1e-5, 1e3})
             for (double l_over_d : {1e-6, 1.0, 1e6})

@@ -174,7 +174,7 @@ TEST_CASE("the first seconds of gusts and turbulence are centred on the wind tha
         }
 }
 
-TEST_CASE("gusts have their speed and integral time four periods after they began") {
+TEST_CASE("gusts have their speed and integral time four periods after they began" * doctest::test_suite("exact")) {
     constexpr int seeds = 800, each = 4, young = 4 * each, lags = 6 * each, count = young + 40 * each;
     Moments spread;
     double product[lags] = {};
@@ -234,7 +234,7 @@ TEST_CASE("gusts begin when they are added, and go on through updates and restor
     CHECK(length(wind_at(fresh, {}) - set) == 0.0);
 }
 
-TEST_CASE("turbulence has its root mean square in each direction, and no mean") {
+TEST_CASE("turbulence has its root mean square in each direction, and no mean" * doctest::test_suite("exact")) {
     for (uint32_t octaves : {1u, 2u, 4u}) {
         const Turbulent field(octaves);
         Vec mean{}, square{}, mixed{};
@@ -284,7 +284,7 @@ TEST_CASE("the integral length of turbulence is the size that was asked for, ali
     }
 }
 
-TEST_CASE("turbulence has no divergence") {
+TEST_CASE("turbulence has no divergence" * doctest::test_suite("exact")) {
     const Turbulent field(2);
     double divergence = 0.0, gradient = 0.0;
     const double e = 0.015625;

@@ -104,7 +104,7 @@ TEST_CASE("a fall against quadratic drag is the hyperbolic tangent, at any step"
 }
 
 // A weightless body that creeping flow carries along at once moves with the fluid's own velocity, which is Pope's process.
-TEST_CASE("the fluid's own velocity has Pope's variance and correlation, at any step") {
+TEST_CASE("the fluid's own velocity has Pope's variance and correlation, at any step" * doctest::test_suite("exact")) {
     lr_aerodynamics loads = initialised(lr_aerodynamics_init);
     for (double& k : loads.drag_stokes) k = 1e5;
     lr_rigid_desc d = rigid_plate();

@@ -138,7 +138,8 @@ TEST_CASE("in oblique hits momentum and angular momentum are kept and no energy 
 }
 
 // A box hits the face of a much heavier one, edge or corner first: along its normal and across it.
-TEST_CASE("friction between bodies is mu times the normal impulse while they slide, and no more") {
+TEST_CASE("friction between bodies is mu times the normal impulse while they slide, and no more" *
+          doctest::test_suite("exact")) {
     Random random(4);
     double most = 0.0, least = 1.0;
     int sliding = 0;

@@ -73,7 +73,7 @@ Slid slide(int32_t kind, double angle, double size, double mu, uint32_t substeps
 
 } // namespace
 
-TEST_CASE("boxes stick below the angle of friction and slide as they should above") {
+TEST_CASE("boxes stick below the angle of friction and slide as they should above" * doctest::test_suite("exact")) {
     const lr_rigid_desc box = rigid_box(1.0, 0.3, 0.6, 300.0);
     const double inertia = box.mass + box.added_mass[0], weight = (box.mass - 1.2 * box.volume) * gravity;
     for (int32_t kind :
@@ -107,7 +107,8 @@ TEST_CASE("boxes stick below the angle of friction and slide as they should abov
                 }
 }
 
-TEST_CASE("small boxes turned any way on a steep slope stick a degree below the angle of friction") {
+TEST_CASE("small boxes turned any way on a steep slope stick a degree below the angle of friction" *
+          doctest::test_suite("exact")) {
     const double mu = 0.9, angle = std::atan(mu) - degree;
     for (int32_t kind : {LR_COLLIDER_PLANE, LR_COLLIDER_HEIGHTFIELD, LR_COLLIDER_BOX})
         for (uint32_t substeps : {2u, 4u})
@@ -212,7 +213,8 @@ TEST_CASE("a sphere rolls down without slipping, and slower by rolling resistanc
     }
 }
 
-TEST_CASE("a lid that lies on the ground or on a box stays where it is for ten minutes") {
+TEST_CASE("a lid that lies on the ground or on a box stays where it is for ten minutes" *
+          doctest::test_suite("exact")) {
     const Asset asset = make(rigid_box(0.2, 0.01, 0.15, 300.0));
     for (int32_t kind : {LR_COLLIDER_PLANE, LR_COLLIDER_BOX})
         for (uint32_t flags : {0u, uint32_t{LR_CONTACT_NEVER_SLEEP}}) {

@@ -366,7 +366,8 @@ static double overlap_of_a_walk(double turn) {
 
 // One body of 840, wedged below the rounded end, decides about each overlap: it takes several walks to know how deep they are.
 TEST_CASE(
-    "a capsule that walks through bodies at rest wakes what it meets, moves it aside, and leaves the others alone") {
+    "a capsule that walks through bodies at rest wakes what it meets, moves it aside, and leaves the others alone" *
+    doctest::test_suite("exact")) {
     double sum = 0.0;
     const std::array turns{0.37, 0.41, 0.43, 0.47, 0.53, 0.59, 0.61, 0.67};
     for (const double turn : turns) sum += overlap_of_a_walk(turn);

@@ -125,7 +125,8 @@ size_t alike(const std::vector<Vec>& a, const std::vector<Vec>& b, double near) 
 
 // Lengths by a power of four make times and speeds powers of two, so that each product rounds alike.
 TEST_CASE("a scene four times or a thousand times smaller ends in the same bits, and one of a millimetre or centimetre "
-          "alike") {
+          "alike" *
+          doctest::test_suite("exact")) {
     const std::vector<Vec> first = Room::played({}, 3.0);
     for (double l : {16.0, 0.25, 1.0 / 1024.0}) {
         Frame frame;
@@ -141,7 +142,7 @@ TEST_CASE("a scene four times or a thousand times smaller ends in the same bits,
     }
 }
 
-TEST_CASE("a scene that is turned about the vertical ends turned") {
+TEST_CASE("a scene that is turned about the vertical ends turned" * doctest::test_suite("exact")) {
     const std::vector<Vec> first = Room::played({}, 3.0);
     for (double yaw : {0.3, 1.0, 2.5}) {
         Frame frame;
@@ -152,7 +153,7 @@ TEST_CASE("a scene that is turned about the vertical ends turned") {
 }
 
 // Nothing is at rest in the world, but bodies come to rest relative to their support.
-TEST_CASE("in a room that moves evenly all comes to rest in it") {
+TEST_CASE("in a room that moves evenly all comes to rest in it" * doctest::test_suite("exact")) {
     for (const Vec& velocity : {Vec{0, 1, 0}, Vec{0, -1, 0}, Vec{2, 0, 1}}) {
         CAPTURE(velocity[0]);
         CAPTURE(velocity[1]);
@@ -168,7 +169,8 @@ TEST_CASE("in a room that moves evenly all comes to rest in it") {
 }
 
 // Far away, positions are rounded to 6e-5 m, and contact treats 1e-6 of the position as touching.
-TEST_CASE("a kilometre from the origin bodies of a decimetre come to rest on the ground, and not in it") {
+TEST_CASE("a kilometre from the origin bodies of a decimetre come to rest on the ground, and not in it" *
+          doctest::test_suite("exact")) {
     Frame frame;
     frame.origin = {1000, 0, -1000};
     Room room(frame, thrown, 0.3, 1);

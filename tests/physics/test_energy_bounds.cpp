@@ -375,7 +375,7 @@ TEST_CASE("terminal velocity is right at steps of a tenth of a second") {
 // The couple of shed vortices has no reaction on the motion along the stream, so it does work. In the limit cycle it is at most
 // C = rho v_n^2 sqrt(2) |(moment, rate_moment)|; with the spin drag D |w| w its work, C w - D w^3, is at
 // most 2/3 C sqrt(C/(3 D)). Drag takes more in every direction of the stream.
-TEST_CASE("couples of shedding do less work than drag takes") {
+TEST_CASE("couples of shedding do less work than drag takes" * doctest::test_suite("exact")) {
     double most = 0.0;
     for (uint64_t i = 0; i < 2000; ++i) {
         Random random(i);

@@ -120,7 +120,7 @@ std::vector<Case> cases() {
 
 } // namespace
 
-TEST_CASE("a card in a plane falls as the model of falling cards does") {
+TEST_CASE("a card in a plane falls as the model of falling cards does" * doctest::test_suite("exact")) {
     for (const Case& c : cases())
         for (int32_t integrator : {LR_INTEGRATOR_RK4, LR_INTEGRATOR_DEFAULT}) {
             const Scene s = scene(c.card, c.start, integrator);

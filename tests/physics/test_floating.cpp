@@ -33,7 +33,7 @@ TEST_CASE("a floating body comes to rest at Archimedes' draught" * doctest::test
         }
 }
 
-TEST_CASE("a floating body bobs with its closed form's frequency") {
+TEST_CASE("a floating body bobs with its closed form's frequency" * doctest::test_suite("exact")) {
     struct Shape {
         double a, c;
     };
@@ -105,7 +105,7 @@ Decay decay_of(const lr_ellipsoid_desc& shape, float dt, bool full = false, doub
 
 } // namespace
 
-TEST_CASE("bobbing decays by the waves that the body makes") {
+TEST_CASE("bobbing decays by the waves that the body makes" * doctest::test_suite("exact")) {
     struct Shape {
         double a, c, b;
     };

@@ -71,7 +71,8 @@ std::vector<double> lift_factors(const Setup& setup) {
 
 } // namespace
 
-TEST_CASE("variation: factors of drag and lift have mean 1, the stated deviation, and are independent") {
+TEST_CASE("variation: factors of drag and lift have mean 1, the stated deviation, and are independent" *
+          doctest::test_suite("exact")) {
     for (const Setup& setup : {Setup{}, Setup{.variation = 0.5f}, Setup{.variation = 0.05f, .seed = 77},
                                Setup{.integrator = LR_INTEGRATOR_RK4}, Setup{.full = true}}) {
         CAPTURE(setup.variation);

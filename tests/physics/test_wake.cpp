@@ -105,7 +105,8 @@ TEST_CASE("wake: a thin disc falls broadside at the speed of its drag coefficien
 }
 
 // v' = g' - c (v^2 + k |v - u| (v - u)), u' = s (v - u)/(lag length): the drag of a wake that is being made.
-TEST_CASE("wake: from rest a plate falls as its starting drag and the wake's memory say") {
+TEST_CASE("wake: from rest a plate falls as its starting drag and the wake's memory say" *
+          doctest::test_suite("exact")) {
     const double k = 3.0, lag = 10.0, length = 0.5, drag = 10.0;
     lr_aerodynamics a = plate_across(2);
     a.plate_drag = drag, a.start_drag = k, a.wake_lag = lag, a.wake_length = length;
@@ -247,7 +248,7 @@ TEST_CASE("wake: shedding turns a plate to and fro at its frequency and amplitud
         }
 }
 
-TEST_CASE("wake: below its critical Reynolds number shedding dies") {
+TEST_CASE("wake: below its critical Reynolds number shedding dies" * doctest::test_suite("exact")) {
     const double length = 0.2;
     lr_aerodynamics a = plate_across(2);
     a.wake_length = length, a.strouhal = 0.2, a.shedding_growth = 0.8, a.shedding_reynolds = 100.0;
@@ -361,7 +362,7 @@ TEST_CASE("wake: the attached force grows as the wake remembers the stream") {
 }
 
 // The wake stays where it is in the fluid: a disc that spins about its normal flies as one that does not.
-TEST_CASE("wake: a disc's spin about its normal does not turn its wake") {
+TEST_CASE("wake: a disc's spin about its normal does not turn its wake" * doctest::test_suite("exact")) {
     const auto fly = [](double spin, double share, Path path) {
         lr_aerodynamics a = plate_across(2);
         for (double& l : a.plate_lift) l = 300.0;

@@ -123,7 +123,8 @@ TEST_CASE("thin leaves on the ground under water rise, one alone and one on anot
 }
 
 // Contact has to know the added mass of the water: with that of air its impulses threw discs out of it.
-TEST_CASE("bodies that fall on the ground under water gain no energy from it or from each other") {
+TEST_CASE("bodies that fall on the ground under water gain no energy from it or from each other" *
+          doctest::test_suite("exact")) {
     for (const bool curled : {false, true})
         for (const bool heap : {false, true})
             for (const bool field : {false, true}) {
@@ -200,7 +201,7 @@ TEST_CASE("a current carries what floats") {
 }
 
 // Where both fluids drag alike on equal faces, which those of a sphere are not: rho_a (U - v)^2 = rho_w v^2. A float that is lighter is driven faster.
-TEST_CASE("wind drives what floats") {
+TEST_CASE("wind drives what floats" * doctest::test_suite("exact")) {
     for (const bool flat : {false, true})
         for (const double share : {0.3, 0.5, 0.8}) {
             CAPTURE(flat);

@@ -239,7 +239,8 @@ TEST_CASE("bobbing and rolling through the surface pump no energy, with couples 
 
 // With couples of shedding the equations lose energy (test_energy_bounds.cpp). Steps too long for a body's rotation need not, but
 // within them the couple is limited.
-TEST_CASE("long steps and couples of shedding drive no body on its way through the surface") {
+TEST_CASE("long steps and couples of shedding drive no body on its way through the surface" *
+          doctest::test_suite("exact")) {
 #ifdef LR_TEST_QUICK
     const uint32_t batches = 40, driven = 1;
 #else

@@ -13,13 +13,8 @@ using namespace test;
 
 namespace {
 
-#ifdef LR_TEST_QUICK
-constexpr size_t every = 64;
-#else
-constexpr size_t every = 1;
-#endif
-constexpr size_t values = (size_t{1} << 24) / every, block = size_t{1} << 16;
-static_assert(values % block == 0);
+constexpr size_t fractions = size_t{1} << 24, block = size_t{1} << 16;
+static_assert(fractions / 64 % block == 0);
 
 // Distance to a float's neighbour at x, the unit of errors.
 double ulp(double x) {
@@ -28,15 +23,13 @@ double ulp(double x) {
     return std::ldexp(1.0, exponent - 24);
 }
 
-} // namespace
-
-TEST_CASE("log of every uniform number is right to an ulp and a half, and the same on every target") {
+void check_log(size_t every) {
     const std::vector<Lanes> targets = lanes();
     REQUIRE(targets.size() >= 2);
     Aligned<float> x(block), got(block), other(block);
     double worst = 0.0;
     bool same = true, negative = true;
-    for (size_t begin = 0; begin < values; begin += block) {
+    for (size_t begin = 0; begin < fractions / every; begin += block) {
         // (n + 1/2)/2^24, rounded.
         for (size_t i = 0; i < block; ++i)
             x[i] = static_cast<float>((begin + i) * every) * 5.9604645e-8f + 2.9802322e-8f;
@@ -60,12 +53,12 @@ TEST_CASE("log of every uniform number is right to an ulp and a half, and the sa
     CHECK(negative);
 }
 
-TEST_CASE("sine and cosine of every fraction of a turn, and the same on every target") {
+void check_sine_and_cosine(size_t every) {
     const std::vector<Lanes> targets = lanes();
     Aligned<float> x(block), sine(block), cosine(block), s(block), c(block);
     double worst = 0.0;
     bool same = true;
-    for (size_t begin = 0; begin < values; begin += block) {
+    for (size_t begin = 0; begin < fractions / every; begin += block) {
         for (size_t i = 0; i < block; ++i) x[i] = static_cast<float>((begin + i) * every) * 5.9604645e-8f;
         targets[0].sin_cos(x.data(), sine.data(), cosine.data(), block);
         for (size_t t = 1; t < targets.size(); ++t) {
@@ -89,6 +82,21 @@ TEST_CASE("sine and cosine of every fraction of a turn, and the same on every ta
     targets[0].sin_cos(quarter.data(), sine.data(), cosine.data(), lane_block);
     CHECK((sine[0] == 0.0f && sine[1] == 1.0f && sine[2] == 0.0f && sine[3] == -1.0f));
     CHECK((cosine[0] == 1.0f && cosine[1] == 0.0f && cosine[2] == -1.0f && cosine[3] == 0.0f));
+}
+
+} // namespace
+
+TEST_CASE("log of uniform numbers is right to an ulp and a half, and the same on every target") {
+    check_log(64);
+}
+TEST_CASE("log of every uniform number is right to an ulp and a half" * doctest::test_suite("long-exact")) {
+    check_log(1);
+}
+TEST_CASE("sine and cosine of fractions of a turn, and the same on every target") {
+    check_sine_and_cosine(64);
+}
+TEST_CASE("sine and cosine of every fraction of a turn" * doctest::test_suite("long-exact")) {
+    check_sine_and_cosine(1);
 }
 
 TEST_CASE("Philox4x32-7 gives the published vectors") {

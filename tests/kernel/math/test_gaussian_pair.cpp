@@ -49,9 +49,7 @@ double angle_of(uint32_t bits) {
     return unit * static_cast<double>(static_cast<int32_t>(bits));
 }
 
-} // namespace
-
-TEST_CASE("a pair's squared radius is twice the negative logarithm, never negative, and falls") {
+void check_squared_radius(uint32_t stride_of_most) {
     const Lanes target = lanes().front();
     double worst = 0.0;
     bool negative = false, rises = false;
@@ -71,9 +69,9 @@ TEST_CASE("a pair's squared radius is twice the negative logarithm, never negati
             }
         });
     };
-    // All words of the tails, every float below 2^31, and around 2^31, to which words round.
+    // All words of the tails, floats below 2^31 (all of them at a stride of 2^7), and around 2^31, to which words round.
     check(0, 1u << 16, 1);
-    check(0, uint64_t{1} << 31, finest);
+    check(0, uint64_t{1} << 31, stride_of_most);
     check((uint64_t{1} << 31) - (1u << 12), uint64_t{1} << 31, 1);
     check((uint64_t{1} << 32) - (1u << 12), uint64_t{1} << 32, 1); // the highest bit is a sign
     MESSAGE("worst relative error ", worst);
@@ -82,26 +80,40 @@ TEST_CASE("a pair's squared radius is twice the negative logarithm, never negati
     CHECK_FALSE(rises);
 }
 
-TEST_CASE("a pair has its radius at every angle, and its angle to 6e-6") {
+void check_radius_and_angle(uint32_t stride) {
     const Lanes target = lanes().front();
     Aligned<uint32_t> one(lane_block, 0x12345678u);
     Aligned<float> squared(lane_block);
     target.squared_radius(one.data(), squared.data(), lane_block);
     double radius_error = 0.0, angle_error = 0.0;
     for (uint32_t sign : {0u, 0x80000000u})
-        for_angles(
-            target, one[0] | sign, 4 * finest, [&](const uint32_t* angles, const float* first, const float* second) {
-                for (size_t i = 0; i < block; ++i) {
-                    const double x = static_cast<double>(first[i]), y = static_cast<double>(second[i]);
-                    radius_error =
-                        std::max(radius_error, std::abs((x * x + y * y) / static_cast<double>(squared[0]) - 1.0));
-                    const double angle = sign == 0 ? std::atan2(y, x) : std::atan2(-y, -x);
-                    angle_error = std::max(angle_error, std::abs(angle - angle_of(angles[i])));
-                }
-            });
+        for_angles(target, one[0] | sign, stride, [&](const uint32_t* angles, const float* first, const float* second) {
+            for (size_t i = 0; i < block; ++i) {
+                const double x = static_cast<double>(first[i]), y = static_cast<double>(second[i]);
+                radius_error =
+                    std::max(radius_error, std::abs((x * x + y * y) / static_cast<double>(squared[0]) - 1.0));
+                const double angle = sign == 0 ? std::atan2(y, x) : std::atan2(-y, -x);
+                angle_error = std::max(angle_error, std::abs(angle - angle_of(angles[i])));
+            }
+        });
     MESSAGE("squared radius ", radius_error, ", angle ", angle_error);
     CHECK(radius_error < 5e-7);
     CHECK(angle_error < 6e-6);
+}
+
+} // namespace
+
+TEST_CASE("a pair's squared radius is twice the negative logarithm, never negative, and falls") {
+    check_squared_radius(1u << 13);
+}
+TEST_CASE("a pair's squared radius at every float" * doctest::test_suite("long-exact")) {
+    check_squared_radius(1u << 7);
+}
+TEST_CASE("a pair has its radius at every angle, and its angle to 6e-6") {
+    check_radius_and_angle(1u << 15);
+}
+TEST_CASE("a pair has its radius and angle at 2^23 angles" * doctest::test_suite("long-exact")) {
+    check_radius_and_angle(1u << 9);
 }
 
 TEST_CASE("angles are equally dense all around, to 5e-5") {
