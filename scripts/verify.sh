@@ -24,7 +24,7 @@ steps=( # name, minutes on two cores, title
     "scorecard     5 Scorecard: every row"
     "valgrind      6 Valgrind over the API's tests"
     "tsan         16 ThreadSanitizer"
-    "asan         14 AddressSanitizer and UndefinedBehaviorSanitizer: long and exact tests, and the baker"
+    "asan         15 AddressSanitizer and UndefinedBehaviorSanitizer: long and exact tests, and the baker"
     "corpus       45 Models that Debian packages: how many bake"
     "fuzz         12 Fuzzers: assets 20 s, API, meshes and cards 60 s each"
     "clang         7 Held hashes: clang"
