@@ -144,9 +144,9 @@ TEST_CASE("a queue of free slots that is not one of all of them is refused") {
 TEST_CASE("a generation beyond the last is refused") {
     const Scene scene;
     std::vector<unsigned char> bytes = snapshot_of(scene.world);
-    // The header of the first batch follows the 120 bytes of the world, 296 of the wind, 320 of the water and 16 for no colliders;
+    // The header of the first batch follows the 120 bytes of the world, 296 of the wind, 344 of the water and 16 for no colliders;
     // its generations are at 24 and 28.
-    for (size_t at : {size_t{752 + 24}, size_t{752 + 28}}) {
+    for (size_t at : {size_t{776 + 24}, size_t{776 + 28}}) {
         uint32_t generation = 0;
         std::memcpy(&generation, bytes.data() + at, 4);
         REQUIRE((generation == 1 || generation == 2));
