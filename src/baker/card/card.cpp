@@ -1,5 +1,6 @@
 #include "baker/card/card.h"
 
+#include "baker/card/close_gaps.h"
 #include "baker/card/outline_simplify.h"
 #include "baker/card/planar_mesh.h"
 #include "baker/file_faults.h"
@@ -165,8 +166,8 @@ private:
             Outlines outlines;
             Faults ignored;
             if (2 * reach > std::max(mask.width, mask.height) ||
-                !trace_outlines(closed(kept, reach), options_.alpha, options_.speck, keeps_pinholes(options_), where_,
-                                outlines, ignored))
+                !trace_outlines(close_gaps(kept, options_.alpha, reach), options_.alpha, options_.speck,
+                                keeps_pinholes(options_), where_, outlines, ignored))
                 return fail(faults_, FaultId::image_too_ragged, where_,
                             "The outline is too frayed for " + std::to_string(options_.triangles) + " triangles.",
                             "Smooth the mask, reduce the image, or give more --triangles.");
@@ -182,61 +183,6 @@ private:
                  rounded(100.0 * (1.0 - opaque_.area / area_)) + " % of its surface; mass and inertia are exact.",
              "None needed for a body seen from afar; give more --triangles to keep finer details."});
         return true;
-    }
-
-    // Where no disc of the reach fits between opaque pixels, all are opaque (a morphological closing).
-    AlphaMask closed(const AlphaMask& mask, std::size_t reach) const {
-        const double level = options_.alpha * 65535.0;
-        const std::size_t width = mask.width + 2 * reach, height = mask.height + 2 * reach;
-        std::vector<uint8_t> bits(width * height, 0);
-        for (std::size_t y = 0; y < mask.height; ++y)
-            for (std::size_t x = 0; x < mask.width; ++x)
-                bits[(y + reach) * width + x + reach] = mask.opacity[y * mask.width + x] >= level;
-        grow(bits, width, reach, 1);
-        grow(bits, width, reach, 0);
-        AlphaMask out = mask;
-        for (std::size_t y = 0; y < mask.height; ++y)
-            for (std::size_t x = 0; x < mask.width; ++x) {
-                uint16_t& opacity = out.opacity[y * mask.width + x];
-                if (bits[(y + reach) * width + x + reach] != 0 && opacity < level) opacity = 65535;
-            }
-        return out;
-    }
-
-    // All pixels within the reach of one that has this value get it. Per row: those near each are as many neighbours as its distance within its column
-    // leaves.
-    static void grow(std::vector<uint8_t>& bits, std::size_t width, std::size_t reach, uint8_t value) {
-        const std::size_t height = bits.size() / width, far = reach + 1;
-        std::vector<std::size_t> half(far);
-        for (std::size_t d = 0; d < far; ++d)
-            half[d] = static_cast<std::size_t>(std::sqrt(static_cast<double>(reach * reach - d * d)));
-        std::vector<uint16_t> away(bits.size());
-        std::vector<uint16_t> column(width, static_cast<uint16_t>(far));
-        const auto pass = [&](std::size_t y, bool first) {
-            for (std::size_t i = y * width, x = 0; x < width; ++x, ++i) {
-                const auto next = static_cast<uint16_t>(std::min<std::size_t>(column[x] + 1U, far));
-                column[x] = bits[i] == value ? uint16_t{0} : first ? next : std::min(next, away[i]);
-                away[i] = column[x];
-            }
-        };
-        for (std::size_t y = 0; y < height; ++y) pass(y, true);
-        std::fill(column.begin(), column.end(), static_cast<uint16_t>(far));
-        for (std::size_t y = height; y-- > 0;) pass(y, false);
-        std::vector<int32_t> begins(width + 1);
-        for (std::size_t y = 0; y < height; ++y) {
-            std::fill(begins.begin(), begins.end(), 0);
-            for (std::size_t x = 0; x < width; ++x) {
-                const uint16_t d = away[y * width + x];
-                if (d > reach) continue;
-                ++begins[x - std::min(x, half[d])];
-                --begins[std::min(width, x + half[d] + 1)];
-            }
-            int32_t open = 0;
-            for (std::size_t x = 0; x < width; ++x) {
-                open += begins[x];
-                if (open > 0) bits[y * width + x] = value;
-            }
-        }
     }
 
     // Whether the outline is longer than about the sides of the wanted triangles or, simplified as for the mesh, has too many corners for them: each
