@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -14,6 +15,11 @@ namespace lr::baker {
 inline bool fail(Faults& faults, FaultId id, const std::string& path, std::string what, std::string remedy) {
     faults.push_back({id, Severity::error, path, std::move(what), std::move(remedy)});
     return false;
+}
+
+// Repositories with Git LFS hold these in place of large files.
+inline bool is_placeholder(std::string_view file) {
+    return file.starts_with("version https://git-lfs");
 }
 
 // reason: errno.

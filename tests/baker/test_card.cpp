@@ -351,6 +351,8 @@ TEST_CASE("card: damaged files are refused by number") {
     huge[16] = 0x7f;
     CHECK(only(read(huge, options)).id == FaultId::image_unreadable);
     CHECK(only(read("GIF89a and more", options)).id == FaultId::image_unreadable);
+    const Card placeholder = read("version https://git-lfs.github.com/spec/v1\noid sha256:0\n", options);
+    CHECK(only(placeholder).what.find("Git LFS") != std::string::npos);
 
     const test::Scratch scratch;
     Card card;

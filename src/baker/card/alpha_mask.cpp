@@ -131,6 +131,9 @@ bool decode(png_structp png, png_infop info, MaskChannel channel, Rows& rows) {
 bool read_alpha_mask(const void* bytes, std::size_t size, MaskChannel channel, const KeyColour& key,
                      const std::string& where, AlphaMask& out, Faults& faults) {
     out = AlphaMask{};
+    if (is_placeholder({static_cast<const char*>(bytes), size}))
+        return fail(faults, FaultId::image_unreadable, where, "This is a placeholder of Git LFS, not the image itself.",
+                    "Fetch the image: git lfs pull.");
     if (size < 8 || png_sig_cmp(static_cast<png_const_bytep>(bytes), 0, 8) != 0)
         return fail(faults, FaultId::image_unreadable, where, "It is not a PNG image.",
                     "Save the texture as PNG with its transparency.");

@@ -1,6 +1,7 @@
 #include "baker/mesh/mesh.h"
 
 #include "baker/fault_text.h"
+#include "baker/file_faults.h"
 #include "baker/mesh/assimp_reader.h"
 #include "baker/mesh/collada_check.h"
 #include "baker/mesh/gltf_file.h"
@@ -337,7 +338,7 @@ bool read_any(SceneFile file, const MeshReadOptions& options, Mesh& out, Faults&
         const std::string_view text(static_cast<const char*>(file.bytes), file.size);
         std::string storage;
         bool read = false;
-        if (text.starts_with("version https://git-lfs")) {
+        if (is_placeholder(text)) {
             report(faults, FaultId::mesh_unreadable, Severity::error, file.where,
                    "This is a placeholder of Git LFS, not the model itself.", "Fetch the model: git lfs pull.");
         } else if (file.extension == "obj") {
