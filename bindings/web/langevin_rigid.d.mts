@@ -66,7 +66,7 @@ export declare class World extends WorldPlain implements Disposable {
   hash(): bigint;
   /** A snapshot as bytes, which native programs can restore, and vice versa. */
   saveSnapshot(): Uint8Array;
-  restoreSnapshot(bytes: Uint8Array): void;
+  restoreSnapshot(bytes: Uint8Array | ArrayBuffer): void;
   /** `write` receives every call that can change the world, for lr_replay. An exception ends the recording. */
   startRecording(write: (bytes: Uint8Array) => void, desc?: { flags?: number; hashInterval?: number }): void;
   stopRecording(): void;

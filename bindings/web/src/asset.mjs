@@ -61,6 +61,12 @@ export class Asset {
   }
 
   /** @internal */
+  addressIn(host) {
+    if (host !== this.#host) throw new TypeError('the asset is of another load(): its memory is not that of this world');
+    return this.address;
+  }
+
+  /** @internal */
   get address() {
     if (this.#address === 0) throw new Error('this asset has been disposed of');
     return this.#address;

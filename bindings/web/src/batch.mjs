@@ -21,7 +21,7 @@ export class Batch extends BatchPlain {
     batch.#host = world.host;
     batch.handle = world.host.scratch((scratch) => {
       const out = scratch.bytes(4);
-      world.call('lr_batch_create', scratch.struct('lr_batch_desc', { ...desc, asset: asset.address }), out);
+      world.call('lr_batch_create', scratch.struct('lr_batch_desc', { ...desc, asset: asset.addressIn(world.host) }), out);
       return world.host.heap.view.getUint32(out, true);
     });
     return batch;

@@ -79,6 +79,10 @@ export class Host {
     return this.#exports;
   }
 
+  get lastError() {
+    return this.heap.string(this.#exports.lr_last_error());
+  }
+
   get version() {
     return versionText(this.#exports.lr_version());
   }
@@ -144,7 +148,7 @@ export class Host {
   /** Calls a C function that returns a status, and throws unless it is LR_OK. `said`: the library's log of the call. */
   call(said, name, ...values) {
     const status = this.invoke(name, ...values);
-    if (status !== LR.OK) throw this.error(name, status, said() || this.heap.string(this.#exports.lr_last_error()));
+    if (status !== LR.OK) throw this.error(name, status, said() || this.lastError);
   }
 
   /** Runs use(scratch), then frees the scratch memory. */

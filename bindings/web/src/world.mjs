@@ -19,6 +19,7 @@ export class World extends WorldPlain {
   #host;
   #address = 0;
   #said = '';
+  #busy = false; // in a call, whose callbacks must not use the world: C++ code in the middle of a step would meet its changes
   #kept; // freed with the world: its address and the numbers of its callbacks
   #placed = { wind: 0, surface: 0, record: 0 }; // numbers of callbacks
 
@@ -56,12 +57,18 @@ export class World extends WorldPlain {
   /** @internal */
   get address() {
     if (this.#address === 0) throw new Error('this world has been disposed of');
+    if (this.#busy) throw new Error('a call on this world is running: its own callbacks cannot use it');
     return this.#address;
   }
 
   #call(name, ...values) {
     this.#said = '';
-    this.#host.call(() => this.#said, name, ...values);
+    this.#busy = true;
+    try {
+      this.#host.call(() => this.#said, name, ...values);
+    } finally {
+      this.#busy = false;
+    }
   }
 
   /** @internal Calls a C function whose first argument is the world. */
@@ -103,9 +110,10 @@ export class World extends WorldPlain {
 
   dispose() {
     if (this.#address === 0) return;
+    const kept = this.address && this.#kept;
     leaked.unregister(this);
-    end(this.#kept);
-    this.#address = 0;
+    this.#address = 0; // first: a callback can throw
+    end(kept);
   }
 
   [Symbol.dispose ?? Symbol.for('Symbol.dispose')]() {
@@ -136,6 +144,7 @@ export class World extends WorldPlain {
   }
 
   restoreSnapshot(bytes) {
+    if (bytes instanceof ArrayBuffer) bytes = new Uint8Array(bytes);
     this.#host.scratch((scratch) => this.call('lr_world_snapshot_restore', scratch.copy(Uint8Array, bytes), BigInt(bytes.length)));
   }
 
@@ -168,7 +177,7 @@ export class World extends WorldPlain {
     const components = (desc.counts ?? [0, 0, 0]).reduce((product, n) => product * n, 3 * (desc.frames ?? 1));
     if (samples && samples.length !== components)
       throw new RangeError(`samples of ${desc.counts} in ${desc.frames ?? 1} frames need ${components} numbers, not ${samples.length}`);
-    return scratch.struct('lr_wind_grid_desc', { ...desc, samples: scratch.copy(Float32Array, samples) });
+    return scratch.struct('lr_wind_grid_desc', { ...desc, samples: scratch.copy(Float32Array, samples || null) });
   }
 
   #addSource(kind, desc) {
@@ -300,11 +309,17 @@ export class World extends WorldPlain {
   }
 
   setBodyContact(a, b, enabled) {
-    this.call('lr_batch_set_body_contact', a.handle, b.handle, enabled ? 1 : 0);
+    this.call('lr_batch_set_body_contact', this.#own(a), this.#own(b), enabled ? 1 : 0);
   }
 
   bodyContact(a, b) {
-    return this.number('i32', 'lr_batch_get_body_contact', a.handle, b.handle) !== 0;
+    return this.number('i32', 'lr_batch_get_body_contact', this.#own(a), this.#own(b)) !== 0;
+  }
+
+  // Another world's handle can be that of a batch here.
+  #own(batch) {
+    if (batch.world !== this) throw new TypeError('the batch is in another world');
+    return batch.handle;
   }
 
   // Colliders.
@@ -381,7 +396,7 @@ export class World extends WorldPlain {
         const status = this.#host.invoke('lr_world_overlap', this.address, at, bodies, capacity, out);
         count = this.#host.heap.view.getUint32(out, true);
         if (status === LR.OK) return this.#host.heap.array(BigUint64Array, bodies, count).slice();
-        if (status !== LR.ERROR_BUFFER_TOO_SMALL) throw this.#host.error('lr_world_overlap', status);
+        if (status !== LR.ERROR_BUFFER_TOO_SMALL) throw this.#host.error('lr_world_overlap', status, this.#host.lastError);
       }
     });
   }

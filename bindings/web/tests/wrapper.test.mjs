@@ -203,6 +203,8 @@ test('wind, water and their callbacks', () => {
   assert.throws(() => world.addWindGrid({ counts: [2, 1, 1], samples: [1] }), /6 numbers, not 1/);
   world.updateWindGrid(source, { counts: [2, 1, 1], position: [1, 0, 0] });
   assert.deepEqual([...world.windGrid(source).position], [1, 0, 0]);
+  world.updateWindGrid(source, { ...world.windGrid(source), position: [2, 0, 0] }); // what was read says: keep the samples
+  assert.deepEqual([...world.sampleWind([2.5, 0, 0])], [2, 2, 0]);
   assert.throws(() => world.vortex(source), refused('INVALID_ARGUMENT'));
   for (const kind of ['Gusts', 'Vortex', 'Blower', 'Turbulence', 'GroundWind']) world.removeWind(world[`add${kind}`]());
   world.removeWind(source);
@@ -238,6 +240,28 @@ test('wind, water and their callbacks', () => {
   world.setWater(null);
   world.setUniformWind([0, 0, 0]);
   world.dispose();
+});
+
+test('callbacks cannot use their own world, and other worlds are told apart', async () => {
+  const { world, batch } = scene(), other = scene();
+  batch.createBody();
+  other.batch.createBody();
+  const refusals = new Set();
+  const misuse = [() => world.step(1 / 60), () => batch.createBody(), () => batch.view(), () => world.saveSnapshot(), () => world.dispose()];
+  world.setWindCallback(() => {
+    for (const use of misuse) assert.throws(use, (error) => refusals.add(error.message).size > 0);
+    other.world.step(1 / 60);
+  });
+  world.step(1 / 60, 1);
+  assert.deepEqual([...refusals], ['a call on this world is running: its own callbacks cannot use it']);
+  assert.equal(other.world.info.substepCount, 2);
+  assert.throws(() => world.setBodyContact(batch, other.batch, true), /another world/);
+  assert.throws(() => world.bodyContact(other.batch, batch), /another world/);
+  assert.throws(() => world.overlap({ size: [-1, 1, 1] }), /lr_world_overlap: .*size/);
+  const stranger = (await load()).createEllipsoid({ semiAxes: [0.04, 0.01, 5e-5], density: 800 });
+  assert.throws(() => world.createBatch({ asset: stranger, capacity: 1 }), /another load/);
+  world.dispose();
+  other.world.dispose();
 });
 
 test('colliders, events, rays and overlaps', () => {
@@ -359,7 +383,7 @@ test('hash and snapshot equal those of the native library', async () => {
   assert.ok(Buffer.from(world.saveSnapshot()).equals(Buffer.from(theirs)), 'the same bytes');
   const other = storm(lr, LR, leaf, bodies).world;
   assert.notEqual(hex(other.hash()), expected);
-  other.restoreSnapshot(theirs);
+  other.restoreSnapshot(theirs.buffer);
   assert.equal(hex(other.hash()), expected);
   world.step(1 / 64);
   other.step(1 / 64);
