@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Runs the programs of samples/small, checks that they print what nature would, and the programs of docs/guide/tutorial.md: the same, and one in C.
+Compiles the fragments of C in the pages.
 usage: check_small.py BUILD_DIR ROOT PREFIX        BUILD_DIR: of the samples; ROOT: of the project; PREFIX: the installed package
 SPDX-License-Identifier: MIT"""
 import json
@@ -105,6 +106,45 @@ def park(text):
     assert awake[5] > 400, "the gale wakes them"
 
 
+# What the pages' fragments of C take for granted. Each desc was set up by its macro.
+GIVEN = """#include <langevin_rigid.h>
+#include <stdio.h>
+static lr_world* world;
+static lr_batch batch, leaves;
+static lr_body leaf;
+static lr_collider broom_id;
+static lr_wind_source jet_id;
+static lr_world_desc desc;
+static lr_batch_rules rules;
+static lr_batch_view view;
+static lr_blower_desc jet;
+static lr_body_force blast;
+static lr_collider_motion broom;
+static struct { uint64_t revision; uint32_t awake; void* memory; } store, *buffer = &store;
+static struct { void* memory; uint64_t size; } slot[8];
+static float dt, distance, x;
+static int frame, late, now, n = 8, engine;
+static uint32_t engine_threads;
+uint32_t max(uint32_t a, uint32_t b);
+void save(int f);
+void apply_inputs(int f);
+void* enqueue(void* user, lr_task_fn run, void* task, uint32_t count);
+void finish(void* user, void* token);
+"""
+
+
+def fragments():
+    """The pages' fragments of C compile, each within a function; functions in them before it."""
+    with tempfile.TemporaryDirectory() as folder:
+        for page in ("guide/recipes", "reference/bodies", "reference/stepping", "reference/snapshots", "reference/wind_and_water"):
+            text = (ROOT / f"docs/{page}.md").read_text(encoding="utf-8")
+            for i, fragment in enumerate(re.findall(r"^```c\n(.*?)^```$", text, re.M | re.S)):
+                functions = "".join(re.findall(r"^static .*?^}\n", fragment, re.M | re.S))
+                source = pathlib.Path(folder) / f"{pathlib.Path(page).name}_{i}.c"
+                source.write_text(f"{GIVEN}{functions}void use(void);\nvoid use(void) {{\n{fragment.replace(functions, '')}}}\n", encoding="utf-8")
+                subprocess.run(["cc", "-std=c99", "-Wall", "-Wextra", "-Wno-unused", "-Werror", "-fsyntax-only", f"-I{PREFIX}/include", source], check=True)
+
+
 def falls():
     """The speeds that docs/guide/recipes.md gives are those that lr_drop prints."""
     recipes = (ROOT / "docs/guide/recipes.md").read_text(encoding="utf-8")
@@ -152,6 +192,7 @@ def names():
 BUILD, ROOT, PREFIX = (pathlib.Path(argument).resolve() for argument in sys.argv[1:])
 park(texts())
 first_programs()
+fragments()
 names()
 falls()
 leaves()
