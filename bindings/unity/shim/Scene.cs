@@ -93,9 +93,11 @@ namespace UnityEngine
         public int layer { get; set; }
         public Transform transform { get; private set; }
         public bool activeInHierarchy { get { return active; } }
+        public SceneManagement.Scene scene { get; private set; }
         public GameObject(string name, params Type[] types)
         {
             this.name = name;
+            scene = SceneManagement.SceneManager.Active;
             transform = new Transform { gameObject = this };
             components.Add(transform);
             ShimPlayer.Objects.Add(this);
@@ -249,6 +251,26 @@ namespace UnityEngine
         public static void DrawRay(Vector3 from, Vector3 direction) { }
         public static void DrawWireCube(Vector3 center, Vector3 size) { }
         public static void DrawWireSphere(Vector3 center, float radius) { }
+    }
+}
+
+namespace UnityEngine.SceneManagement
+{
+    public struct Scene
+    {
+        public int handle { get; internal set; }
+        public static bool operator ==(Scene a, Scene b) { return a.handle == b.handle; }
+        public static bool operator !=(Scene a, Scene b) { return !(a == b); }
+        public override bool Equals(object o) { return o is Scene && (Scene)o == this; }
+        public override int GetHashCode() { return handle; }
+    }
+
+    public static class SceneManager
+    {
+        internal static Scene Active;
+        public static Scene GetActiveScene() { return Active; }
+        public static bool SetActiveScene(Scene to) { Active = to; return true; }
+        public static Scene CreateScene(string name) { return new Scene { handle = name.GetHashCode() }; }
     }
 }
 

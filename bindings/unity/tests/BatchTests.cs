@@ -60,6 +60,31 @@ public sealed class BatchTests : Stage
         }
     }
 
+    // Two kinds of leaves fall from one tree that moves, and the game uses the transform's flag too.
+    [Test]
+    public void EmittersFollowATransformThatTheyShare()
+    {
+        var tree = new GameObject("tree");
+        tree.SetActive(false);
+        var batches = new[] { tree.AddComponent<LangevinBatch>(), tree.AddComponent<LangevinBatch>() };
+        foreach (LangevinBatch batch in batches)
+        {
+            batch.Asset = Asset;
+            batch.Emitter.rate = 0.0f;
+            batch.Emitter.shape = EmitterShape.Point;
+        }
+        tree.SetActive(true);
+        Frames(1);
+        tree.transform.position = new Vector3(3.0f, 4.0f, 5.0f);
+        tree.transform.hasChanged = false;
+        Frames(1);
+        foreach (LangevinBatch batch in batches)
+        {
+            batch.Emit(1);
+            Near(tree.transform.position, batch.GetBounds().center, 0.1);
+        }
+    }
+
     [Test]
     public void OnlyTheAwakePartIsWritten()
     {

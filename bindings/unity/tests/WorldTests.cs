@@ -6,6 +6,7 @@ using LangevinRigid;
 using LangevinUnity;
 using NUnit.Framework;
 using UnityEngine;
+using UnityEngine.SceneManagement;
 
 public sealed class WorldTests : Stage
 {
@@ -187,6 +188,36 @@ public sealed class WorldTests : Stage
         Assert.AreEqual(4L, second.BodyCount);
         Assert.Throws<ArgumentException>(() => first.SetBodyContact(preferred, true));
         preferred.SetBodyContact(child, true);
+    }
+
+    // A level that is loaded beside another one keeps its members when that is unloaded.
+    [Test]
+    public void MembersJoinTheWorldOfTheirScene()
+    {
+        Scene before = SceneManager.GetActiveScene();
+        SceneManager.SetActiveScene(SceneManager.CreateScene("level"));
+        LangevinWorld own = NewWorld();
+        LangevinBatch batch = NewBatch(5);
+        SceneManager.SetActiveScene(before);
+        Assert.IsTrue(batch.World == own);
+        Assert.IsTrue(NewBatch(5).World == World);
+        World.enabled = false;
+        Assert.IsTrue(batch.World == own);
+    }
+
+    // Scripts can be reloaded, and sessions end, while a step runs.
+    [Test]
+    public void DisposingOfAllWaitsForSteps()
+    {
+        LangevinBatch batch = NewBatch(20000);
+        for (int i = 0; i < 20000; ++i) batch.Spawn(new Vector3(0.1f * i, 10.0f, 0.0f), Quaternion.identity);
+        World.Substeps = 32;
+        World.StepThread = LangevinStepThread.Job;
+        ShimPlayer.Send(World, "Update");
+        LangevinSimulation.DisposeAll();
+        Assert.AreEqual(0, LangevinSimulation.LivingCount);
+        Frames(2);
+        Silent();
     }
 
     [Test]

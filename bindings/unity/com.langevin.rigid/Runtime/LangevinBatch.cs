@@ -55,6 +55,9 @@ namespace LangevinUnity
         private MeshMirror mirror;
         private string warned;
         private bool outdated;
+        private Vector3 position;
+        private Quaternion rotation;
+        private Vector3 scale;
 
         /// <summary>The library's handle; null outside a world.</summary>
         public BatchId Id { get { return id; } }
@@ -191,12 +194,7 @@ namespace LangevinUnity
         private void ApplyLife(IntPtr world)
         {
             if (!rules.enabled) LangevinSimulation.Check(Native.lr_batch_set_rules(world, id, null), "lr_batch_set_rules");
-            if (emitter.enabled)
-            {
-                transform.hasChanged = false;
-                EmitterDesc desc = emitter.ToLibrary(transform, mirror);
-                LangevinSimulation.Check(Native.lr_batch_set_emitter(world, id, &desc), "lr_batch_set_emitter");
-            }
+            if (emitter.enabled) PlaceEmitter(world);
             if (rules.enabled)
             {
                 if (!emitter.enabled && rules.action == EndAction.Respawn)
@@ -215,12 +213,22 @@ namespace LangevinUnity
                 outdated = false;
                 ApplyTo(simulation);
             }
-            else if (emitter.enabled && transform.hasChanged)
-            {
-                transform.hasChanged = false;
-                EmitterDesc desc = emitter.ToLibrary(transform, mirror);
-                LangevinSimulation.Check(Native.lr_batch_set_emitter(simulation.Handle, id, &desc), "lr_batch_set_emitter");
-            }
+            else if (emitter.enabled && !IsPlaced()) PlaceEmitter(simulation.Handle);
+        }
+
+        // Not by Transform.hasChanged, whose one flag would be the game's and that of other batches on the object too.
+        private bool IsPlaced()
+        {
+            return transform.position.Equals(position) && transform.rotation.Equals(rotation) && transform.lossyScale.Equals(scale);
+        }
+
+        private void PlaceEmitter(IntPtr world)
+        {
+            position = transform.position;
+            rotation = transform.rotation;
+            scale = transform.lossyScale;
+            EmitterDesc desc = emitter.ToLibrary(transform, mirror);
+            LangevinSimulation.Check(Native.lr_batch_set_emitter(world, id, &desc), "lr_batch_set_emitter");
         }
 
         internal override void AfterStep(LangevinSimulation simulation)

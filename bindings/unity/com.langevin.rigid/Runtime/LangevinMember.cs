@@ -10,7 +10,7 @@ namespace LangevinUnity
     {
         private static readonly List<LangevinMember> Enabled = new List<LangevinMember>();
 
-        [Tooltip("The world to join. Empty: the world in a parent, else the first enabled world.")]
+        [Tooltip("The world to join. Empty: the world in a parent, else the first enabled world of its scene, else of all.")]
         [SerializeField] private LangevinWorld world = null;
 
         private LangevinWorld joined;
@@ -40,7 +40,7 @@ namespace LangevinUnity
         {
             if (world != null) return world;
             var parent = GetComponentInParent<LangevinWorld>();
-            return parent != null ? parent : LangevinWorld.First;
+            return parent != null ? parent : LangevinWorld.FirstFor(gameObject.scene);
         }
 
         /// <summary>Makes all waiting members join a world.</summary>

@@ -4,6 +4,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Runtime.InteropServices;
 using LangevinRigid;
+using Unity.Jobs;
 using UnityEngine;
 
 namespace LangevinUnity
@@ -21,6 +22,9 @@ namespace LangevinUnity
 
         private readonly Dictionary<LangevinAsset, IntPtr> assets = new Dictionary<LangevinAsset, IntPtr>();
         private IntPtr world;
+
+        /// <summary>A step that runs as a job.</summary>
+        internal JobHandle Stepping;
 
         /// <summary>The library's lr_world, for calls of LangevinRigid.Native; IntPtr.Zero when disposed.</summary>
         public IntPtr Handle { get { return world; } }
@@ -70,6 +74,8 @@ namespace LangevinUnity
         public void Dispose()
         {
             if (world == IntPtr.Zero) return;
+            // DisposeAll comes without the components, which Unity may disable only after it.
+            Stepping.Complete();
             Native.lr_world_destroy(world);
             world = IntPtr.Zero;
             try { CloseRecording(); }

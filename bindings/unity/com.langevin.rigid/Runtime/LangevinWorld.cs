@@ -5,6 +5,7 @@ using LangevinRigid;
 using Unity.Collections;
 using Unity.Jobs;
 using UnityEngine;
+using UnityEngine.SceneManagement;
 
 namespace LangevinUnity
 {
@@ -62,7 +63,6 @@ namespace LangevinUnity
         [SerializeField, Min(0)] private long budget = 0;
 
         private LangevinSimulation simulation;
-        private JobHandle pending;
         private NativeArray<int> jobStatus;
         private bool running;
         private bool stepped;
@@ -70,8 +70,16 @@ namespace LangevinUnity
 
         internal readonly List<LangevinMember> Members = new List<LangevinMember>();
 
-        /// <summary>The first enabled world; members without a preferred world join it.</summary>
+        /// <summary>The first enabled world.</summary>
         public static LangevinWorld First { get { return Enabled.Count > 0 ? Enabled[0] : null; } }
+
+        // One of the scene first: a scene loaded beside another must not lose its members with the other.
+        internal static LangevinWorld FirstFor(Scene scene)
+        {
+            foreach (LangevinWorld world in Enabled)
+                if (world.gameObject.scene == scene) return world;
+            return First;
+        }
 
         /// <summary>The simulation; null while the component is disabled, and after LangevinSimulation.DisposeAll.</summary>
         public LangevinSimulation Simulation { get { return simulation == null || simulation.IsDisposed ? null : simulation; } }
@@ -174,7 +182,7 @@ namespace LangevinUnity
         {
             if (!running) return;
             running = false;
-            pending.Complete();
+            simulation.Stepping.Complete();
             EndStep((Status)jobStatus[0]);
         }
 
@@ -226,7 +234,7 @@ namespace LangevinUnity
             }
             if (!jobStatus.IsCreated) jobStatus = new NativeArray<int>(1, Unity.Collections.Allocator.Persistent);
             var job = new LangevinStepJob { World = simulation.Handle, Dt = dt, Substeps = (uint)substeps, Status = jobStatus };
-            pending = job.Schedule();
+            simulation.Stepping = job.Schedule();
             running = true;
             JobHandle.ScheduleBatchedJobs();
         }
