@@ -116,6 +116,7 @@ public:
     void SetCanEverAffectNavigation(bool bRelevant) { bCanEverAffectNavigation = bRelevant; }
     bool ComponentHasTag(FName Tag) const { return ComponentTags.Contains(Tag); }
     void RegisterComponent();
+    void UnregisterComponent() { bRegistered = false; }
     virtual void BeginPlay() { bHasBegunPlay = true; }
     virtual void EndPlay(const EEndPlayReason::Type EndPlayReason);
 

@@ -294,6 +294,21 @@ TEST_CASE("planes: solid behind their normal") {
 }
 
 // The state holds the library's colliders; what the game has added, moved and removed since must not freeze or haunt the others.
+TEST_CASE("a followed collider leaves with its component") {
+    Game game;
+    game.create();
+    game.world->ShimBeginPlay();
+    UStaticMeshComponent* door = game.add_block(box_of(100, 100, 100), FTransform(FVector(0, 0, 50)));
+    CHECK(game.langevin->AddCollider(door, true) == 1);
+    game.run(1);
+    CHECK(game.ground_below(FVector(0, 0, 500)) == doctest::Approx(100));
+    door->UnregisterComponent(); // as where its level is hidden: the object lives on
+    game.run(1);
+    CHECK(game.langevin->GetColliderCount() == 0);
+    game.run(1); // rays see the colliders of the last step
+    CHECK(game.ground_below(FVector(0, 0, 500)) == -1e9);
+}
+
 TEST_CASE("a restored state has the colliders that the game has now") {
     Game game;
     game.create();

@@ -78,6 +78,48 @@ TEST_CASE("gusts: about the mean, by the source's amounts, and gone when they ar
     CHECK(game.langevin->SampleWind(FVector()).Equals(FVector(500, 0, 0), 1e-2));
 }
 
+TEST_CASE("a restored state has the gusts that the level has now") {
+    Game game;
+    game.create();
+    game.world->ShimBeginPlay();
+    UWindDirectionalSourceComponent* wind = add_wind(game, FTransform(), 0.5f);
+    TArray<uint8> calm, gusty;
+    game.run(1);
+    REQUIRE(game.langevin->SaveState(calm));
+    const auto gusts = [&](float amount) {
+        wind->MinGustAmount = wind->MaxGustAmount = amount;
+        game.run(1);
+        double most = 0;
+        for (int i = 0; i < 100; ++i) {
+            game.run(1, 0.1f);
+            most = FMath::Max(most, std::fabs(game.langevin->SampleWind(FVector()).X - 500));
+        }
+        return most;
+    };
+    CHECK(gusts(0.3f) > 50);
+    REQUIRE(game.langevin->SaveState(gusty));
+    REQUIRE(game.langevin->RestoreState(calm));
+    CHECK(gusts(0.3f) > 50); // again, though the state has none
+    CHECK(gusts(0.0f) < 1e-2);
+    REQUIRE(game.langevin->RestoreState(gusty));
+    CHECK(gusts(0.0f) < 1e-2); // none, though the state has some
+    CHECK(gusts(0.3f) > 50);
+    CHECK_FALSE(logged(ShimTakeLog(), "Error"));
+}
+
+TEST_CASE("a game's own wind callback stays") {
+    Game game;
+    game.create();
+    game.world->ShimBeginPlay();
+    ULangevinBatchComponent* batch = game.add_batch(10, 10);
+    int calls = 0;
+    const lr_wind_fn count = [](void* user, const lr_wind_query*) { ++*static_cast<int*>(user); };
+    lr_world_set_wind_callback(game.langevin->GetLibraryWorld(), count, &calls);
+    game.run(3);
+    CHECK(calls > 2);
+    batch->EndBatch();
+}
+
 TEST_CASE("a point source blows outward, also while bodies are stepped on many threads") {
     Game game;
     Game::settings().Origin = FVector(5000, 6000, 700);

@@ -158,7 +158,8 @@ void FLangevinColliders::Update() {
     for (int32 Index = Entries.Num() - 1; Index >= 0; --Index) {
         FEntry& Entry = Entries[Index];
         const UPrimitiveComponent* Component = Entry.Component.Get();
-        if (Component == nullptr) {
+        // Unregistered: its actor or its level has left the world.
+        if (Component == nullptr || !Component->IsRegistered()) {
             Destroy(Entry);
             Entries.RemoveAtSwap(Index);
             continue;

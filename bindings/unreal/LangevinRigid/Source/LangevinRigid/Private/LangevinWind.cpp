@@ -19,7 +19,7 @@ FLangevinWind::FLangevinWind(lr_world* InWorld, const FVector& InOrigin, const U
 }
 
 FLangevinWind::~FLangevinWind() {
-    lr_world_set_wind_callback(World, nullptr, nullptr);
+    if (bCallback) lr_world_set_wind_callback(World, nullptr, nullptr);
 }
 
 void FLangevinWind::AddTurbulence() {
@@ -72,7 +72,20 @@ void FLangevinWind::Update(const UWorld& Level, float DeltaSeconds) {
     SetGusts(GustSum.GetSafeNormal(), static_cast<float>(GustSum.Size()));
 
     Field = {Points.GetData(), Points.Num()};
-    lr_world_set_wind_callback(World, Points.Num() > 0 ? &LangevinPointWind::Callback : nullptr, &Field);
+    // Without points the callback is the game's, which may have set one by the library's function.
+    const bool bPoints = Points.Num() > 0;
+    if (bPoints != bCallback) {
+        lr_world_set_wind_callback(World, bPoints ? &LangevinPointWind::Callback : nullptr, &Field);
+    }
+    bCallback = bPoints;
+}
+
+void FLangevinWind::Restored() {
+    Gusts = {};
+    for (const lr_wind_source& Source : Made) {
+        if (lr_wind_source_is_valid(World, Source)) Gusts = Source;
+    }
+    GustSpeed = -1.0f; // none: the next update sets it
 }
 
 void FLangevinWind::SetGusts(const FVector& Direction, float Speed) {
@@ -92,4 +105,5 @@ void FLangevinWind::SetGusts(const FVector& Direction, float Speed) {
     LangevinHost::Check(Gusts.id == 0 ? lr_world_add_gusts(World, &Desc, &Gusts)
                                       : lr_world_update_gusts(World, Gusts, &Desc),
                         TEXT("Gusts"));
+    if (Gusts.id != 0) Made.AddUnique(Gusts);
 }

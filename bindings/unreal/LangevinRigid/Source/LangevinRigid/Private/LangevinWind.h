@@ -21,6 +21,9 @@ public:
     /** Before a step. Searches for sources twice a second, and reads their values every time. */
     void Update(const UWorld& Level, float DeltaSeconds);
 
+    /** After a state was restored: its gusts may be there or not, with other values. */
+    void Restored();
+
 private:
     void Find(const UWorld& Level);
     void SetGusts(const FVector& Direction, float Speed);
@@ -33,8 +36,10 @@ private:
     TArray<TWeakObjectPtr<UWindDirectionalSourceComponent>> Sources;
     float UntilSearch = 0.0f;
     lr_wind_source Gusts{};
+    TArray<lr_wind_source> Made; // gusts at any time: a restored state has them again
     FVector GustDirection = FVector::ZeroVector;
     float GustSpeed = 0.0f;
     TArray<FLangevinPointWind> Points;
     LangevinPointWind::FField Field = {nullptr, 0};
+    bool bCallback = false; // is this object's
 };

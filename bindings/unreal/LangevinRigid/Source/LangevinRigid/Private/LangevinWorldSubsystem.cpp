@@ -243,6 +243,7 @@ bool ULangevinWorldSubsystem::RestoreState(const TArray<uint8>& State) {
     }
     Due = 0.0;
     Colliders->Restored();
+    Wind->Restored();
     for (FLangevinBatchCalls* Batch : Batches) Batch->WriteAllInstances();
     return true;
 }
