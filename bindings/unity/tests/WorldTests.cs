@@ -302,6 +302,59 @@ public sealed class WorldTests : Stage
         Assert.AreEqual(Status.SnapshotFormat, e.Status);
     }
 
+    // A snapshot has the colliders and winds of its time; those of the scene are others by then.
+    [Test]
+    public void AfterASnapshotCollidersAndWindsAreThoseOfTheScene()
+    {
+        BoxCollider lift = Put<BoxCollider>(Vector3.zero), crate = Put<BoxCollider>(new Vector3(10.0f, 0.0f, 0.0f));
+        var gale = new GameObject("gale", typeof(WindZone), typeof(LangevinWind));
+        var zone = gale.GetComponent<WindZone>();
+        zone.windMain = 0.0f;
+        zone.mode = WindZoneMode.Spherical;
+        zone.radius = 4.0f;
+        zone.windPulseMagnitude = 0.0f;
+        Func<float, float> top = x => World.Raycast(new Vector3(x, 50.0f, 0.0f), Vector3.down, 100.0f, out LangevinRayHit hit) ? hit.position.y : -1.0f;
+        Func<Vector3, float> wind = at => World.SampleWind(at).x;
+        Frames(2);
+        byte[] calm = World.SaveSnapshot();
+        zone.windMain = 3.0f;
+        zone.windTurbulence = 0.0f;
+        Frames(2);
+        byte[] windy = World.SaveSnapshot();
+        float blown = wind(new Vector3(1.0f, 0.0f, 0.0f));
+        Assert.Greater(blown, 1.0);
+        BoxCollider later = Put<BoxCollider>(new Vector3(20.0f, 0.0f, 0.0f));
+        lift.transform.position = new Vector3(0.0f, 3.0f, 0.0f);
+        UnityEngine.Object.DestroyImmediate(crate.gameObject);
+        Frames(3);
+        foreach (byte[] snapshot in new[] { calm, windy, calm, windy })
+        {
+            World.RestoreSnapshot(snapshot);
+            Frames(3);
+            Assert.AreEqual(3.5, top(0.0f), 1e-3, "the lift is where the scene has it");
+            Assert.AreEqual(-1.0, top(10.0f), 0.0, "the crate is gone");
+            Assert.AreEqual(0.5, top(20.0f), 1e-3, "and the later box is there");
+            Assert.AreEqual(blown, wind(new Vector3(1.0f, 0.0f, 0.0f)), 1e-4);
+        }
+        // Winds that are no more, and such that have moved.
+        gale.transform.position = new Vector3(30.0f, 0.0f, 0.0f);
+        World.RestoreSnapshot(windy);
+        Frames(2);
+        Assert.AreEqual(blown, wind(new Vector3(31.0f, 0.0f, 0.0f)), 1e-4);
+        Assert.AreEqual(0.0, wind(new Vector3(1.0f, 0.0f, 0.0f)), 0.0);
+        zone.mode = WindZoneMode.Directional;
+        zone.windTurbulence = 1.0f;
+        Frames(2);
+        byte[] eddies = World.SaveSnapshot();
+        zone.windMain = 0.0f;
+        Frames(2);
+        World.RestoreSnapshot(eddies);
+        Frames(2);
+        Assert.AreEqual(0.0, wind(new Vector3(1.0f, 0.0f, 0.0f)), 0.0);
+        Assert.IsTrue(later != null);
+        Silent();
+    }
+
     [Test]
     public void BudgetsAndLevelsOfDetail()
     {

@@ -62,7 +62,26 @@ namespace LangevinUnity
             if (id.IsNull) return;
             ColliderId gone = id;
             id = default(ColliderId);
+            simulation.GoneColliders.Add(gone);
             LangevinSimulation.Check(Native.lr_collider_destroy(simulation.Handle, &gone, 1), "lr_collider_destroy");
+        }
+
+        // The next step moves it to its transform, or creates it again.
+        internal override void OnRestored(LangevinSimulation simulation)
+        {
+            if (id.IsNull) return;
+            if (Native.lr_collider_is_valid(simulation.Handle, id) == 0)
+            {
+                id = default(ColliderId);
+                return;
+            }
+            ColliderState state = ColliderState.Create();
+            LangevinSimulation.Check(Native.lr_collider_get_state(simulation.Handle, id, &state), "lr_collider_get_state");
+            position = LangevinConversion.ToUnity(state.Position);
+            rotation = LangevinConversion.ToUnity(state.Orientation);
+            layers = state.Layers;
+            frictionSet = state.Friction;
+            restitutionSet = state.Restitution;
         }
 
         protected override void OnDisable()
@@ -119,6 +138,7 @@ namespace LangevinUnity
                 throw new LangevinException(status, "lr_collider_create", source.GetType().Name + " of \"" + name + "\"" +
                     (shape.Kind == ColliderKind.Hull ? ": if its mesh is flat, turn off Convex." : ": check its size."));
             id = created;
+            simulation.GoneColliders.Remove(created); // handles are given again after a restored snapshot
         }
 
         private void ReadSurface()

@@ -93,6 +93,9 @@ namespace LangevinUnity
         /// <summary>Called before each step of `dt` seconds.</summary>
         internal virtual void BeforeStep(LangevinSimulation simulation, float dt) { }
 
+        /// <summary>Called after a snapshot was restored: the member's objects have its state, or are from after it and gone.</summary>
+        internal virtual void OnRestored(LangevinSimulation simulation) { }
+
         /// <summary>Called once in each frame with a step, after the step.</summary>
         internal virtual void AfterStep(LangevinSimulation simulation) { }
 

@@ -23,6 +23,10 @@ namespace LangevinUnity
         private readonly Dictionary<LangevinAsset, IntPtr> assets = new Dictionary<LangevinAsset, IntPtr>();
         private IntPtr world;
 
+        /// <summary>What members have removed: a restored snapshot can have it again.</summary>
+        internal readonly HashSet<ColliderId> GoneColliders = new HashSet<ColliderId>();
+        internal readonly HashSet<WindSourceId> GoneWinds = new HashSet<WindSourceId>();
+
         /// <summary>A step that runs as a job.</summary>
         internal JobHandle Stepping;
 
@@ -60,6 +64,17 @@ namespace LangevinUnity
             handle = asset.Load();
             assets.Add(asset, handle);
             return handle;
+        }
+
+        internal void RemoveGone()
+        {
+            foreach (ColliderId gone in GoneColliders)
+            {
+                ColliderId id = gone;
+                if (Native.lr_collider_is_valid(world, id) != 0) Check(Native.lr_collider_destroy(world, &id, 1), "lr_collider_destroy");
+            }
+            foreach (WindSourceId gone in GoneWinds)
+                if (Native.lr_wind_source_is_valid(world, gone) != 0) Check(Native.lr_world_remove_wind(world, gone), "lr_world_remove_wind");
         }
 
         /// <summary>Information on the world.</summary>

@@ -69,6 +69,21 @@ namespace LangevinUnity
             sphere = default(WindSourceId);
         }
 
+        // Reads what there is, to update only what differs: an update starts eddies and pulses anew.
+        internal override void OnRestored(LangevinSimulation simulation)
+        {
+            TurbulenceDesc seen = TurbulenceDesc.Create();
+            if (!eddies.IsNull && Native.lr_wind_source_is_valid(simulation.Handle, eddies) == 0) eddies = default(WindSourceId);
+            if (!eddies.IsNull)
+                LangevinSimulation.Check(Native.lr_world_get_turbulence(simulation.Handle, eddies, &seen), "lr_world_get_turbulence");
+            eddiesSet = seen;
+            WindGridDesc grid = WindGridDesc.Create();
+            if (!sphere.IsNull && Native.lr_wind_source_is_valid(simulation.Handle, sphere) == 0) sphere = default(WindSourceId);
+            if (sphere.IsNull) return;
+            LangevinSimulation.Check(Native.lr_world_get_wind_grid(simulation.Handle, sphere, &grid), "lr_world_get_wind_grid");
+            if (!grid.Position.Equals(CornerOf(positionSet, shapeSet))) shapeSet = default(Shape);
+        }
+
         internal override void BeforeStep(LangevinSimulation simulation, float dt) { Synchronize(simulation); }
 
         /// <summary>The velocity of a directional zone at the world's time, m/s: Main, varied by Pulse Magnitude at Pulse
@@ -121,6 +136,7 @@ namespace LangevinUnity
             if (id.IsNull) LangevinSimulation.Check(Native.lr_world_add_turbulence(simulation.Handle, &desc, &id), "lr_world_add_turbulence");
             else LangevinSimulation.Check(Native.lr_world_update_turbulence(simulation.Handle, id, &desc), "lr_world_update_turbulence");
             eddies = id;
+            simulation.GoneWinds.Remove(id);
             eddiesSet = desc;
         }
 
@@ -139,9 +155,7 @@ namespace LangevinUnity
             float[] samples = same ? null : Samples(shape);
             WindGridDesc desc = WindGridDesc.Create();
             float spacing = 2.0f * shape.Radius / (shape.Resolution - 1);
-            // The first sample is the corner with the least coordinates in the library's frame. The samples are symmetric, so mirroring keeps their order.
-            Float3 middle = LangevinConversion.ToLibrary(transform.position);
-            desc.Position = new Float3(middle.X - shape.Radius, middle.Y - shape.Radius, middle.Z - shape.Radius);
+            desc.Position = CornerOf(transform.position, shape);
             desc.Spacing = new Float3(spacing, spacing, spacing);
             desc.Counts = new UInt3((uint)shape.Resolution, (uint)shape.Resolution, (uint)shape.Resolution);
             desc.Frames = FramesOf(shape);
@@ -154,9 +168,17 @@ namespace LangevinUnity
                 if (id.IsNull) LangevinSimulation.Check(Native.lr_world_add_wind_grid(simulation.Handle, &desc, &id), "lr_world_add_wind_grid");
                 else LangevinSimulation.Check(Native.lr_world_update_wind_grid(simulation.Handle, id, &desc), "lr_world_update_wind_grid");
                 sphere = id;
+                simulation.GoneWinds.Remove(id);
             }
             shapeSet = shape;
             positionSet = transform.position;
+        }
+
+        // The first sample is the corner with the least coordinates in the library's frame. The samples are symmetric, so mirroring keeps their order.
+        private static Float3 CornerOf(Vector3 at, Shape shape)
+        {
+            Float3 middle = LangevinConversion.ToLibrary(at);
+            return new Float3(middle.X - shape.Radius, middle.Y - shape.Radius, middle.Z - shape.Radius);
         }
 
         private static bool Pulses(Shape shape) { return shape.Pulse != 0.0f && shape.Frequency > 0.0f; }
@@ -193,6 +215,7 @@ namespace LangevinUnity
             if (id.IsNull) return;
             WindSourceId gone = id;
             id = default(WindSourceId);
+            simulation.GoneWinds.Add(gone);
             LangevinSimulation.Check(Native.lr_world_remove_wind(simulation.Handle, gone), "lr_world_remove_wind");
         }
 

@@ -120,7 +120,8 @@ namespace LangevinUnity
             return bytes;
         }
 
-        /// <summary>Restores a saved state. A snapshot of another world changes nothing.</summary>
+        /// <summary>Restores a saved state. A snapshot of another world changes nothing. In the next step, colliders
+        /// and winds follow the scene as it is then.</summary>
         public void RestoreSnapshot(byte[] bytes)
         {
             if (bytes == null) throw new ArgumentNullException("bytes");
@@ -128,6 +129,8 @@ namespace LangevinUnity
             fixed (byte* first = bytes)
                 LangevinSimulation.Check(Native.lr_world_snapshot_restore(handle, first, (ulong)bytes.Length), "lr_world_snapshot_restore");
             stepped = true;
+            simulation.RemoveGone();
+            foreach (LangevinMember member in Members) member.OnRestored(simulation);
         }
 
         internal LangevinCollider ColliderOf(ColliderId id)
