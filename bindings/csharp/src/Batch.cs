@@ -30,8 +30,9 @@ namespace LangevinRigid
         public void Dispose()
         {
             if (IsDisposed) return;
-            _world.Leave(Native.lr_batch_destroy(_world.EnterChange(), _id), "lr_batch_destroy");
-            _disposed = true;
+            IntPtr world = _world.EnterChange();
+            _disposed = true; // first: a callback can throw
+            _world.Leave(Native.lr_batch_destroy(world, _id), "lr_batch_destroy");
         }
 
         /// <summary>Creates a body.</summary>

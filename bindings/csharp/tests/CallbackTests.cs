@@ -63,7 +63,11 @@ static unsafe class CallbackTests
         Check.True(e.Message.Contains("no memory for tests"), e.Message);
         allocator.Throws = false;
         World late = With(new WorldServices { Allocator = allocator });
+        Batch batch = Scene.Batch(late, 10);
         allocator.Throws = true;
+        Check.Throws<NotSupportedException>(() => batch.Dispose(), "while a batch is destroyed");
+        Check.True(batch.IsDisposed && !late.IsValid(batch.Id), "it is destroyed");
+        batch.Dispose();
         Check.Throws<NotSupportedException>(() => late.Dispose(), "while it is destroyed");
         Check.True(late.IsDisposed, "it is destroyed");
         Check.Equal(0, allocator.Live, "all is back");
