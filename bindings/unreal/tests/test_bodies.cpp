@@ -425,6 +425,36 @@ TEST_CASE("an emitter follows its component") {
     CHECK(t.GetLocation().Equals(FVector(4000, 5000, 600), 110));
 }
 
+TEST_CASE("a listener pauses in the middle of a frame") {
+    struct Pauser : UObject {
+        ULangevinWorldSubsystem* langevin = nullptr;
+        void hear(const TArray<FLangevinEvent>&) { langevin->SetPaused(true); }
+    };
+    for (const ELangevinStepping stepping : {ELangevinStepping::Frame, ELangevinStepping::Fixed}) {
+        Game game;
+        Game::settings().Stepping = stepping;
+        Game::settings().MaxEvents = 1000;
+        game.create();
+        game.world->ShimBeginPlay();
+        auto* pauser = new Pauser();
+        pauser->langevin = game.langevin;
+        ULangevinBatchComponent* batch = game.add_batch(20, 10);
+        game.run(10);
+        game.langevin->OnEvents.AddDynamic(pauser, &Pauser::hear);
+        REQUIRE(batch->EmitBodies(1));
+        const double before = game.langevin->GetSimulatedTime();
+        game.run(5, 1.0f / 20.0f); // three fixed steps: the first tells the spawn
+        const double step = stepping == ELangevinStepping::Fixed ? 1.0 / 60.0 : 1.0 / 20.0;
+        CHECK(game.langevin->GetSimulatedTime() - before == doctest::Approx(step));
+        FTransform at, previous;
+        for (int32 index = 0; index < batch->GetInstanceCount(); ++index) {
+            REQUIRE(batch->GetInstancePrevTransform(index, previous, true));
+            REQUIRE(batch->GetInstanceTransform(index, at, true));
+            CHECK(previous.Equals(at, 0.0));
+        }
+    }
+}
+
 TEST_CASE("landings are told, with who, where and on what") {
     Game game;
     Game::settings().MaxEvents = 1000;

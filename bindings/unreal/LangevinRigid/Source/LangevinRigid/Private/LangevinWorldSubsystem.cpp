@@ -123,7 +123,7 @@ void ULangevinWorldSubsystem::Tick(float DeltaTime) {
         // The tolerance keeps a frame of exactly one step from waiting for the next frame because of rounding.
         const int32 Whole = FMath::FloorToInt32(Due / Settings.FixedStep + 1e-4);
         const int32 Steps = FMath::Min(Whole, Settings.MaxStepsPerFrame);
-        for (int32 Index = 0; Index < Steps; ++Index) Step(Settings.FixedStep);
+        for (int32 Index = 0; Index < Steps && !bPaused; ++Index) Step(Settings.FixedStep);
         Due = FMath::Max(0.0, Due - static_cast<double>(Whole) * Settings.FixedStep);
         if (Whole > Steps && !bToldLost) {
             bToldLost = true;
@@ -136,6 +136,7 @@ void ULangevinWorldSubsystem::Tick(float DeltaTime) {
         if (Settings.bSmoothFixedSteps) Ahead = Due;
         Moved = Steps * static_cast<double>(Settings.FixedStep) + Ahead - Before;
     }
+    if (bPaused) Moved = 0.0; // by a listener: no later frame would make the instances stand still
     SCOPE_CYCLE_COUNTER(STAT_LangevinWrite);
     for (FLangevinBatchCalls* Batch : Batches) Batch->WriteInstances(Ahead, Moved);
 }
