@@ -81,6 +81,7 @@ static void notification(void* instance, int32_t what) {
         break;
     case VISIBILITY_CHANGED:
         batch_draw_changed(self);
+        batch_draw(self); /* its instances are of when it was hidden, and the game may be paused */
         break;
     case TRANSFORM_CHANGED:
         self->moved = 1;

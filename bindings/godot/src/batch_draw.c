@@ -174,7 +174,7 @@ void batch_draw(batch_node* self) {
             set_aabb(self, &view);
         }
     }
-    if (view.count != before)
+    if (view.count != before || before == 0) /* 0: also where the instances are not known */
         gd_call(gd.rendering_server, GD_N_multimesh_set_visible_instances, NULL, 2, gd_rid(self->multimesh),
                 gd_int(view.count));
     self->drawn = view.count;

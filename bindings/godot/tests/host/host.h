@@ -87,6 +87,7 @@ typedef struct host_counts {
     int flushes, help, redraws, lines, clicks, gizmo_plugins, materials; /* redraws: asked for */
     int editor;                                                          /* Engine.is_editor_hint() */
     int internal_process;
+    int hidden;           /* no node is visible */
     float reach;          /* the largest coordinate of a line */
     host_name* plugin;    /* the editor plugin's class */
     int64_t stored, room; /* bytes in the files, and their remaining room */

@@ -34,7 +34,16 @@ static void set(host_object* o, const char* setter, host_variant value) {
     host_variant_destroy(&ret);
 }
 
-enum { ENTER_TREE = 10, EXIT_TREE = 11, PROCESS = 25, PHYSICS = 26, ENTER_WORLD = 41, EXIT_WORLD = 42, MOVED = 2000 };
+enum {
+    ENTER_TREE = 10,
+    EXIT_TREE = 11,
+    PROCESS = 25,
+    PHYSICS = 26,
+    ENTER_WORLD = 41,
+    EXIT_WORLD = 42,
+    VISIBILITY = 43,
+    MOVED = 2000
+};
 
 static host_object* load(const char* path) {
     host_object* loader = host_construct("LangevinAssetLoader");
@@ -160,6 +169,29 @@ static void test_size_of_nothing(void) {
     }
     for (int axis = 0; axis < 3; ++axis) host_body->transform[4 * axis] = 1.0f;
     host_free(world);
+}
+
+/* Bodies that end while their node is hidden are not drawn when it is shown again, also in a paused game. */
+static void test_hidden(host_object* asset, host_object* mesh) {
+    host_object* world = host_construct("LangevinWorld");
+    world->parent = host_root;
+    host_notify(world, ENTER_TREE);
+    host_object* batch = new_batch(world, asset, mesh, 50);
+    set(batch, "set_emission_rate", host_float(0.0));
+    set(batch, "set_lifetime", host_float(0.5));
+    for (int frame = 0; frame < 5; ++frame) host_notify(world, PHYSICS);
+    CHECK(host.shown == 50);
+    for (int turn = 0; turn < 2; ++turn) {
+        host.hidden = 1;
+        host_notify(batch, VISIBILITY);
+        for (int frame = 0; frame < 60 * turn; ++frame) host_notify(world, PHYSICS);
+        host.hidden = 0;
+        host_notify(batch, VISIBILITY);
+        CHECK(call_int(batch, "get_body_count") == (turn ? 0 : 50) && host.shown == (turn ? 0 : 50));
+    }
+    leave(batch);
+    host_free(world);
+    host_free(batch);
 }
 
 static uint64_t run(host_object* asset, host_object* mesh, int frames) {
@@ -349,6 +381,7 @@ int main(int argc, char** argv) {
     if (asset) {
         test_warnings(asset);
         test_size_of_nothing();
+        test_hidden(asset, mesh);
         const uint64_t first = run(asset, mesh, 1000);
         const int errors = host.errors, names = host.names, live = host.objects;
         CHECK(run(asset, mesh, 1000) == first && first != 0);
@@ -358,7 +391,7 @@ int main(int argc, char** argv) {
         release(asset);
     }
     host_variant_destroy(&hold);
-    CHECK(host.rids == 0 && host.multimeshes == 4 && host.redraws == 0);
+    CHECK(host.rids == 0 && host.multimeshes == 5 && host.redraws == 0);
     CHECK(host.postinitialize > 8);
 
     for (int level = GDX_LEVEL_EDITOR; level >= 0; --level) levels.deinitialize(levels.userdata, (gdx_level)level);

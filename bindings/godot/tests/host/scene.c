@@ -184,7 +184,7 @@ static int node(host_object* o, const char* method, const host_variant* const* a
     else if (!strcmp(method, "get_scenario") || !strcmp(method, "get_rid"))
         *ret = rid(7);
     else if (!strcmp(method, "is_visible_in_tree"))
-        *ret = host_bool(1);
+        *ret = host_bool(!host.hidden);
     else if (!strcmp(method, "get_global_transform"))
         *ret = transform(o->transform);
     else if (!strcmp(method, "get_physics_process_delta_time") || !strcmp(method, "get_process_delta_time"))
