@@ -33,14 +33,13 @@ float inertia_along(const BodyConstants& c, Vector n) {
                                             2.0f * (m[1] * n.x * n.y + m[2] * n.x * n.z + m[7] * n.y * n.z);
     return c.unit_mass * in_units;
 }
+} // namespace
 
-// Height above a plane or heightfield in its own frame; negative where there is no ground.
 float height_over(const Geometry& g, Vector at) {
     const HeightfieldGeometry* const f = g.heightfield;
     if (!f) return at.y;
     return f->covers(at.x, at.z) ? at.y - height_at(*f, at.x, at.z).height : -1.0f;
 }
-} // namespace
 
 const char* wrong_in(const lr_batch_contact& s) {
     if ((s.flags & ~uint32_t{LR_CONTACT_NEVER_SLEEP}) != 0 || s.reserved != 0)

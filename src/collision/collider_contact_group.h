@@ -151,9 +151,11 @@ struct TouchList {
 // The side of a mesh that the body is on, world frame; zero: unknown. packed: of column_floor.
 Vector floor_side(uint32_t packed, uint32_t slot);
 
-// The displacement that puts a centre of mass back in front of what it entered or crossed between `from` and `to` (m, world); zero if nothing. Planes
-// and heightfields are solid below and do not count. floor: of column_floor. alone: the floor of a body solved alone, which does not count since it
-// pushes the body. Null in heaps.
+// Height above a plane or heightfield in its own frame; negative where there is no ground.
+float height_over(const Geometry& ground, Vector at);
+
+// The displacement that puts a centre of mass back in front of what it entered or crossed between `from` and `to` (m, world); zero if nothing.
+// floor: of column_floor. alone: the floor of a body solved alone, which does not count since it pushes the body. Null in heaps.
 Vector way_back(const ContactStep& step, float scale, uint32_t floor, const MeshFloor* alone, Vector from, Vector to,
                 const ContactSubstep& substep);
 

@@ -307,9 +307,10 @@ void ContactGroup::leave_floors(const ContactSubstep& substep) {
 // Contacts can press a body into another thing after its swept test. Its own floor is up to leave_floors().
 void ContactGroup::stay_in_front(const ContactSubstep& substep) {
     for (uint32_t i = 0; i < count_; ++i) {
+        const float deep = shallow * arrays_.field[field_scale][i] * step_->shape->reach;
         const auto presses = [&](const ContactSlots::Slot& slot) {
             const uint32_t c = slot.collider[i];
-            return c == a_body || !is_ground(step_->colliders->at(c).geometry.kind);
+            return slot.gap[i] < -deep || c == a_body || !is_ground(step_->colliders->at(c).geometry.kind);
         };
         if (!std::any_of(slots_.slot, slots_.slot + filled_[i], presses)) continue;
         Vector slow;
@@ -318,7 +319,8 @@ void ContactGroup::stay_in_front(const ContactSubstep& substep) {
                      from = began.position + lift(i, began, substep.begin, substep, slow);
         const Vector back = way_back(*step_, arrays_.field[field_scale][i], arrays_.floor ? arrays_.floor[i] : 0,
                                      &floor_[i], from, at, substep);
-        if (dot(back, back) > 0.0f) put_in(arrays_.field, field_x, i, at + back);
+        // Of a deep overlap whose correction would turn the body far, the solver undoes a part.
+        if (dot(back, back) > 0.0f || length(at - to.position) > deep) put_in(arrays_.field, field_x, i, at + back);
     }
 }
 
@@ -343,12 +345,13 @@ Vector way_back(const ContactStep& step, float scale, uint32_t floor, const Mesh
             {low_of(from, at), high_of(from, at)}, step.settings->layers, [&](const Candidate& candidate) {
                 const Collider& c = step.colliders->at(candidate.slot);
                 const Geometry& g = c.geometry;
-                if (is_ground(g.kind) || (c.moves && round >= rounds_of_all)) return;
+                if (c.moves && round >= rounds_of_all) return;
                 if (alone && alone->count > 0 && candidate.slot == alone->slot) return;
                 const Pose begin = pose_at(c, substep.begin), end = pose_at(c, substep.end);
                 const Vector a = to_inner(begin, from), b = to_inner(end, at);
                 const float far = length(b - a);
-                if (!(far > 0.0f) || (!g.mesh && distance_from(g, a) <= 0.0f)) return; // it began inside
+                const float above = is_ground(g.kind) ? height_over(g, a) : distance_from(g, a);
+                if (!(far > 0.0f) || (!g.mesh && above <= 0.0f)) return; // it began inside
                 const Ray ray{to_double(a), 1.0 / static_cast<double>(far) * to_double(b - a)};
                 RayHit hit{};
                 if (!(g.mesh ? ray_hits_part(*g.mesh, candidate.part, ray, static_cast<double>(far), hit)

@@ -133,6 +133,14 @@ bool WindField::remove(lr_wind_source handle) {
     return true;
 }
 
+float WindField::fastest() const {
+    float most = 0.0f;
+    for (const Slot& slot : slots_)
+        if (slot.source) most = std::max(most, slot.source->fastest());
+    const float(&w)[3] = uniform.wind;
+    return most + std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+}
+
 // part: fraction of the step, 0 to 1.
 void WindField::uniform_at(const UniformWind& over, double part, double time, double (&wind)[3]) const {
     for (size_t k = 0; k < 3; ++k) {

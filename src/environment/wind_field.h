@@ -35,6 +35,7 @@ public:
 
     // Whether there is any wind but the uniform one.
     bool active() const { return used_ != 0 || callback(); }
+    float fastest() const; // m/s: the uniform wind and the strongest source; callbacks and gusts are unknown
 
     // The desc must be valid; a source to update must exist and have the same kind. A failed call changes nothing.
     lr_status add(const SourceDesc& desc, double time, uint64_t seed, lr_wind_source& out);

@@ -424,7 +424,7 @@ void lr_world::lap(double& phase) {
 float lr_world::contact_reach(float dt) const {
     float most = 0.0f;
     each_batch([&](const Batch& batch, uint32_t) { most = std::max(most, batch.asset().shape.reach); });
-    const float pull = length(vector_of(gravity)), blow = length(vector_of(wind.uniform.wind));
+    const float pull = length(vector_of(gravity)), blow = wind.fastest();
     return 1.5f * most + dt * (4.5f + 2.5f * blow + 2.0f * dt * pull);
 }
 
@@ -460,10 +460,10 @@ bool lr_world::reserve_contact() {
     return enough;
 }
 
-// Twice gravity, to allow for other loads; half the wind, which light bodies take on within a step; much for external forces.
+// Twice gravity, to allow for other loads; the wind, which light bodies take on within a step; much for external forces.
 float lr_world::contact_gain(const Batch& batch, float dt) const {
     const float forced = batch.step.external.any ? 50.0f : 0.0f;
-    return 2.0f * dt * length(vector_of(gravity)) + 0.5f * length(vector_of(wind.uniform.wind)) + forced;
+    return 2.0f * dt * length(vector_of(gravity)) + wind.fastest() + forced;
 }
 
 void lr_world::finish_batches(double dt) {
