@@ -38,7 +38,7 @@ TEST_CASE("lr_replay ends with 0, 1, 2 or 3") {
     CHECK(run(recording.bytes, "--until -1") == 3);
     CHECK(run(recording.bytes, "--csv '" + table + "' --body ''") == 3);
     CHECK(run(recording.bytes, "--csv '" + file + "' --body 1") == 3);
-    CHECK(run(recording.bytes, "--body 1") == 3); // what for?
+    CHECK(run(recording.bytes, "--body 1") == 3);                      // what for?
     CHECK(std::filesystem::file_size(file) == recording.bytes.size()); // not overwritten
     std::vector<unsigned char> damaged = recording.bytes;
     damaged[100] ^= 1;
