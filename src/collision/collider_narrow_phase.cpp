@@ -212,7 +212,7 @@ float advance(const Way& way, float size, double first, double target, double sl
         const Pose pose = way.at(t);
         const PlacedBody body(way.shape, way.scale, pose, size);
         const Nearest nearest = nearest_points(body, collider(pose.position), std::numeric_limits<double>::infinity());
-        if (nearest.overlap) return t - step; // by rounding
+        if (nearest.overlap) return t; // to rounding: along the former normal they are apart
         distance = nearest.lower;
         normal = nearest.normal;
         if (distance - target <= 0.0) return t;

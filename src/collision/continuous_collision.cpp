@@ -331,12 +331,14 @@ Vector way_back(const ContactStep& step, float scale, uint32_t floor, const Mesh
         Candidate candidate{};
         Vector out; // world frame
     };
-    // Out of one thing the centre can get into another. Between a moving and a still one, as under a foot, the still one holds it.
+    // Out of one thing the centre can get into another. Between a moving and a still one, as under a foot, the still one holds it. But the ground
+    // yields: it has no other side, and out of a crate that stands on it a body finds no way.
     constexpr uint32_t most_rounds = 6, rounds_of_all = 3;
     // Small, so that a body pressed between two things does not jump between them, and less than the gap at which a thin body rests.
     const float clear = scale * std::min(0.005f * step.shape->reach, 0.125f * step.shape->thickness) +
                         contact_margin(0.0f, to, 0.0f, 0.0f);
     Vector at = to;
+    bool moves = false;
     for (uint32_t round = 0; round < most_rounds; ++round) {
         if (const float way = length(at - from); !(way > 0.0f && way < 1e10f)) break; // diverged bodies are held later
         Passed first;
@@ -345,7 +347,7 @@ Vector way_back(const ContactStep& step, float scale, uint32_t floor, const Mesh
             {low_of(from, at), high_of(from, at)}, step.settings->layers, [&](const Candidate& candidate) {
                 const Collider& c = step.colliders->at(candidate.slot);
                 const Geometry& g = c.geometry;
-                if (c.moves && round >= rounds_of_all) return;
+                if ((c.moves && round >= rounds_of_all) || (moves && is_ground(g.kind))) return;
                 if (alone && alone->count > 0 && candidate.slot == alone->slot) return;
                 const Pose begin = pose_at(c, substep.begin), end = pose_at(c, substep.end);
                 const Vector a = to_inner(begin, from), b = to_inner(end, at);
@@ -370,6 +372,7 @@ Vector way_back(const ContactStep& step, float scale, uint32_t floor, const Mesh
             });
         if (!any) break;
         at = at + first.out;
+        moves = moves || step.colliders->at(first.candidate.slot).moves;
     }
     return at - to;
 }
