@@ -230,7 +230,7 @@ void ContactGroup::find_floors(const ContactSubstep& substep) {
                        floor);
             const Vector up = rotate(end.rotation, floor.up);
             // The lower edge of a broom or a wheel would push along the mean of its faces, into the ground on which the body lies.
-            if (!all || (!floor.even && dot(up, step_->weight) > 0.0f)) floor.count = 0;
+            if (!all || (floor.count > 0 && !floor.even && dot(up, step_->weight) > 0.0f)) floor.count = 0;
             if (floor.count > 0 || floor.side != 0) kept = packed_floor(up, slot);
         }
         if (arrays_.floor) arrays_.floor[i] = kept;
