@@ -63,8 +63,9 @@ bool Water::consistent(const Record& r) {
         const bool wave = r.present != 0 && i < r.desc.wave_count;
         if (!in_range(r.frequency[i], 0.0, wave ? frequency_of(r.desc.waves[i], strongest) : 0.0)) return false;
     }
+    const double farthest = r.present != 0 ? most_way : 0.0;
     for (const double way : r.drift)
-        if (!in_range(way, r.present != 0 ? -most_way : 0.0, r.present != 0 ? most_way : 0.0)) return false;
+        if (!in_range(way, -farthest, farthest)) return false;
     return true;
 }
 

@@ -137,8 +137,7 @@ float WindField::fastest() const {
     float most = 0.0f;
     for (const Slot& slot : slots_)
         if (slot.source) most = std::max(most, slot.source->fastest());
-    const float(&w)[3] = uniform.wind;
-    return most + std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+    return most + length(vector_of(uniform.wind));
 }
 
 // part: fraction of the step, 0 to 1.

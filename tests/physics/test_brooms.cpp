@@ -20,14 +20,9 @@ uint32_t left_behind(const Asset& asset, int32_t floor, int32_t kind, float spee
     const World world = make(world_desc());
     const Triangles sheet = fine_sheet(40, 0.25f, [](float, float) { return 0.0f; });
     add_collider(world, ground(floor, sheet));
-    std::vector<float> corners;
-    for (const float x : {-0.02f, 0.02f})
-        for (const float y : {-0.5f, 0.5f})
-            for (const float z : {-3.0f, 3.0f}) corners.insert(corners.end(), {x, y, z});
-    const Triangles sides{corners, {0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1,
-                                    2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3}};
+    const Triangles sides = closed_box(0.02f, 0.5f, 3.0f);
     lr_collider_desc d = kind == LR_COLLIDER_BOX    ? box_collider(0.02f, 0.5f, 3.0f)
-                         : kind == LR_COLLIDER_HULL ? hull_collider(corners)
+                         : kind == LR_COLLIDER_HULL ? hull_collider(sides.vertices)
                                                     : mesh_collider(sides);
     d.position[0] = -1.0f, d.position[1] = 0.5f;
     lr_collider_motion broom = motion_of(add_collider(world, d), LR_MOVE_TO);

@@ -106,7 +106,7 @@ def park(text):
     assert awake[5] > 400, "the gale wakes them"
 
 
-# What the pages' fragments of C take for granted. Each desc was set up by its macro.
+# Declarations that the pages' fragments of C expect. Each desc was set up by its macro.
 GIVEN = """#include <langevin_rigid.h>
 #include <stdio.h>
 static lr_world* world;

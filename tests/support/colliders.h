@@ -70,6 +70,16 @@ inline Triangles bumpy_sheet(uint32_t n, uint64_t seed) {
     t.indices.insert(t.indices.end(), {first, first + 1, first + 2});
     return t;
 }
+// The closed surface of a box, given by half its extents.
+inline Triangles closed_box(float a, float b, float c) {
+    Triangles t;
+    for (const float x : {-a, a})
+        for (const float y : {-b, b})
+            for (const float z : {-c, c}) t.vertices.insert(t.vertices.end(), {x, y, z});
+    t.indices = {0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1,
+                 2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3};
+    return t;
+}
 inline lr_collider_desc mesh_collider(const Triangles& t) {
     lr_collider_desc d = collider_desc(LR_COLLIDER_MESH);
     d.vertices = t.vertices.data();

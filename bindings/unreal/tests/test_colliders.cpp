@@ -293,7 +293,6 @@ TEST_CASE("planes: solid behind their normal") {
     CHECK_FALSE(game.langevin->AddPlane(FVector(), FVector()));
 }
 
-// The state holds the library's colliders; what the game has added, moved and removed since must not freeze or haunt the others.
 TEST_CASE("a followed collider leaves with its component") {
     Game game;
     game.create();
@@ -309,6 +308,7 @@ TEST_CASE("a followed collider leaves with its component") {
     CHECK(game.ground_below(FVector(0, 0, 500)) == -1e9);
 }
 
+// The state holds the library's colliders; what the game has added, moved and removed since must not freeze or haunt the others.
 TEST_CASE("a restored state has the colliders that the game has now") {
     Game game;
     game.create();
