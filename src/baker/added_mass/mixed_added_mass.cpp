@@ -20,7 +20,7 @@ constexpr std::size_t most_faces[] = {5000, 2500, 1000, 400};
 constexpr std::size_t most_panels = 8000;
 constexpr double rough = 0.1;         // error estimate above which the hull is tried as a bound
 constexpr double too_much_lost = 0.2; // result of make_positive above which a coarser surface is tried
-constexpr double needle = 1e-4;       // face_shape() below which coarser meshes leave a face out
+constexpr double needle_shape = 1e-4; // face_shape() below which coarser meshes leave a face out
 constexpr double trapped_error =
     0.05;                            // of the trapped fluid's inertia: a box of 48 cells has 1 to 2 %, thin walls more
 constexpr double nearly_full = 0.1;  // hollow share of the convex hull
@@ -43,9 +43,10 @@ Shell make_shell(const BodyParts& parts, std::size_t most, bool coarsen) {
     if (coarsen || mesh.faces.size() > most) shell.cube = cluster(mesh, std::min(most, mesh.faces.size() * 3 / 4 + 1));
     shell.skin = outer_skin(shell.parts).mesh;
     if (shell.cube > 0.0)
-        shell.skin.faces.erase(std::remove_if(shell.skin.faces.begin(), shell.skin.faces.end(),
-                                              [&](const Face& f) { return !(face_shape(shell.skin, f) > needle); }),
-                               shell.skin.faces.end());
+        shell.skin.faces.erase(
+            std::remove_if(shell.skin.faces.begin(), shell.skin.faces.end(),
+                           [&](const Face& f) { return !(face_shape(shell.skin, f) > needle_shape); }),
+            shell.skin.faces.end());
     shell.skin.faces = without_copies(shell.skin.faces);
     drop_unused_vertices(shell.skin);
     return shell;
