@@ -122,6 +122,11 @@ def spring(mesh):
     mesh.grid(1500, 10, place)
 
 
+def ribbon(mesh):
+    """A coil of a narrow strip, whose rims take twenty times its triangles."""
+    mesh.grid(15000, 1, lambda u, v: (*circle(30 * u, 1)[:2], 6 * u + 0.03 * v))
+
+
 def soup(mesh):
     """Triangles of all sizes anywhere."""
     for _ in range(30000):
@@ -215,7 +220,7 @@ def main():
     args.folder.mkdir(parents=True, exist_ok=True)
     good = True
     print("| mesh | triangles | s | MB | solved |\n|---|---|---|---|---|")
-    for make in (wavy, fan, can, hair, layers, onion, grass, furniture, spring, soup, bundle, burr, crumpled, pleats, comb, egg):
+    for make in (wavy, fan, can, hair, layers, onion, grass, furniture, spring, ribbon, soup, bundle, burr, crumpled, pleats, comb, egg):
         random.seed(1)
         mesh = Mesh()
         make(mesh)

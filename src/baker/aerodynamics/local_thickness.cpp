@@ -19,6 +19,7 @@ constexpr double least_size = 0.03;   // smallest thickness of a lump, over the 
 constexpr double least_area = 0.04;   // of the surface
 constexpr double farthest = 2.5;      // root mean square distances from the lump's middle
 constexpr std::size_t leaf_faces = 8; // of the tree
+constexpr std::size_t most_places = 100000;
 
 struct Ray {
     Vector3d from, along;
@@ -31,9 +32,10 @@ double distance(const Ray& ray, const Facet& f) {
     const double det = e1.dot(p);
     if (det == 0.0) return missed;
     const double u = s.dot(p) / det;
+    if (!(u >= 0.0 && u <= 1.0)) return missed;
     const Vector3d q = s.cross(e1);
     const double v = ray.along.dot(q) / det;
-    return u >= 0.0 && v >= 0.0 && u + v <= 1.0 ? e2.dot(q) / det : missed;
+    return v >= 0.0 && u + v <= 1.0 ? e2.dot(q) / det : missed;
 }
 
 // Bounding boxes around halves of the faces. The nearest hit does not depend on the halving.
@@ -43,11 +45,13 @@ public:
         std::iota(order_.begin(), order_.end(), std::size_t{0});
         build(0, part.size());
     }
-    double nearest(const Ray& ray, double least) const {
-        double best = std::numeric_limits<double>::infinity();
-        visit(0, ray, least, best);
+    // Distance to the nearest face beyond least, at most most.
+    double nearest(const Ray& ray, double least, double most) const {
+        double best = most;
+        visit(0, ray, least, best, false);
         return best;
     }
+    bool hits(const Ray& ray, double least, double most) const { return visit(0, ray, least, most, true); }
 
 private:
     struct Node {
@@ -77,12 +81,13 @@ private:
         nodes_[at].right = right;
         return at;
     }
-    void visit(std::size_t at, const Ray& ray, double least, double& best) const {
+    // Whether any face is hit at a distance up to best; with any the search ends there.
+    bool visit(std::size_t at, const Ray& ray, double least, double& best, bool any) const {
         const Node& node = nodes_[at];
         double enter = 0.0, leave = best;
         for (Eigen::Index k = 0; k < 3; ++k) {
             if (ray.along[k] == 0.0) {
-                if (ray.from[k] < node.box.min()[k] || ray.from[k] > node.box.max()[k]) return;
+                if (ray.from[k] < node.box.min()[k] || ray.from[k] > node.box.max()[k]) return false;
                 continue;
             }
             const double a = (node.box.min()[k] - ray.from[k]) / ray.along[k];
@@ -90,16 +95,19 @@ private:
             enter = std::max(enter, std::min(a, b));
             leave = std::min(leave, std::max(a, b));
         }
-        if (enter > leave * (1.0 + 1e-9) + 1e-300) return;
+        if (enter > leave * (1.0 + 1e-9) + 1e-300) return false;
         if (node.right) {
-            visit(at + 1, ray, least, best);
-            visit(node.right, ray, least, best);
-            return;
+            const bool left = visit(at + 1, ray, least, best, any);
+            return (left && any) || visit(node.right, ray, least, best, any) || left;
         }
-        for (std::size_t i = node.begin; i < node.end; ++i) {
+        bool hit = false;
+        for (std::size_t i = node.begin; i < node.end && !(hit && any); ++i) {
             const double t = distance(ray, part_[order_[i]]);
-            if (t > least) best = std::min(best, t);
+            if (t <= least || t > best) continue;
+            best = t;
+            hit = true;
         }
+        return hit;
     }
 
     const Part& part_;
@@ -115,7 +123,7 @@ std::pair<Part, Part> split_lump(const Part& part, double size) {
     std::vector<double> thickness;
     double area = 0.0;
     for (const Facet& f : fine) {
-        const double t = std::min(tree.nearest({f.middle(), -f.normal}, 1e-9 * size), size);
+        const double t = tree.nearest({f.middle(), -f.normal}, 1e-9 * size, size);
         thickness.push_back(t);
         sorted.emplace_back(t, f.area);
         area += f.area;
@@ -155,13 +163,21 @@ std::pair<Part, Part> split_lump(const Part& part, double size) {
 
 void find_open_sides(Part& part, double size) {
     const FaceTree tree(part);
+    // Of thousands of long strips, fewer places each are enough: stations have the mean of their faces.
+    double longest = size / 16.0;
+    const auto places = [&] {
+        std::size_t sum = 0;
+        for (const Facet& f : part) sum += refined({f}, longest).size();
+        return sum;
+    };
+    while (longest < size && places() > most_places) longest *= 2.0;
     for (Facet& f : part) {
         double area = 0.0, open = 0.0;
-        for (const Facet& piece : refined({f}, size / 16.0))
+        for (const Facet& piece : refined({f}, longest))
             for (const double side : {1.0, -1.0}) {
                 if (side < 0.0 && f.sides < 2.0) continue;
                 area += piece.area;
-                if (tree.nearest({piece.middle(), side * f.normal}, 1e-9 * size) > size) open += piece.area;
+                if (!tree.hits({piece.middle(), side * f.normal}, 1e-9 * size, size)) open += piece.area;
             }
         f.open = area > 0.0 ? open / area : 1.0;
     }

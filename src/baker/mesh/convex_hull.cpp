@@ -35,36 +35,44 @@ bool rounded_hull(std::vector<shape::HullPoint>& points, shape::ConvexHull& out)
     return shape::exact_hull(grid, out) == shape::HullOutcome::done;
 }
 
+// Coordinates side by side, which the compiler takes in vectors.
+struct Coordinates {
+    Coordinates(const std::vector<shape::HullPoint>& points, const std::vector<uint32_t>& among) {
+        for (Eigen::ArrayXd* a : {&x, &y, &z}) a->resize(static_cast<Eigen::Index>(among.size()));
+        for (std::size_t i = 0; i < among.size(); ++i) {
+            const auto at = static_cast<Eigen::Index>(i);
+            const shape::HullPoint& p = points[among[i]];
+            x[at] = p[0], y[at] = p[1], z[at] = p[2];
+        }
+    }
+    Eigen::ArrayXd x, y, z;
+};
+
 // The furthest points in many directions, spread evenly over the sphere (spherical Fibonacci points).
-std::vector<uint32_t> extreme_points(const std::vector<shape::HullPoint>& points, const std::vector<uint32_t>& among) {
+std::vector<uint32_t> extreme_points(const Coordinates& at, const std::vector<uint32_t>& among) {
     constexpr std::size_t directions = most_corners;
     std::vector<uint32_t> found;
+    Eigen::ArrayXd reach(at.x.size());
     for (std::size_t i = 0; i < directions; ++i) {
         const double z = 1.0 - (2.0 * static_cast<double>(i) + 1.0) / static_cast<double>(directions);
         const double turn = 2.399963229728653 * static_cast<double>(i), r = std::sqrt(1.0 - z * z);
-        const double x = r * std::cos(turn), y = r * std::sin(turn);
-        uint32_t best = 0;
-        double furthest = -HUGE_VAL;
-        for (const uint32_t k : among) {
-            const double reach = x * points[k][0] + y * points[k][1] + z * points[k][2];
-            if (reach > furthest) furthest = reach, best = k;
-        }
-        found.push_back(best);
+        reach = r * std::cos(turn) * at.x + r * std::sin(turn) * at.y + z * at.z;
+        const auto furthest = std::find(reach.begin(), reach.end(), reach.maxCoeff());
+        found.push_back(among[static_cast<std::size_t>(furthest - reach.begin())]);
     }
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
 }
 
-double furthest_outside(const std::vector<shape::HullPoint>& points, const std::vector<uint32_t>& among,
+double furthest_outside(const std::vector<shape::HullPoint>& points, const Coordinates& among,
                         const shape::ConvexHull& hull) {
     const auto at = [&](uint32_t i) { return Eigen::Vector3d(points[i][0], points[i][1], points[i][2]); };
     double most = 0.0;
     for (const shape::HullTriangle& f : hull.triangles) {
         const Eigen::Vector3d a = at(hull.points[f[0]]);
         const Eigen::Vector3d n = (at(hull.points[f[1]]) - a).cross(at(hull.points[f[2]]) - a).normalized();
-        const double level = n.dot(a);
-        for (const uint32_t k : among) most = std::max(most, n.dot(at(k)) - level);
+        most = std::max(most, (n[0] * among.x + (n[1] * among.y + n[2] * among.z)).maxCoeff() - n.dot(a));
     }
     return most;
 }
@@ -81,13 +89,14 @@ shape::HullOutcome hull_in_time(const std::vector<shape::HullPoint>& points, sha
         std::iota(among.begin(), among.end(), 0U);
     }
     const double slack = costly ? 0.0 : hull.slack;
-    const std::vector<uint32_t> kept = extreme_points(points, among);
+    const Coordinates coordinates(points, among);
+    const std::vector<uint32_t> kept = extreme_points(coordinates, among);
     std::vector<shape::HullPoint> few;
     for (const uint32_t i : kept) few.push_back(points[i]);
     const shape::HullOutcome then = shape::convex_hull(few, hull);
     for (uint32_t& i : hull.points) i = kept[i];
     if (then == shape::HullOutcome::done)
-        hull.slack = std::max(hull.slack, slack + furthest_outside(points, among, hull));
+        hull.slack = std::max(hull.slack, slack + furthest_outside(points, coordinates, hull));
     return then;
 }
 } // namespace
