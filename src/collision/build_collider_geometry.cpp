@@ -49,11 +49,6 @@ public:
     explicit Surfaces(uint32_t triangles) : above_(triangles), turned_(triangles, 0) {
         std::iota(above_.begin(), above_.end(), 0u);
     }
-    bool turned(uint32_t t) {
-        char way = 0;
-        first(t, way);
-        return way != 0;
-    }
     // Closing a surface that is wound against itself, such as a Moebius strip, leaves the windings as they are.
     void join(uint32_t a, uint32_t b, bool alike) {
         char of_a = 0, of_b = 0;
@@ -63,7 +58,7 @@ public:
         turned_[std::max(to, from)] = static_cast<char>(of_a ^ of_b ^ (alike ? 0 : 1));
     }
 
-private:
+    // The first triangle of t's surface. way: also turned if t is wound against it.
     uint32_t first(uint32_t t, char& way) {
         for (; above_[t] != t; t = above_[t]) {
             const uint32_t up = above_[t]; // path halving
@@ -73,6 +68,8 @@ private:
         }
         return t;
     }
+
+private:
     std::vector<uint32_t> above_;
     std::vector<char> turned_;
 };
@@ -203,6 +200,7 @@ bool build_mesh(const float* vertices, uint32_t vertex_count, const uint32_t* in
         return a.triangle != b.triangle ? a.triangle < b.triangle : a.number < b.number;
     });
     Surfaces surfaces(triangle_count);
+    std::vector<char> ends(triangle_count, 0);
     for (size_t from = 0; from < edges.size();) {
         size_t to = from;
         while (to < edges.size() && edges[to].low == edges[from].low && edges[to].high == edges[from].high) ++to;
@@ -212,16 +210,35 @@ bool build_mesh(const float* vertices, uint32_t vertex_count, const uint32_t* in
                 if (mine.triangle == other.triangle) continue;
                 const Double3 out = at(other.triangle, other.number + 2) - at(other.triangle, other.number);
                 const double rise = dot(exact[mine.triangle], out) / length(out);
+                // A doubled face, or one of a solid that stands against this one, hides nothing.
+                const Double3 edge = at(mine.triangle, mine.number + 1) - at(mine.triangle, mine.number);
+                if (std::abs(rise) < bend && dot(cross(exact[mine.triangle], edge), out) > 0.0) continue;
                 uint8_t& bits = hidden_edges[mine.triangle];
                 if (rise > -bend) bits = static_cast<uint8_t>(bits | 1u << mine.number);
                 if (rise < bend) bits = static_cast<uint8_t>(bits | 8u << mine.number);
             }
-        for (size_t i = from + 1; i < to; ++i)
-            surfaces.join(edges[from].triangle, edges[i].triangle, edges[from].downwards != edges[i].downwards);
+        // Where more than two meet, as where boxes stand side by side, each surface keeps its winding.
+        if (to - from == 2)
+            surfaces.join(edges[from].triangle, edges[from + 1].triangle,
+                          edges[from].downwards != edges[from + 1].downwards);
+        if (to - from == 1) ends[edges[from].triangle] = 1;
         from = to;
     }
+    // If windings are mixed, closed surfaces count as wound outwards: else the front of one solid would be the inside of the next.
+    std::vector<uint32_t> of(triangle_count);
+    std::vector<char> turned(triangle_count, 0);
+    std::vector<double> volume(triangle_count, 0.0);
+    bool mixed = false;
+    for (uint32_t t = 0; t < triangle_count; ++t) {
+        of[t] = surfaces.first(t, turned[t]);
+        mixed = mixed || turned[t] != 0;
+        if (ends[t] != 0) ends[of[t]] = 1;
+        const Double3 a = at(t, 0) - at(0, 0), b = at(t, 1) - at(0, 0), c = at(t, 2) - at(0, 0);
+        volume[of[t]] += (turned[t] != 0 ? -1.0 : 1.0) * dot(a, cross(b, c));
+    }
     for (uint32_t t = 0; t < triangle_count; ++t)
-        if (surfaces.turned(t)) hidden_edges[t] = static_cast<uint8_t>(hidden_edges[t] | turned_triangle);
+        if ((turned[t] != 0) != (mixed && ends[of[t]] == 0 && volume[of[t]] < 0.0))
+            hidden_edges[t] = static_cast<uint8_t>(hidden_edges[t] | turned_triangle);
     return true;
 }
 

@@ -218,6 +218,29 @@ double distance_from(const PlacedCollider& round, Double3 p, Double3& direction)
     return distance;
 }
 
+// Rims over the face of a collider. One deeper than the overlap is not over the face but beyond an edge.
+void add_rims_over(ContactPoints& set, const PlacedCollider& collider, const Separation& along, float gap) {
+    const Across across(to_float(along.normal));
+    Side side;
+    set_collider_side(collider, across, side);
+    if (side.count < 3) return;
+    const Vector up = across.at(-side.slope_u, -side.slope_v, 1.0f);
+    const float lean = 1.0f / length(up), sense = side.clockwise ? -1.0f : 1.0f;
+    const float least = std::min(gap, 0.0f) - same * set.body.reach;
+    add_rims(set, to_double(lean * up), gap, [&](Vector rim, Vector& direction) {
+        const float u = dot(across.u, rim), v = dot(across.v, rim);
+        const float out = lean * (dot(across.normal, rim) - side.height_at(u, v));
+        direction = lean * up;
+        bool over = out >= least;
+        for (uint32_t i = 0; i < side.count && over; ++i) {
+            const uint32_t next = i + 1 < side.count ? i + 1 : 0;
+            over =
+                sense * ((side.u[next] - side.u[i]) * (v - side.v[i]) - (side.v[next] - side.v[i]) * (u - side.u[i])) >=
+                0.0f;
+        }
+        return over ? static_cast<double>(out) : std::numeric_limits<double>::infinity();
+    });
+}
 } // namespace
 
 Rims rims_of(const PlacedBody& body, Double3 normal) {
@@ -269,7 +292,7 @@ void add_manifold(ContactPoints& set, const PlacedCollider& collider, const Sepa
     if (gap - body.radius >= set.margin || set.least_gap(first) <= gap - body.radius + 0.05f * set.margin) return;
     const Vector point = to_float(along.has_points ? along.on_body : body.support(-along.normal));
     set.add_core(point, to_float(along.normal), gap);
-    if (collider.count == 0 || collider.count > 2) return;
+    if (collider.count == 0 || collider.count > 2) return add_rims_over(set, collider, along, gap);
     add_rims(set, along.normal, gap, [&](Vector rim, Vector& direction) {
         Double3 outwards;
         const double distance = distance_from(collider, to_double(rim), outwards);

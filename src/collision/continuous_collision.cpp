@@ -198,6 +198,7 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
             return free_fraction(*step_->shape, scale, first, last, c.geometry, candidate.part);
         };
         // A stopped body slides along the thing to the next one, then along both to a third.
+        bool slid = false;
         uint32_t count = 0, met_count = 0;
         Pose target = to;
         Side sides[most_stops];
@@ -256,21 +257,27 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
                 ++count;
                 met = {to_outer(ends, there.position), ends.rotation * there.rotation};
             }
+            slid = slides;
             target = slides ? Pose{from.position + aside.position, to.rotation} : met;
         }
         if (count == 0) continue;
-        const Rotation& q = target.rotation;
-        put_in(arrays_.field, field_x, i, target.position);
-        lift_[i] = {};
-        put_in(arrays_.field, field_qx, i, {q.x, q.y, q.z});
-        arrays_.field[field_qw][i] = q.w;
+        // A body that rests stays pressed in, as over flat sides: only then do all points that bear it count, and it does not rock.
+        const Vector out = target.position - pose_of(i).position;
+        const bool rests = slid && length(out) < margin;
+        lift_[i] = rests ? out : Vector{};
+        if (!rests) {
+            const Rotation& q = target.rotation;
+            put_in(arrays_.field, field_x, i, target.position);
+            put_in(arrays_.field, field_qx, i, {q.x, q.y, q.z});
+            arrays_.field[field_qw][i] = q.w;
+        }
         // The body may have left a thing again, which still takes its speed.
         for (uint32_t n = 0; n < count; ++n) {
             const uint32_t slot = stops[n].candidate.slot;
             const Collider& c = step_->colliders->at(slot);
             const Pose ends = pose_at(c, end);
             const SurfaceMotion motion = motion_of(c, substep);
-            for (uint32_t k = 0; k < stops[n].count; ++k) add(i, slot, stops[n].contacts[k], ends, motion);
+            for (uint32_t k = 0; k < stops[n].count; ++k) add(i, slot, stops[n].contacts[k], ends, motion, lift_[i]);
         }
     }
 }

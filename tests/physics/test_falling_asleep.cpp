@@ -265,3 +265,30 @@ TEST_CASE("a high heap of plates comes to rest within four seconds, and they do 
         CHECK(quality.height_mean < (substeps == 2 ? 0.026 : 0.028) * plates / 1000.0);
     }
 }
+
+// Leaves over edges of stairs, where a mesh is no floor, need their other rims as on the ground, and must lie as level as there.
+TEST_CASE("leaves fall asleep on stairs of closed boxes in one mesh") {
+    Triangles stairs;
+    const auto add = [&](float from, float to, float low, float high, float half) {
+        const Triangles box = closed_box(0.5f * (to - from), 0.5f * (high - low), half);
+        const auto first = static_cast<uint32_t>(stairs.vertices.size() / 3);
+        for (size_t k = 0; k < box.vertices.size(); k += 3)
+            stairs.vertices.insert(
+                stairs.vertices.end(),
+                {box.vertices[k] + 0.5f * (from + to), box.vertices[k + 1] + 0.5f * (low + high), box.vertices[k + 2]});
+        for (const uint32_t index : box.indices) stairs.indices.push_back(first + index);
+    };
+    for (int k = 0; k < 8; ++k) {
+        const float step = static_cast<float>(k);
+        add(0.1f * step, 0.9f, 0.03f * step, 0.03f * (step + 1.0f), 0.5f);
+    }
+    add(-3.0f, 5.0f, -0.5f, 0.0f, 3.0f);
+    const World world = make(world_desc());
+    add_collider(world, mesh_collider(stairs));
+    const lr_batch batch = add_batch(world, make(ellipsoid(0.03, 0.0005, 0.02, 400.0)), 60);
+    Random random(3);
+    for (int i = 0; i < 60; ++i)
+        add_body(world, batch, turned_anyhow(random, {0.09 * (i % 10), 0.4, 0.15 * (i / 10) - 0.375}));
+    steps(world, 480, 1.0f / 60.0f);
+    CHECK(view_of(world, batch).awake_count <= 3);
+}
