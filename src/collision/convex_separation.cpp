@@ -64,7 +64,7 @@ struct Search {
 
 // Tries a side of the collider, unless a point inside the body shows that it cannot be better.
 void offer_side(Search& search, Double3 n, double plane, Double3 in_body) {
-    if (search.any && dot(n, in_body) - plane <= search.best.distance) return;
+    if (!search.allowed(n) || (search.any && dot(n, in_body) - plane <= search.best.distance)) return;
     search.offer(n, dot(n, search.body.support(-n)) - plane);
 }
 

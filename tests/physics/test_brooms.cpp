@@ -63,3 +63,44 @@ TEST_CASE("no leaf slips under a broom that ends at the ground") {
                 CHECK(left_behind(*asset, floor, kind, 10.0f, 1.0f / 240.0f, 1) == 0);
             }
 }
+
+// The shortest way out of a crate leads into the ground on which the leaves lie, and does not count.
+TEST_CASE("leaves do not stay in a crate that is put over them") {
+    const Asset leaf = make(ellipsoid(0.03, 0.0005, 0.02, 400.0)), card = make(rigid_box(0.06, 0.0004, 0.04, 400.0));
+    const Triangles sides = closed_box(0.2f, 0.5f, 0.2f),
+                    sheet = fine_sheet(40, 0.25f, [](float, float) { return 0.0f; });
+    for (const Asset* asset : {&leaf, &card})
+        for (const int32_t floor : {LR_COLLIDER_PLANE, LR_COLLIDER_BOX, LR_COLLIDER_MESH})
+            for (const bool hull : {false, true}) {
+                CAPTURE(asset == &card);
+                CAPTURE(floor);
+                CAPTURE(hull);
+                const World world = make(world_desc());
+                add_collider(world, ground(floor, sheet));
+                lr_collider_desc d = hull ? hull_collider(sides.vertices) : box_collider(0.2f, 0.5f, 0.2f);
+                d.position[0] = 9.0f, d.position[1] = 0.5f;
+                lr_collider_motion crate = motion_of(add_collider(world, d), LR_MOVE_PLACE);
+                crate.position[1] = 0.5f;
+                const lr_batch batch = add_batch(world, *asset, count);
+                Random random(3);
+                std::vector<lr_body> bodies;
+                for (uint32_t i = 0; i < count; ++i) {
+                    lr_body_desc b = body_desc();
+                    put(b.position, Vec{random.uniform(-0.2, 0.2), 0.002, random.uniform(-0.2, 0.2)});
+                    put(b.orientation, about({0, 1, 0}, random.uniform(0.0, 6.28)));
+                    bodies.push_back(add_body(world, batch, b));
+                }
+                steps(world, 30, 1.0f / 60.0f, 1);
+                REQUIRE(lr_collider_move(world.get(), &crate, 1) == LR_OK);
+                steps(world, 120, 1.0f / 60.0f, 1);
+                uint32_t inside = 0, awake = 0;
+                for (const lr_body& body : bodies) {
+                    const lr_body_state s = state_of(world, body);
+                    inside += std::abs(s.position[0]) < 0.2f && std::abs(s.position[2]) < 0.2f;
+                    awake += s.sleep_state == LR_SLEEP_AWAKE;
+                    CHECK(s.position[1] < 0.1f);
+                }
+                CHECK(inside == 0);
+                CHECK(awake == 0);
+            }
+}
