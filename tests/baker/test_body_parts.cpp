@@ -305,6 +305,37 @@ TEST_CASE("bake: boxes that cross bake as their union") {
     CHECK(asset.volume == doctest::Approx(volume).epsilon(0.005));
 }
 
+TEST_CASE("bake: volume within a solid that crosses itself counts once") {
+    constexpr double width = 0.04, height = 0.02, a = 0.2, b = 0.1;
+    const Eigen::Vector2d path[] = {{-a, -b}, {a, b}, {a, -b}, {-a, b}}; // a bar bent into an eight
+    Mesh eight;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto normal = [&](std::size_t from, std::size_t to) {
+            const Eigen::Vector2d along = (path[to % 4] - path[from % 4]).normalized();
+            return Eigen::Vector2d(-along.y(), along.x());
+        };
+        const Eigen::Vector2d before = normal(i + 3, i + 4), after = normal(i, i + 1);
+        const Eigen::Vector2d mitre = 0.5 * width * (before + after) / (1.0 + before.dot(after));
+        for (const double side : {1.0, -1.0})
+            for (const double z : {0.0, height})
+                eight.vertices.emplace_back(path[i].x() + side * mitre.x(), path[i].y() + side * mitre.y(), z);
+    }
+    for (uint32_t i = 0; i < 4; ++i)
+        for (const auto& [p, q] : {std::pair{0U, 1U}, {1U, 3U}, {3U, 2U}, {2U, 0U}}) {
+            const uint32_t from = 4 * i, to = 4 * ((i + 1) % 4);
+            eight.faces.push_back({from + p, to + p, to + q});
+            eight.faces.push_back({from + p, to + q, from + q});
+        }
+    AssetData asset;
+    REQUIRE(baked(eight, asset));
+    const Eigen::Vector2d up = (path[1] - path[0]).normalized(), down = (path[3] - path[2]).normalized();
+    const double common = height * width * width / std::abs(up.x() * down.y() - up.y() * down.x());
+    const double volume = std::abs(compute_mass_properties(eight).volume) - common;
+    CHECK(asset.volume == doctest::Approx(volume).epsilon(0.002));
+    CHECK(asset.mass == doctest::Approx(800.0 * volume).epsilon(0.002));
+    CHECK(std::abs(asset.center_of_mass[0]) < 1e-4 * a);
+}
+
 TEST_CASE("bake: a cavity displaces fluid and holds no mass, a solid in a solid counts once") {
     const double outer = 0.2 * 0.2 * 0.2, inner = 0.1 * 0.1 * 0.1, ball = 0.02 * 0.02 * 0.02;
     const Mesh shell = box({0, 0, 0}, {0.2, 0.2, 0.2}, 3), inside = box({0.02, 0.05, 0.05}, {0.12, 0.15, 0.15}, 2);

@@ -430,8 +430,8 @@ private:
         warn(FaultId::mesh_self_intersection, std::move(where), "Faces cross, touch or cover each other.",
              sheet_
                  ? "None needed: a little fluid slips through there. Let them share vertices to close the gap."
-                 : "Unite the parts (boolean union) or remesh: volume covered twice counts twice, and the added mass "
-                   "is uncertain.");
+                 : "Unite the parts (boolean union) or remesh: volume covered twice counts once, but the added mass is "
+                   "uncertain.");
         return true;
     }
 
