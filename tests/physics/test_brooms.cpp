@@ -15,6 +15,20 @@ lr_collider_desc ground(int32_t kind, const Triangles& sheet) {
     return d;
 }
 
+// Bodies that lie on the ground, turned about the vertical.
+std::vector<lr_body> strew(const World& world, const Asset& asset, Vec low, Vec high) {
+    const lr_batch batch = add_batch(world, asset, count);
+    Random random(3);
+    std::vector<lr_body> bodies;
+    for (uint32_t i = 0; i < count; ++i) {
+        lr_body_desc b = body_desc();
+        put(b.position, Vec{random.uniform(low[0], high[0]), 0.002, random.uniform(low[2], high[2])});
+        put(b.orientation, about({0, 1, 0}, random.uniform(0.0, 6.28)));
+        bodies.push_back(add_body(world, batch, b));
+    }
+    return bodies;
+}
+
 // Bodies that are behind the broom's front after it has been pushed 2 m through them.
 uint32_t left_behind(const Asset& asset, int32_t floor, int32_t kind, float speed, float dt, uint32_t substeps) {
     const World world = make(world_desc());
@@ -27,15 +41,7 @@ uint32_t left_behind(const Asset& asset, int32_t floor, int32_t kind, float spee
     d.position[0] = -1.0f, d.position[1] = 0.5f;
     lr_collider_motion broom = motion_of(add_collider(world, d), LR_MOVE_TO);
     std::copy_n(d.position, 3, broom.position);
-    const lr_batch batch = add_batch(world, asset, count);
-    Random random(3);
-    std::vector<lr_body> bodies;
-    for (uint32_t i = 0; i < count; ++i) {
-        lr_body_desc b = body_desc();
-        put(b.position, Vec{random.uniform(-0.8, 0.0), 0.002, random.uniform(-2.0, 2.0)});
-        put(b.orientation, about({0, 1, 0}, random.uniform(0.0, 6.28)));
-        bodies.push_back(add_body(world, batch, b));
-    }
+    const std::vector<lr_body> bodies = strew(world, asset, {-0.8, 0.0, -2.0}, {0.0, 0.0, 2.0});
     steps(world, static_cast<int>(0.5f / dt), dt, substeps);
     while (broom.position[0] < 1.0f) {
         broom.position[0] += speed * dt;
@@ -81,15 +87,7 @@ TEST_CASE("leaves do not stay in a crate that is put over them") {
                 d.position[0] = 9.0f, d.position[1] = 0.5f;
                 lr_collider_motion crate = motion_of(add_collider(world, d), LR_MOVE_PLACE);
                 crate.position[1] = 0.5f;
-                const lr_batch batch = add_batch(world, *asset, count);
-                Random random(3);
-                std::vector<lr_body> bodies;
-                for (uint32_t i = 0; i < count; ++i) {
-                    lr_body_desc b = body_desc();
-                    put(b.position, Vec{random.uniform(-0.2, 0.2), 0.002, random.uniform(-0.2, 0.2)});
-                    put(b.orientation, about({0, 1, 0}, random.uniform(0.0, 6.28)));
-                    bodies.push_back(add_body(world, batch, b));
-                }
+                const std::vector<lr_body> bodies = strew(world, *asset, {-0.2, 0.0, -0.2}, {0.2, 0.0, 0.2});
                 steps(world, 30, 1.0f / 60.0f, 1);
                 REQUIRE(lr_collider_move(world.get(), &crate, 1) == LR_OK);
                 steps(world, 120, 1.0f / 60.0f, 1);

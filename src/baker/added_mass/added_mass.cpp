@@ -34,9 +34,9 @@ constexpr std::size_t max_panels = 1000000;
 constexpr std::size_t max_stored_entries = 1000000000;
 // Without patience: pairs of near panels (a regular mesh has twelve for each panel), and points of their integrals.
 constexpr std::size_t few_pairs = 4000000, few_pairs_each = 60;
+constexpr double few_points = 4e8;
 // Without patience: panels of a sheet whose rims are refined. Thousands of narrow strips have twenty times the given triangles.
 constexpr std::size_t few_panels = 200000, few_panels_each = 4;
-constexpr double few_points = 4e8;
 // Without patience. Sheets need fewer than fifty iterations unless layers nearly coincide. Far pairs count in all iterations and take 10 microseconds
 // each. The error of the energy is the square of the tolerance.
 constexpr std::size_t few_iterations = 100, few_far_pairs = 700000;
