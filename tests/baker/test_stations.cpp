@@ -407,6 +407,42 @@ TEST_CASE("stations: the blades of a paper helicopter are cut alike") {
         }));
 }
 
+TEST_CASE("stations: blossoms are cut along a mirror line, so that they have no preferred sense of spin") {
+    const double turn = 0.2; // of the mirror line from the body's axis
+    for (const int petals : {3, 4, 5, 6})
+        for (const auto& [waist, cup] : {std::pair{0.5, 0.25}, {0.9, 0.25}, {0.9, 0.0}}) {
+            Mesh mesh = shapes::disc(24);
+            for (Vector3d& v : mesh.vertices) {
+                const double radius = v.head<2>().norm(), angle = std::atan2(v.y(), v.x());
+                const double r = 0.015 * radius * (1.0 - waist * std::pow(std::sin(0.5 * petals * angle), 2.0));
+                v = {r * std::cos(angle + turn), r * std::sin(angle + turn), cup * r * r / 0.015};
+            }
+            const Made m = made(mesh, 2e-4);
+            INFO(petals << " petals, waist " << waist << ", cup " << cup);
+            REQUIRE(m.stations.at.size() >= 3);
+            const auto image = [&](const Vector3d& p) {
+                const double c = std::cos(2.0 * turn), s = std::sin(2.0 * turn);
+                return Vector3d(c * p.x() + s * p.y(), s * p.x() - c * p.y(), p.z());
+            };
+            // Of all mirror lines of such a blossom the cuts may follow any: the images are turned by whole petals.
+            const auto symmetric_about = [&](int k) {
+                const double c = std::cos(2.0 * std::numbers::pi * k / petals),
+                             s = std::sin(2.0 * std::numbers::pi * k / petals);
+                return std::all_of(m.stations.at.begin(), m.stations.at.end(), [&](const StationData& a) {
+                    const Vector3d p = image(place(a));
+                    const Vector3d turned(c * p.x() - s * p.y(), s * p.x() + c * p.y(), p.z());
+                    return std::any_of(m.stations.at.begin(), m.stations.at.end(), [&](const StationData& b) {
+                        return (turned - place(b)).norm() < 0.015 * m.size &&
+                               std::abs(a.plate_drag - b.plate_drag) < 0.03 * a.plate_drag;
+                    });
+                });
+            };
+            bool symmetric = false;
+            for (int k = 0; k < petals; ++k) symmetric = symmetric || symmetric_about(k);
+            CHECK(symmetric);
+        }
+}
+
 TEST_CASE("stations: what no sum of parts describes is said") {
     const Made tube = made(curled(6.2, 16), 0.005);
     CHECK(tube.stations.at.empty());

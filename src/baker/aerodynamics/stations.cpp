@@ -126,13 +126,15 @@ Plan plan_of(Part part, const AerodynamicData& loads, double size) {
     const double shortest = std::max(solver.values[1], 0.0), longest = solver.values[2];
     Vector3d length = solver.vectors.col(2);
     length = (length - out.normal.dot(length) * out.normal).normalized();
-    // Equal moments define no axes; the body's are used.
+    // Equal moments define no axes. Then the part is cut along a mirror line, near the body's axis if it has several: across one, the two halves of a
+    // blossom would be cut unlike, and all blossoms would spin in one sense.
     if (!(longest >= 1.05 * shortest) || !(length.squaredNorm() > 0.5)) {
         length = out.normal.unitOrthogonal();
         Vector3d best = across * row(loads.axes, (broad + 1) % 3);
         const Vector3d other = across * row(loads.axes, (broad + 2) % 3);
         if (other.squaredNorm() > 1.01 * best.squaredNorm()) best = other;
         if (best.squaredNorm() > 1e-6) length = best.normalized();
+        length = mirror_line(faces, out.normal, length);
     }
     const Vector3d width = out.normal.cross(length);
     // A strip's span is its length. Other wings fly along the axis in which fore and aft differ.

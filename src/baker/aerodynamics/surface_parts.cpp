@@ -5,7 +5,9 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -24,6 +26,7 @@ constexpr double folded = 0.03;       // mean squared sine of the tilt, above wh
 constexpr double flat_sides = 0.1;    // largest tilt within its sides, over that of the whole
 constexpr double least_share = 0.04;  // least share of the area in a group
 constexpr double good_sectors = 0.88; // mean compactness of sectors
+constexpr double symmetric = 1e-3;    // skewness of an outline, below which it is its own mirror image
 // Root mean square height along the normal, over the root of half the area, above which a group is two walls.
 constexpr double walls_apart = 0.25;
 constexpr int directions = 24, offsets = 23;
@@ -101,9 +104,8 @@ std::vector<Dot> joined(const std::vector<Dot>& dots, double step) {
     return out;
 }
 
-std::vector<Dot> dots_of(const Part& part, const Vector3d& normal) {
+std::vector<Dot> dots_of(const Part& part, const Vector3d& normal, const Frame& frame) {
     constexpr std::size_t most_dots = 50000; // dense meshes have more, which are joined
-    const Frame frame = frame_across(normal);
     double size = 0.0;
     for (const Vector3d& e : {frame.x, frame.y}) {
         const auto [low, high] = extent_of(part, e);
@@ -133,6 +135,9 @@ double score_of(const std::vector<Dot>& dots, const Line& line) {
 struct Turn {
     double cosine = 1.0, sine = 0.0;
     Turn plus(const Turn& a) const { return {cosine * a.cosine - sine * a.sine, sine * a.cosine + cosine * a.sine}; }
+    Turn half() const {
+        return {std::sqrt(0.5 * (1.0 + cosine)), std::sqrt(0.5 * (1.0 - cosine))};
+    } // below half a turn
 };
 
 // Equal sectors about the centroid.
@@ -169,6 +174,55 @@ double score_of(const std::vector<Dot>& dots, const Sectors& sectors) {
     return sum / area;
 }
 
+struct MirrorLine {
+    Turn along;
+    double skewness; // square of the odd part over that of the outline; 0: the outline is its own mirror image
+};
+
+// The line, through the centroid, in which an outline is most nearly its own mirror image: along x, or else the best.
+MirrorLine mirror_line(const std::vector<Dot>& dots) {
+    // Moments of z^m, z = x + i y. Along a mirror line all are real.
+    constexpr std::size_t least = 2, most = 8;
+    using Complex = std::complex<double>;
+    Outline all;
+    for (const Dot& d : dots) all.add(d);
+    const Eigen::Vector2d middle = all.first / all.area;
+    const double reach = std::sqrt(2.0 * ((all.second / all.area).trace() - middle.squaredNorm()));
+    std::array<Complex, most + 1> moments{};
+    for (const Dot& d : dots) {
+        const Complex z((d.at.x() - middle.x()) / reach, (d.at.y() - middle.y()) / reach);
+        Complex power = z;
+        for (std::size_t m = least; m <= most; ++m) moments[m] += d.area / all.area * (power *= z);
+    }
+    double squares = 0.0;
+    for (const Complex& c : moments) squares += std::norm(c);
+    const auto skewness_along = [&](const Complex& direction) {
+        Complex back = std::conj(direction);
+        double sum = 0.0;
+        for (std::size_t m = least; m <= most; ++m) {
+            const double odd = (moments[m] * (back *= std::conj(direction))).imag();
+            sum += odd * odd;
+        }
+        return sum;
+    };
+    constexpr double negligible = 1e-6; // of a disc whose triangles are uneven
+    Complex best = 1.0;
+    double lowest = skewness_along(best) - negligible;
+    const auto try_along = [&](Complex direction) {
+        direction /= std::sqrt(std::norm(direction));
+        const double found = skewness_along(direction);
+        if (!(found < lowest * (1.0 - 1e-9))) return;
+        best = direction;
+        lowest = found;
+    };
+    // Half a turn in steps of an eighth of the shortest period, and smaller ones.
+    Complex direction = 1.0;
+    for (int turn = 0; turn < 64; ++turn) try_along(direction *= Complex(1.0, 0.05));
+    for (double step = 0.025; step > 1e-7; step *= 0.5)
+        for (const double by : {step, -step}) try_along(best * Complex(1.0, by));
+    return {{best.real(), best.imag()}, std::max(lowest, 0.0) / (squares + negligible)};
+}
+
 // The fewest sectors that are compact, or else the best.
 Sectors best_sectors(const std::vector<Dot>& dots, std::size_t most) {
     // Cosines of 2 pi/n for n = 3 to 8.
@@ -176,11 +230,24 @@ Sectors best_sectors(const std::vector<Dot>& dots, std::size_t most) {
     Sectors best;
     Outline all;
     for (const Dot& d : dots) all.add(d);
+    const MirrorLine mirror = mirror_line(dots);
     for (std::size_t n = 3; n <= std::min<std::size_t>(most, 8); ++n) {
         Sectors s, found;
         s.count = n;
         s.centre = all.first / all.area;
         s.width = {cosines[n - 3], std::sqrt(1.0 - cosines[n - 3] * cosines[n - 3])};
+        // Of its own mirror image the sectors are too, or a blossom would have a preferred sense of spin.
+        if (mirror.skewness < symmetric) {
+            s.first = mirror.along;
+            for (const bool between : {false, true}) {
+                if (between) s.first = s.first.plus(s.width.half());
+                s.score = score_of(dots, s);
+                if (s.score > found.score + 1e-9) found = s;
+            }
+            if (found.score > best.score + 0.01) best = found;
+            if (best.score > good_sectors) break;
+            continue;
+        }
         // Some three degrees, over the width of a sector.
         const double small = 0.05, cosine = std::sqrt(1.0 - small * small);
         for (int turn = 0; turn < static_cast<int>(126 / n) + 1; ++turn) {
@@ -485,10 +552,16 @@ double compactness(const Part& part, const Vector3d& normal) {
     return all.compactness();
 }
 
+Vector3d mirror_line(const Part& part, const Vector3d& normal, const Vector3d& like) {
+    const Frame frame{like, normal.cross(like)};
+    const Turn along = mirror_line(dots_of(part, normal, frame)).along;
+    return along.cosine * frame.x + along.sine * frame.y;
+}
+
 std::vector<Part> split_by_outline(Part part, const Vector3d& normal, std::size_t most) {
     if (compactness(part, normal) > least_compactness) return {std::move(part)};
     const Frame frame = frame_across(normal);
-    const std::vector<Dot> dots = dots_of(part, normal);
+    const std::vector<Dot> dots = dots_of(part, normal, frame);
     const Sectors sectors = best_sectors(dots, most);
     std::vector<Part> out;
     if (sectors.score > good_sectors) {
@@ -515,7 +588,7 @@ std::vector<Part> split_by_outline(Part part, const Vector3d& normal, std::size_
             }
         }
         if (worst == out.size()) break;
-        const Line line = best_line(dots_of(out[worst], normal));
+        const Line line = best_line(dots_of(out[worst], normal, frame));
         if (!(line.score > compactness(out[worst], normal))) break;
         auto [below, above] = cut(out[worst], line.cosine * frame.x + line.sine * frame.y, line.offset);
         out[worst] = std::move(below);
