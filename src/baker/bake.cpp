@@ -262,22 +262,10 @@ private:
         return combined_mass_properties(mesh_, 0, thickness_ * m.area, thickness_ * first, thickness_ * second);
     }
 
-    // Of a solid that crosses itself: volume within it counts once.
-    MassProperties self_crossing_properties() {
-        parts_.mesh = mesh_, parts_.solid_faces = mesh_.faces.size();
-        const RegionMoments m = body_moments(parts_, thickness_, false);
-        if (m.counted - m.volume <= 1e-4 * m.counted) return compute_mass_properties(mesh_);
-        return combined_mass_properties(mesh_, mesh_.faces.size(), m.volume, m.first, m.second);
-    }
-
-    bool crosses_itself() const {
-        return !is_sheet() && std::any_of(faults_.begin(), faults_.end(),
-                                          [](const Fault& f) { return f.id == FaultId::mesh_self_intersection; });
-    }
-
-    MassProperties properties_of(const Mesh& mesh) const {
+    MassProperties properties() {
+        if (mixed_) return mixed_properties();
         if (options_.card) return card_properties();
-        return is_sheet() ? compute_sheet_mass_properties(mesh, thickness_) : compute_mass_properties(mesh);
+        return is_sheet() ? compute_sheet_mass_properties(mesh_, thickness_) : solid_mass_properties(mesh_, faults_);
     }
 
     // Mass properties of the mass mesh if there is one, else of the mesh without its cavities.
@@ -301,7 +289,7 @@ private:
     }
 
     bool make_mass() {
-        solid_ = mixed_ ? mixed_properties() : crosses_itself() ? self_crossing_properties() : properties_of(mesh_);
+        solid_ = properties();
         MassProperties weighed;
         if (!read_mass(weighed)) return false;
         // The layers lie on each other and displace their own volume, so the sheet's mean thickness is that of all layers.

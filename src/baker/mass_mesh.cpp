@@ -20,7 +20,7 @@ bool weigh(Mesh& mesh, const WeighOptions& how, MassProperties& out, Faults& fau
     if (check_and_repair(checked, found) || how.strict) {
         faults.insert(faults.end(), found.begin(), found.end());
         if (has_error(found)) return false;
-        out = compute_mass_properties(checked);
+        out = solid_mass_properties(checked, found);
         return true;
     }
     BodyParts parts;

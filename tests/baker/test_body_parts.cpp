@@ -2,6 +2,7 @@
 #include "bake_mesh.h"
 #include "baker/added_mass/mixed_added_mass.h"
 #include "baker/bake_added_mass.h"
+#include "baker/mass_mesh.h"
 #include "baker/mesh/body_parts.h"
 #include "baker/mesh/solid_region.h"
 
@@ -334,6 +335,11 @@ TEST_CASE("bake: volume within a solid that crosses itself counts once") {
     CHECK(asset.volume == doctest::Approx(volume).epsilon(0.002));
     CHECK(asset.mass == doctest::Approx(800.0 * volume).epsilon(0.002));
     CHECK(std::abs(asset.center_of_mass[0]) < 1e-4 * a);
+    // As the mass of another body too.
+    MassProperties weighed;
+    Faults faults;
+    REQUIRE(weigh(eight, {}, weighed, faults));
+    CHECK(weighed.volume == asset.volume);
 }
 
 TEST_CASE("bake: a cavity displaces fluid and holds no mass, a solid in a solid counts once") {

@@ -441,12 +441,14 @@ private:
     Count without_area_, copies_, filled_, cavities_, sheet_parts_;
 };
 
+bool crosses_itself(const Faults& found) {
+    return std::any_of(found.begin(), found.end(),
+                       [](const Fault& f) { return f.id == FaultId::mesh_self_intersection; });
+}
 } // namespace
 
 bool is_clean_solid(Mesh& mesh, Faults& found) {
-    return check_and_repair(mesh, found) && std::none_of(found.begin(), found.end(), [](const Fault& f) {
-               return f.id == FaultId::mesh_self_intersection;
-           });
+    return check_and_repair(mesh, found) && !crosses_itself(found);
 }
 
 bool find_parts(Mesh& mesh, BodyParts& out, Faults& faults, OpenParts open) {
@@ -485,6 +487,14 @@ RegionMoments body_moments(const BodyParts& parts, double thickness, bool hollow
     m.second += 0.5 * s.inertia.trace() * Eigen::Matrix3d::Identity() - s.inertia +
                 s.volume * s.centroid * s.centroid.transpose();
     return m;
+}
+
+MassProperties solid_mass_properties(const Mesh& mesh, const Faults& found) {
+    const MassProperties sum = compute_mass_properties(mesh);
+    if (!crosses_itself(found)) return sum;
+    const RegionMoments m = SolidRegion(mesh, mesh.faces).moments(sum);
+    if (m.counted - m.volume <= 1e-4 * m.counted) return sum;
+    return combined_mass_properties(mesh, mesh.faces.size(), m.volume, m.first, m.second);
 }
 
 double sheet_length(const Mesh& mesh, const std::vector<Face>& sheets) {

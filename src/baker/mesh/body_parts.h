@@ -43,6 +43,9 @@ bool find_parts(Mesh& mesh, BodyParts& out, Faults& faults, OpenParts open = Ope
 // Moments of the union of the solids and of the sheets, plates of this thickness. hollow: without the cavities; else they are filled.
 RegionMoments body_moments(const BodyParts& parts, double thickness, bool hollow);
 
+// Of one sound solid, or of one that crosses itself, as the faults of its check say: volume covered twice counts once. For density 1.
+MassProperties solid_mass_properties(const Mesh& mesh, const Faults& found);
+
 // A typical length of sheets: the mean extent of connected parts, weighted by their area.
 double sheet_length(const Mesh& mesh, const std::vector<Face>& sheets);
 
