@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <string>
@@ -37,6 +38,17 @@ template <class Number, std::size_t N> std::array<Number, N> parse_list(std::str
         if (i + 1 < N) rest.remove_prefix(comma + 1);
     }
     return values;
+}
+
+// A picture under the name of another format would not open everywhere. Names without an ending are taken.
+inline void check_png_name(const std::string& name, const char* option) {
+    const std::size_t dot = name.find_last_of("./\\");
+    if (dot == std::string::npos || name[dot] != '.') return;
+    std::string ending = name.substr(dot);
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](char c) { return c < 'a' ? static_cast<char>(c | 0x20) : c; });
+    if (ending != ".png")
+        throw CLI::ValidationError(option, "the picture is a PNG; its name '" + name + "' must end in .png");
 }
 
 // Density in kg/m^3 and kinematic viscosity in m^2/s.

@@ -180,6 +180,7 @@ void read_outputs(const CLI::App& command, const Texts& texts, CommandLine& line
     line.folders = to_folder || (!ellipsoid && is_folder(line.output) && (several || line.output.back() == '/'));
     if (several && !line.folders)
         throw CLI::ValidationError("--output", "several inputs need a folder: --output-dir DIR");
+    if (!line.folders) check_png_name(line.preview, "--preview");
     if (ellipsoid) return;
     if (!line.folders && (texts.force || command.count("--jobs") > 0))
         throw CLI::ValidationError(texts.force ? "--force" : "--jobs", "only with --output-dir");

@@ -64,6 +64,7 @@ std::optional<DropCommand> parse_command_line(int argc, char** argv, int& exit_c
             if (app.count(option) > 0 && file->empty()) throw CLI::ValidationError(option, "the file name is empty");
             *file = baker::with_slashes(*file);
         }
+        baker::check_png_name(command.png, "--png");
         falls::Drop& drop = command.drop;
         drop.release = parse_release(release);
         drop.height = parse_number<double>(height, "--height");

@@ -118,5 +118,10 @@ TEST_CASE("lr_bake: --preview draws a picture") {
     const std::string png = scratch.read("a.png");
     CHECK(png.size() > 20000); // a blank picture has less
     CHECK(png.substr(1, 3) == "PNG");
-    CHECK(lr_bake({"mesh", mesh, "-o", scratch.path("a.lrb"), "--preview", mesh}).exit_code == 1);
+    const std::string picture = scratch.path("a.png");
+    const Outcome over = lr_bake(
+        {"card", picture, "-o", scratch.path("b.lrb"), "--width", "8cm", "--thickness", "0.2mm", "--preview", picture});
+    CHECK((over.exit_code == 1 && contains(over.err, "overwrite")));
+    const Outcome jpg = lr_bake({"mesh", mesh, "-o", scratch.path("a.lrb"), "--preview", scratch.path("a.jpg")});
+    CHECK((jpg.exit_code == 2 && contains(jpg.err, "must end in .png")));
 }
