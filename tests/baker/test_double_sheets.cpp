@@ -148,6 +148,16 @@ struct FoldedLeaf {
 };
 } // namespace
 
+TEST_CASE("double sheets: the back of faces much finer than its distance") {
+    // The gap is a hundredth of 10 cm, five faces long.
+    Mesh leaf = twice(blade(500, 8, 0.0, false), blade(499, 9, 0.0008, true));
+    for (Eigen::Vector3d& v : leaf.vertices) v = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 0.5).normalized()) * v;
+    Faults faults;
+    CHECK(left_of(leaf, faults) == 8982); // the smaller side is left out
+    leaf = twice(blade(500, 8, 0.0, false), blade(500, 8, 0.003, true));
+    CHECK(left_of(leaf, faults) == leaf.faces.size());
+}
+
 TEST_CASE("double sheets: a front and a back face a hair apart are one sheet, however the back is cut into faces") {
     Faults faults;
     const Mesh front = blade(20, 8, 0.0, false);

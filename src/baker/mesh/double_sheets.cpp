@@ -225,7 +225,15 @@ private:
             box.extend(boxes[i]);
             sum += boxes[i].sizes().maxCoeff();
         }
-        cell_ = std::max({gap_, 0.5 * sum / static_cast<double>(faces_.size()), 1e-6 * box.sizes().maxCoeff()});
+        // Cells of the size of the faces, for otherwise a million faces have hundreds in each.
+        const double face = sum / static_cast<double>(faces_.size()), least = 1e-6 * box.sizes().maxCoeff();
+        const double coarse = std::max({gap_, 0.5 * face, least});
+        return fill_grid(boxes, std::min(coarse, std::max({0.25 * gap_, face, least}))) || fill_grid(boxes, coarse);
+    }
+
+    bool fill_grid(const std::vector<Eigen::AlignedBox3d>& boxes, double cell) {
+        cell_ = cell;
+        entries_.clear();
         for (uint32_t i = 0; i < faces_.size(); ++i) {
             const Cell low = cell_of(boxes[i].min()), high = cell_of(boxes[i].max());
             for (int64_t x = low[0]; x <= high[0]; ++x)
@@ -254,19 +262,38 @@ private:
                 const Eigen::Vector3d point = w[0] * at(f[0]) + w[1] * at(f[1]) + w[2] * at(f[2]);
                 double nearest = gap_;
                 uint32_t found = UINT32_MAX;
-                const Cell low = cell_of(point - Eigen::Vector3d::Constant(gap_)),
-                           high = cell_of(point + Eigen::Vector3d::Constant(gap_));
-                for (int64_t x = low[0]; x <= high[0]; ++x)
-                    for (int64_t y = low[1]; y <= high[1]; ++y)
-                        for (int64_t z = low[2]; z <= high[2]; ++z) {
-                            const Cell cell{x, y, z};
-                            for (auto e = std::lower_bound(entries_.begin(), entries_.end(), std::pair(cell, 0U));
-                                 e != entries_.end() && e->first == cell; ++e)
-                                if (const double d = distance(point, i, e->second); d < nearest) {
-                                    nearest = d;
-                                    found = e->second;
-                                }
-                        }
+                const Eigen::Vector3d& along = normal_[i];
+                const double slack = 1e-3 * cell_;
+                using Part = std::array<double, 2>; // of the line from the point along the normal, in m
+                const auto layers = [&](Eigen::Index k, const Part& part) {
+                    const auto [low, high] =
+                        std::minmax({point[k] + part[0] * along[k], point[k] + part[1] * along[k]});
+                    return std::array{static_cast<int64_t>(std::floor((low - slack) / cell_)),
+                                      static_cast<int64_t>(std::floor((high + slack) / cell_))};
+                };
+                const auto within = [&](Eigen::Index k, int64_t layer, const Part& part) {
+                    if (std::abs(along[k]) < 1e-9) return part;
+                    const double low = static_cast<double>(layer) * cell_ - slack - point[k];
+                    const double a = low / along[k], b = (low + cell_ + 2.0 * slack) / along[k];
+                    return Part{std::max(part[0], std::min(a, b)), std::min(part[1], std::max(a, b))};
+                };
+                const Part all{-gap_, gap_};
+                const auto xs = layers(0, all);
+                for (int64_t x = xs[0]; x <= xs[1]; ++x) {
+                    const Part in_x = within(0, x, all);
+                    const auto ys = layers(1, in_x);
+                    for (int64_t y = ys[0]; y <= ys[1]; ++y) {
+                        const auto zs = layers(2, within(1, y, in_x));
+                        const Cell last{x, y, zs[1]};
+                        for (auto e =
+                                 std::lower_bound(entries_.begin(), entries_.end(), std::pair(Cell{x, y, zs[0]}, 0U));
+                             e != entries_.end() && e->first <= last; ++e)
+                            if (const double d = distance(point, i, e->second); d < nearest) {
+                                nearest = d;
+                                found = e->second;
+                            }
+                    }
+                }
                 if (found == UINT32_MAX) continue;
                 Cover& cover = covers_[{patch_[i], patch_[found]}];
                 cover.area += area_[i] / static_cast<double>(points.size());
