@@ -160,6 +160,24 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("readers: STL as text, with blanks in names, without normals, in double precision") {
+    const std::string facet =
+        "FACET\nouter loop\nvertex 0 0 0\nvertex 1.0000000001 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+    const std::string text = "\n solid Maple leaf \r\n" + facet + "endsolid Maple leaf\n  SOLID\tTwo  Stalks\n" +
+                             facet + "ENDSOLID\nsolid nothing\nendsolid\nsolid " + std::string(2000, 'x') + "\n" +
+                             facet;
+    for (const char* name : {"Maple leaf", "Two  Stalks"}) {
+        MeshReadOptions options;
+        options.mesh = name;
+        Mesh mesh;
+        Faults faults;
+        REQUIRE(read_mesh_memory(text.data(), text.size(), "stl", options, mesh, faults));
+        REQUIRE(mesh.faces.size() == 1);
+        CHECK(mesh.vertices[1].x() == 1.0000000001);
+    }
+    CHECK(contains(only_fault("solid a\nfacet\nvertex 0 0 0\nvertex 1 0\nendloop\n", "stl"), "error 201 at line 5"));
+}
+
 TEST_CASE("readers: STL in capitals, and glTF whose meshes are packed") {
     Faults faults;
     const Mesh mesh =
@@ -171,6 +189,34 @@ TEST_CASE("readers: STL in capitals, and glTF whose meshes are packed") {
     const std::string text = R"({"asset":{"version":"2.0"},"extensionsRequired" : ["KHR_mesh_quantization",)"
                              R"("EXT_meshopt_compression"]})";
     CHECK(contains(only_fault(text, "gltf"), "packed (EXT_meshopt_compression)"));
+}
+
+TEST_CASE("readers: instances of glTF by EXT_mesh_gpu_instancing") {
+    // A triangle, two places, and two turns about z as normalized bytes.
+    const float numbers[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 10, 0, 0};
+    const int8_t turns[] = {0, 0, 0, 127, 0, 0, 127, 0};
+    std::string bytes(reinterpret_cast<const char*>(numbers), sizeof numbers);
+    bytes.append(reinterpret_cast<const char*>(turns), sizeof turns);
+    const Scratch scratch;
+    scratch.write("copies.bin", bytes);
+    const std::string text =
+        R"({"asset":{"version":"2.0"},"extensionsRequired":["EXT_mesh_gpu_instancing"],"buffers":[{"uri":"copies.bin","byteLength":68}],)"
+        R"("bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":24},{"buffer":0,"byteOffset":60,"byteLength":8}],)"
+        R"("accessors":[{"bufferView":0,"count":3,"type":"VEC3","componentType":5126},{"bufferView":1,"count":2,"type":"VEC3","componentType":5126},)"
+        R"({"bufferView":2,"count":2,"type":"VEC4","componentType":5120,"normalized":true}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
+        R"("nodes":[{"name":"twig","mesh":0,"translation":[0,0,5],"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{"TRANSLATION":1,"ROTATION":2}}}}],)"
+        R"("scenes":[{"nodes":[0]}],"scene":0})";
+    MeshReadOptions options;
+    options.mesh = "twig";
+    Mesh mesh;
+    Faults faults;
+    REQUIRE(read_mesh(scratch.write("copies.gltf", text), options, mesh, faults));
+    REQUIRE(mesh.faces.size() == 2);
+    CHECK(mesh.vertices[mesh.faces[0][1]].isApprox(Eigen::Vector3d(1, 0, 5), 1e-6));
+    CHECK(mesh.vertices[mesh.faces[1][1]].isApprox(Eigen::Vector3d(9, 0, 5), 1e-6)); // half a turn about z
+    std::string outside = text;
+    outside.replace(outside.find(R"("count":2)"), 9, R"("count":9)");
+    CHECK_FALSE(read_mesh(scratch.write("outside.gltf", outside), options, mesh, faults));
 }
 
 TEST_CASE("readers: glTF positions that are whole numbers") {
@@ -278,6 +324,49 @@ TEST_CASE("readers: coarser levels of detail and collision shapes are not baked 
     options.mesh = "UCX_oak_01";
     REQUIRE(read_mesh_memory(text.data(), text.size(), "obj", options, mesh, faults));
     CHECK(mesh.faces.size() == 1);
+}
+
+TEST_CASE("readers: names of levels of detail and collision shapes, as programs write them") {
+    const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n";
+    for (const auto& [fine, coarse] : {std::pair{"oak", "oak_LOD1"},
+                                       {"oak-LOD0", "oak-LOD1"},
+                                       {"oak.lod0", "oak.lod1"},
+                                       {"oakLOD0", "oakLOD1"},
+                                       {"LOD0", "LOD1"},
+                                       {"LOD0_oak", "LOD1_oak"},
+                                       {"oak_LOD0.001", "oak_LOD1.001"},
+                                       {"oak_LOD_00", "oak_LOD_01"},
+                                       {"oak_LOD2", "oak_LOD10"},
+                                       {"oak LOD0 bark", "oak LOD1 bark"},
+                                       {"oak", "ucx_oak"},
+                                       {"oak", "MCDCX_oak_00"},
+                                       {"oak", "oak-colonly.001"},
+                                       {"oak", "Oak_Collision"},
+                                       {"oak", "oak_collider"}}) {
+        CAPTURE(coarse);
+        MeshReadOptions options;
+        options.repair = true;
+        Mesh mesh;
+        Faults faults;
+        const auto faces = [&](const std::string& one, const std::string& other) {
+            const std::string text = "o " + one + "\n" + triangle + "o " + other + "\n" + triangle;
+            REQUIRE(read_mesh_memory(text.data(), text.size(), "obj", options, mesh, faults));
+            return mesh.faces.size();
+        };
+        CHECK(faces(fine, coarse) == 1);
+        CHECK(faces(coarse, fine) == 1);
+        CHECK(faces(coarse, coarse) == 2);
+    }
+    for (const auto& [one, other] :
+         {std::pair{"melod0", "melod1"}, {"oak_LOD0", "elm_LOD1"}, {"oak_LOD0a", "oak_LOD1a"}}) {
+        const std::string text = std::string("o ") + one + "\n" + triangle + "o " + other + "\n" + triangle;
+        MeshReadOptions options;
+        options.repair = true;
+        Mesh mesh;
+        Faults faults;
+        REQUIRE(read_mesh_memory(text.data(), text.size(), "obj", options, mesh, faults));
+        CHECK(mesh.faces.size() == 2);
+    }
 }
 
 TEST_CASE("readers: OFF keeps every face") {

@@ -270,6 +270,8 @@ bool needs_plain_glb(const SceneFile& file, const FileAccess& files, std::string
     if (file.extension != "gltf" && file.extension != "glb") return false;
     if (has_quantized_positions(bytes_of_file))
         why = "positions in KHR_mesh_quantization";
+    else if (has_gpu_instances(bytes_of_file))
+        why = "instances by EXT_mesh_gpu_instancing";
     else if (has_unbound_skins(bytes_of_file))
         why = "a skin without inverseBindMatrices";
     else

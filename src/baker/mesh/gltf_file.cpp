@@ -9,6 +9,7 @@
 #include <limits>
 #include <set>
 #include <stdexcept>
+#include <tuple>
 #include <vector>
 
 namespace lr::baker {
@@ -16,6 +17,8 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr std::string_view instancing = "EXT_mesh_gpu_instancing";
+constexpr std::size_t most_instances = 1'000'000;
 constexpr int deepest = 64; // limit of nesting, since writing the text recurses
 constexpr std::size_t most_bytes = std::numeric_limits<uint32_t>::max() / 2;
 
@@ -109,6 +112,33 @@ template <class Number> float as_float(const char* from, bool normalized) {
     return std::max(static_cast<float>(value) / static_cast<float>(std::numeric_limits<Number>::max()), -1.0F);
 }
 
+float as_float(const char* from, std::size_t type, bool normalized) {
+    return type == 5120   ? as_float<int8_t>(from, normalized)
+           : type == 5121 ? as_float<uint8_t>(from, normalized)
+           : type == 5122 ? as_float<int16_t>(from, normalized)
+           : type == 5123 ? as_float<uint16_t>(from, normalized)
+                          : as_float<float>(from, false);
+}
+
+// Where an accessor's numbers begin, and how far apart they are.
+struct Layout {
+    std::size_t type = 0, size = 0, count = 0, begin = 0, stride = 0;
+};
+
+Layout layout_of(const Gltf& gltf, const Json& accessor, std::size_t components) {
+    Layout l;
+    l.type = number(accessor, "componentType");
+    demand(((l.type >= 5120 && l.type <= 5123) || l.type == 5126) && !accessor.contains("sparse"));
+    const Json& view = gltf.json.at("bufferViews").at(accessor.at("bufferView").get<std::size_t>());
+    l.size = l.type < 5122 ? 1 : l.type == 5126 ? 4 : 2;
+    l.count = number(accessor, "count");
+    l.stride = std::max(number(view, "byteStride"), components * l.size);
+    l.begin = number(view, "byteOffset") + number(accessor, "byteOffset");
+    demand(l.count > 0 && l.count < most_bytes / l.stride / 12 &&
+           l.begin + (l.count - 1) * l.stride + components * l.size <= gltf.bytes.size());
+    return l;
+}
+
 // Returns the accessor.
 Json append_floats(Gltf& gltf, const std::string& floats, std::size_t count, const char* type) {
     const std::size_t view = gltf.json["bufferViews"].size();
@@ -122,24 +152,43 @@ Json append_floats(Gltf& gltf, const std::string& floats, std::size_t count, con
 void unpack(Gltf& gltf, Json& accessor) {
     const std::size_t type = number(accessor, "componentType");
     if (type < 5120 || type > 5123 || !accessor.contains("bufferView")) return;
-    demand(accessor.at("type") == "VEC3" && !accessor.contains("sparse"));
-    const Json& view = gltf.json.at("bufferViews").at(number(accessor, "bufferView"));
-    const std::size_t size = type < 5122 ? 1 : 2, count = number(accessor, "count");
-    const std::size_t stride = std::max(number(view, "byteStride"), 3 * size);
-    const std::size_t begin = number(view, "byteOffset") + number(accessor, "byteOffset");
-    demand(count > 0 && count < most_bytes / stride / 12 &&
-           begin + (count - 1) * stride + 3 * size <= gltf.bytes.size());
+    demand(accessor.at("type") == "VEC3");
+    const Layout l = layout_of(gltf, accessor, 3);
     const bool normalized = accessor.value("normalized", false);
-    std::string floats(12 * count, '\0');
-    for (std::size_t i = 0; i < 3 * count; ++i) {
-        const char* from = gltf.bytes.data() + begin + i / 3 * stride + i % 3 * size;
-        const float value = type == 5120   ? as_float<int8_t>(from, normalized)
-                            : type == 5121 ? as_float<uint8_t>(from, normalized)
-                            : type == 5122 ? as_float<int16_t>(from, normalized)
-                                           : as_float<uint16_t>(from, normalized);
+    std::string floats(12 * l.count, '\0');
+    for (std::size_t i = 0; i < 3 * l.count; ++i) {
+        const float value = as_float(gltf.bytes.data() + l.begin + i / 3 * l.stride + i % 3 * l.size, type, normalized);
         std::memcpy(floats.data() + 4 * i, &value, 4);
     }
-    accessor = append_floats(gltf, floats, count, "VEC3");
+    accessor = append_floats(gltf, floats, l.count, "VEC3");
+}
+
+// Makes each copy of a mesh that EXT_mesh_gpu_instancing places a node below the one that has the mesh.
+void expand_instances(Gltf& gltf) {
+    Json& nodes = gltf.json.at("nodes");
+    for (std::size_t n = 0, end = nodes.size(); n < end; ++n) {
+        const Json extension = nodes[n].value("extensions", Json::object()).value(std::string(instancing), Json());
+        if (extension.is_null() || !nodes[n].contains("mesh")) continue;
+        Json copy{{"mesh", nodes[n]["mesh"]}, {"name", nodes[n].value("name", "")}};
+        std::vector<Json> copies;
+        for (const auto& [attribute, key, components] :
+             {std::tuple{"TRANSLATION", "translation", 3U}, {"ROTATION", "rotation", 4U}, {"SCALE", "scale", 3U}}) {
+            if (!extension.at("attributes").contains(attribute)) continue;
+            const Json& accessor = gltf.json.at("accessors").at(number(extension["attributes"], attribute));
+            const Layout l = layout_of(gltf, accessor, components);
+            if (copies.empty()) copies.resize(l.count, copy);
+            demand(copies.size() == l.count && nodes.size() + l.count < most_instances);
+            for (std::size_t i = 0; i < l.count; ++i)
+                for (std::size_t k = 0; k < components; ++k)
+                    copies[i][key].push_back(
+                        as_float(gltf.bytes.data() + l.begin + i * l.stride + k * l.size, l.type, true));
+        }
+        nodes[n].erase("mesh");
+        for (Json& child : copies) {
+            nodes[n]["children"].push_back(nodes.size());
+            nodes.push_back(std::move(child));
+        }
+    }
 }
 
 bool is_unbound(const Json& skin) {
@@ -183,6 +232,10 @@ std::string_view unread_gltf_extension(std::string_view file) {
     return {};
 }
 
+bool has_gpu_instances(std::string_view file) {
+    return file.find(instancing) != std::string_view::npos;
+}
+
 bool has_quantized_positions(std::string_view file) {
     return file.find("\"KHR_mesh_quantization\"") != std::string_view::npos;
 }
@@ -210,6 +263,7 @@ std::string plain_glb(std::string_view file, const ReadGltfBuffer& read_buffer) 
                 if (primitive.at("attributes").contains("POSITION"))
                     positions.insert(number(primitive["attributes"], "POSITION"));
         for (const std::size_t accessor : positions) unpack(gltf, gltf.json.at("accessors").at(accessor));
+        expand_instances(gltf);
         if (gltf.json.contains("skins"))
             for (Json& skin : gltf.json["skins"])
                 if (is_unbound(skin)) bind(gltf, skin);

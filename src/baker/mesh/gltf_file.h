@@ -15,6 +15,7 @@ std::string why_no_gltf(std::string_view file);
 std::string_view unread_gltf_extension(std::string_view file);
 
 bool has_quantized_positions(std::string_view file);
+bool has_gpu_instances(std::string_view file); // EXT_mesh_gpu_instancing
 bool has_unbound_skins(std::string_view file);
 
 // The bytes of a file that the glTF refers to; empty if unreadable.

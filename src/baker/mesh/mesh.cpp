@@ -9,6 +9,7 @@
 #include "baker/mesh/obj_reader.h"
 #include "baker/mesh/off_reader.h"
 #include "baker/mesh/ply_reader.h"
+#include "baker/mesh/stl_reader.h"
 #include "baker/mesh/threemf_reader.h"
 #include "baker/mesh/unknown_file.h"
 #include "baker/printable_text.h"
@@ -121,36 +122,55 @@ bool select(PolygonSoup& soup, const std::string& name, const std::string& where
     return true;
 }
 
-// Engines hide some objects by name: levels of detail, "oak_LOD1" coarser than "oak_LOD0", and collision shapes, "UCX_oak" (Unreal) and "oak-colonly"
-// (Godot).
+// Engines hide some objects by name: levels of detail, "oak_LOD1" coarser than "oak_LOD0" or "oak", and collision shapes, "UCX_oak" (Unreal) and
+// "oak-colonly" (Godot). Blender ends copies with ".001".
 struct EngineName {
     bool collision = false;
     std::string stem; // name without the level of detail
     int level = -1;
 };
 
-EngineName engine_name(const std::string& name) {
+EngineName engine_name(std::string name) {
     EngineName out;
-    for (const char* prefix : {"UCX_", "UBX_", "USP_", "UCP_"}) out.collision |= name.starts_with(prefix);
-    out.collision |= name.ends_with("colonly");
+    const auto is_digit = [&](std::size_t i) { return i < name.size() && name[i] >= '0' && name[i] <= '9'; };
+    const std::size_t copy = name.find_last_not_of("0123456789");
+    if (copy != std::string::npos && name[copy] == '.') name.resize(copy);
     const std::string small = lower_case(name);
-    const std::size_t last = small.find_last_not_of("0123456789");
-    if (last != std::string::npos && last >= 3 && last + 2 == small.size() && small.substr(last - 3, 4) == "_lod") {
-        out.stem = small.substr(0, last - 3);
-        out.level = small.back() - '0';
+    for (const char* prefix : {"ucx_", "ubx_", "usp_", "ucp_", "mcdcx_"}) out.collision |= small.starts_with(prefix);
+    for (const char* ending : {"colonly", "_collision", "_collider"}) out.collision |= small.ends_with(ending);
+    out.stem = small;
+    for (std::size_t at = small.find("lod"); at != std::string::npos; at = small.find("lod", at + 1)) {
+        const auto is_letter = [&](std::size_t i) { return i < small.size() && small[i] >= 'a' && small[i] <= 'z'; };
+        std::size_t digit = at + 3;
+        if (digit < name.size() && !is_digit(digit) && !is_letter(digit)) ++digit; // LOD_0
+        const std::size_t end = digit + 1 + is_digit(digit + 1);
+        const bool begins_word = at == 0 || !is_letter(at - 1) || (name[at] == 'L' && name[at - 1] == small[at - 1]);
+        if (!begins_word || !is_digit(digit) || is_digit(end) || is_letter(end)) continue;
+        out.level = std::stoi(name.substr(digit, end - digit));
+        const std::string before = small.substr(0, at);
+        out.stem = before.substr(0, before.find_last_not_of(" _-.") + 1) + small.substr(end);
+        break;
     }
     return out;
 }
 
 void drop_engine_copies(PolygonSoup& soup, const std::string& where, Faults& faults) {
     std::map<std::string, int> finest;
-    for (const SoupPart& part : soup.parts)
+    const auto note = [&](const std::string& stem, int level) {
+        int& least = finest.try_emplace(stem, level).first->second;
+        least = std::min(least, level);
+    };
+    for (const SoupPart& part : soup.parts) {
+        bool has_level = false;
         for (const auto* names : {&part.own_names, &part.group_names})
             for (const std::string& name : *names)
                 if (const EngineName e = engine_name(name); e.level >= 0) {
-                    int& level = finest.try_emplace(e.stem, e.level).first->second;
-                    level = std::min(level, e.level);
+                    note(e.stem, e.level);
+                    has_level = true;
                 }
+        for (const std::string& name : part.own_names)
+            if (!has_level && !name.empty()) note(engine_name(name).stem, 0);
+    }
     const auto seen = [&](const SoupPart& part) {
         for (const auto* names : {&part.own_names, &part.group_names})
             for (const std::string& name : *names)
@@ -347,6 +367,8 @@ bool read_any(SceneFile file, const MeshReadOptions& options, Mesh& out, Faults&
             read = parse_ply(as_utf8(text, storage), soup, faults);
         } else if (file.extension == "off") {
             read = parse_off(as_utf8(text, storage), soup, faults);
+        } else if (file.extension == "stl" && is_text_stl(as_utf8(text, storage))) {
+            read = parse_stl(as_utf8(text, storage), soup, faults);
         } else if (file.extension == "3mf") {
             read = read_3mf(file.bytes, file.size, file.where, soup, faults);
         } else if (file.extension == "zae") {
@@ -359,11 +381,6 @@ bool read_any(SceneFile file, const MeshReadOptions& options, Mesh& out, Faults&
                    "packed.glb -o "
                    "model.glb.");
         } else {
-            if (file.extension == "stl" && text.substr(0, 5) == "SOLID" && text.find('\0') == std::string_view::npos) {
-                storage = lower_case(std::string(text)); // assimp knows the keywords of STL in lower case only
-                file.path = nullptr;
-                file.bytes = storage.data();
-            }
             if (is_collada(text)) file.extension = "dae"; // assimp recognises Collada with any extension
             read = (file.extension != "dae" || check_collada(text, faults)) && read_with_assimp(file, soup, faults);
             if (read && options.mesh && file.extension == "dae" && !has_name(soup, *options.mesh)) {

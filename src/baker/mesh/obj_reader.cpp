@@ -9,25 +9,8 @@
 #include <map>
 
 namespace lr::baker {
-namespace {
-
-bool is_space(char c) {
-    return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
-}
-
-// Next blank-separated word of a line; empty at its end.
-std::string_view next_word(std::string_view& rest) {
-    std::size_t begin = 0;
-    while (begin < rest.size() && is_space(rest[begin])) ++begin;
-    std::size_t end = begin;
-    while (end < rest.size() && !is_space(rest[end])) ++end;
-    const std::string_view word = rest.substr(begin, end - begin);
-    rest.remove_prefix(end);
-    return word;
-}
-
 // from_chars does not depend on the locale.
-bool parse_number(std::string_view word, double& value) {
+bool parse_coordinate(std::string_view word, double& value) {
     if (!word.empty() && word.front() == '+') word.remove_prefix(1);
     std::string with_point; // some locales write 0,5
     if (word.find(',') != std::string_view::npos) {
@@ -43,6 +26,23 @@ bool parse_number(std::string_view word, double& value) {
         return true;
     }
     return error == std::errc() && end == word.data() + word.size() && !word.empty();
+}
+
+namespace {
+
+bool is_space(char c) {
+    return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
+
+// Next blank-separated word of a line; empty at its end.
+std::string_view next_word(std::string_view& rest) {
+    std::size_t begin = 0;
+    while (begin < rest.size() && is_space(rest[begin])) ++begin;
+    std::size_t end = begin;
+    while (end < rest.size() && !is_space(rest[end])) ++end;
+    const std::string_view word = rest.substr(begin, end - begin);
+    rest.remove_prefix(end);
+    return word;
 }
 
 bool parse_index(std::string_view word, int64_t& value) {
@@ -131,7 +131,7 @@ private:
     bool parse_vertex(std::string_view line) {
         Eigen::Vector3d position;
         for (int axis = 0; axis < 3; ++axis)
-            if (!parse_number(next_word(line), position[axis]))
+            if (!parse_coordinate(next_word(line), position[axis]))
                 return fail(FaultId::mesh_unreadable, "A vertex needs three numbers.", "Export the file again.");
         soup_.vertices.push_back(position);
         return true;

@@ -25,6 +25,9 @@ struct PolygonSoup {
     std::size_t ignored_points = 0; // points and lines, which have no surface
 };
 
+// A number in any locale: also 0,5. One too small is 0, one too large infinite.
+bool parse_coordinate(std::string_view word, double& value);
+
 bool parse_obj(std::string_view text, PolygonSoup& out, Faults& faults);
 
 // Ear clipping in the plane of each polygon's Newell normal. first_face: of each of the soup's parts. False if an index is out of range.
