@@ -135,8 +135,8 @@ Separation separate_from_plane(const PlacedBody& body, const PlacedCollider& col
     return out;
 }
 
-Separation separate(const PlacedBody& body, const PlacedCollider& collider, double enough, const Sides& sides) {
-    const Nearest nearest = nearest_points(body, collider, enough);
+Separation separate(const PlacedBody& body, const PlacedCollider& collider, const Nearest& nearest,
+                    const Sides& sides) {
     if (!nearest.overlap && (sides.least < 0.0 || dot(nearest.normal, sides.front) > 0.0))
         return {nearest.normal, nearest.lower, true, nearest.on_body, nearest.on_collider};
 

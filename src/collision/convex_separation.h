@@ -41,8 +41,12 @@ inline Double3 direction_of(Vector v) {
     return size > 0.0f ? 1.0 / static_cast<double>(size) * to_double(v) : Double3{};
 }
 
+Separation separate(const PlacedBody& body, const PlacedCollider& collider, const Nearest& nearest, const Sides& sides);
 // enough: m; stops once the pair is known to be farther apart.
-Separation separate(const PlacedBody& body, const PlacedCollider& collider, double enough, const Sides& sides = {});
+inline Separation separate(const PlacedBody& body, const PlacedCollider& collider, double enough,
+                           const Sides& sides = {}) {
+    return separate(body, collider, nearest_points(body, collider, enough), sides);
+}
 
 // Along the normals of the triangle's two sides, or of one only.
 Separation separate_from_plane(const PlacedBody& body, const PlacedCollider& collider, Double3 normal, bool one_sided);

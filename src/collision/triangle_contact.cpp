@@ -99,7 +99,14 @@ void add_triangle(ContactPoints& set, const Triangle& t, bool alone = false) {
         return;
     }
     const Double3 normal = to_double(t.normal);
-    Separation along = separate(body, collider, enough, t.one_sided ? Sides{normal, 0.0, set.up} : Sides{.up = set.up});
+    const Nearest nearest =
+        nearest_points(body, collider, t.one_sided ? std::numeric_limits<double>::infinity() : enough);
+    // Behind a side and apart from it, beyond an edge: the neighbours handle that. Parted from this side, thin bodies rose into the air over steps.
+    if (t.one_sided && !nearest.overlap && dot(nearest.normal, normal) <= 0.0 &&
+        !is_over(t, position + to_float(nearest.on_body)))
+        return add_over_triangle(set, t, collider, false, normal);
+    Separation along =
+        separate(body, collider, nearest, t.one_sided ? Sides{normal, 0.0, set.up} : Sides{.up = set.up});
     if (along.distance >= enough) return;
     Double3 side = along.has_points ? along.normal : Double3{};
     if (!along.has_points && !t.one_sided) {

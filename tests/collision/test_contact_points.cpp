@@ -1,4 +1,5 @@
 #include "collision/convex_separation.h"
+#include "collision/triangle_contact.h"
 #include "random_pairs.h"
 
 #include <doctest/doctest.h>
@@ -269,6 +270,25 @@ TEST_CASE("a leaf in a thin wall is pushed to the side where most of it is") {
             for (uint32_t k = 0; k < found.count; ++k) CHECK((found.contacts[k].normal.z > 0.0f) == (front > back));
         }
     }
+}
+
+TEST_CASE("a leaf in the air over the edge of a closed mesh whose side is known touches nothing") {
+    test::Random random(17);
+    const BodyShape shape = test::ellipsoid(0.03f, 5e-4f, 0.02f);
+    test::Solid box;
+    REQUIRE(box.make_mesh(
+        {-1, -1, -1, -1, -1, 1, -1, 0, -1, -1, 0, 1, 1, -1, -1, 1, -1, 1, 1, 0, -1, 1, 0, 1},
+        {0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1, 2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3}));
+    uint32_t touching = 0;
+    for (uint32_t i = 0; i < test::rounds(2000); ++i) {
+        const Rotation q = test::any_rotation(random);
+        const auto tall = static_cast<float>(PlacedBody(shape, 1.0f, {{0, 0, 0}, q}).support({0, 1, 0}).y);
+        const Pose at{{1.0f - random.real(-0.02, 0.03), tall + 0.005f, 1.0f - random.real(-0.02, 0.1)}, q};
+        ContactPoints set(shape, 1.0f, at, 1e-3f, nullptr, 1);
+        add_mesh(set, box.mesh, box.part);
+        touching += set.count() > 0 ? 1u : 0u;
+    }
+    CHECK(touching == 0);
 }
 
 TEST_CASE("hostile pairs give finite contacts or none") {
