@@ -73,6 +73,41 @@ private:
     std::vector<uint32_t> above_;
     std::vector<char> turned_;
 };
+
+struct Surface {
+    Box box;
+    double volume; // six times, m^3; negative: wound inwards
+    bool any, open, turned;
+};
+
+// With more surfaces the search for rooms would be slow.
+constexpr size_t most_solids = 4096;
+
+// The front of one solid must not be the inside of the next. So if windings are mixed, closed surfaces count as wound outwards. Else those of the rarer
+// winding are turned, such as mirrored copies, unless they are rooms: a room that contains things is wound against them.
+void turn_solids(std::vector<Surface>& solids, bool mixed) {
+    std::vector<Surface*> order;
+    uint32_t inwards = 0, outwards = 0;
+    for (Surface& s : solids) {
+        if (!s.any) continue;
+        order.push_back(&s);
+        s.turned = mixed && !s.open && s.volume < 0.0;
+        if (!s.open) ++(s.volume < 0.0 ? inwards : outwards);
+    }
+    if (mixed || inwards == 0 || outwards == 0 || order.size() > most_solids) return;
+    inwards = outwards = 0;
+    for (Surface* const each : order) {
+        Surface& s = *each;
+        for (size_t k = 0; k < order.size() && !s.open; ++k) {
+            if (order[k] == each) continue;
+            const Box& b = order[k]->box;
+            const Vector below = low_of(b.low, s.box.low) - s.box.low, above = high_of(b.high, s.box.high) - s.box.high;
+            s.open = dot(below, below) + dot(above, above) == 0.0f;
+        }
+        if (!s.open) ++(s.volume < 0.0 ? inwards : outwards);
+    }
+    for (Surface* const s : order) s->turned = !s->open && (s->volume < 0.0) == (inwards <= outwards);
+}
 } // namespace
 
 double extent_of(const std::vector<HullPoint>& points) {
@@ -224,20 +259,36 @@ bool build_mesh(const float* vertices, uint32_t vertex_count, const uint32_t* in
         if (to - from == 1) ends[edges[from].triangle] = 1;
         from = to;
     }
-    // If windings are mixed, closed surfaces count as wound outwards: else the front of one solid would be the inside of the next.
     std::vector<uint32_t> of(triangle_count);
     std::vector<char> turned(triangle_count, 0);
-    std::vector<double> volume(triangle_count, 0.0);
+    std::vector<Surface> solids(triangle_count);
     bool mixed = false;
     for (uint32_t t = 0; t < triangle_count; ++t) {
         of[t] = surfaces.first(t, turned[t]);
         mixed = mixed || turned[t] != 0;
-        if (ends[t] != 0) ends[of[t]] = 1;
+        Surface& s = solids[of[t]];
+        s.open = s.open || ends[t] != 0;
         const Double3 a = at(t, 0) - at(0, 0), b = at(t, 1) - at(0, 0), c = at(t, 2) - at(0, 0);
-        volume[of[t]] += (turned[t] != 0 ? -1.0 : 1.0) * dot(a, cross(b, c));
+        s.volume += (turned[t] != 0 ? -1.0 : 1.0) * dot(a, cross(b, c));
+        const Vector corners[3] = {to_float(a), to_float(b), to_float(c)};
+        const Vector low = low_of(corners[0], low_of(corners[1], corners[2]));
+        const Vector high = high_of(corners[0], high_of(corners[1], corners[2]));
+        s.box = s.any ? Box{low_of(s.box.low, low), high_of(s.box.high, high)} : Box{low, high};
+        s.any = true;
     }
+    // A surface that meets others at some of its edges, as faces between boxes side by side do, encloses nothing by itself.
+    for (size_t from = 0, to = 0; from < edges.size(); from = to) {
+        while (to < edges.size() && edges[to].low == edges[from].low && edges[to].high == edges[from].high) ++to;
+        for (size_t i = from; i < to && to - from > 2; ++i) {
+            const auto own =
+                std::count_if(edges.begin() + static_cast<ptrdiff_t>(from), edges.begin() + static_cast<ptrdiff_t>(to),
+                              [&](const Edge& e) { return of[e.triangle] == of[edges[i].triangle]; });
+            if (own % 2 != 0) solids[of[edges[i].triangle]].open = true;
+        }
+    }
+    turn_solids(solids, mixed);
     for (uint32_t t = 0; t < triangle_count; ++t)
-        if ((turned[t] != 0) != (mixed && ends[of[t]] == 0 && volume[of[t]] < 0.0))
+        if ((turned[t] != 0) != solids[of[t]].turned)
             hidden_edges[t] = static_cast<uint8_t>(hidden_edges[t] | turned_triangle);
     return true;
 }

@@ -4,6 +4,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <string>
+
 using namespace lr;
 
 namespace {
@@ -172,4 +175,41 @@ TEST_CASE("coarse heights are over all samples in a square and around it") {
         CHECK(square(static_cast<int>(counts[0]) - 1, static_cast<int>(counts[0]) - 1) ==
               static_cast<int>(coarse_counts[0]) - 1);
     }
+}
+
+TEST_CASE("of closed surfaces that are wound differently the rarer ones are turned, but no room around them") {
+    struct Box {
+        float at, half;
+        bool mirrored;
+    };
+    const auto turned = [](const std::vector<Box>& boxes) {
+        std::vector<float> vertices, normals;
+        std::vector<uint32_t> indices;
+        std::vector<uint8_t> hidden;
+        for (const Box& b : boxes) {
+            const auto base = static_cast<uint32_t>(vertices.size() / 3);
+            for (uint32_t c = 0; c < 8; ++c)
+                vertices.insert(vertices.end(), {b.at + (c & 4u ? b.half : -b.half), c & 2u ? b.half : -b.half,
+                                                 c & 1u ? b.half : -b.half});
+            for (const uint32_t c : {0u, 1u, 3u, 0u, 3u, 2u, 4u, 6u, 7u, 4u, 7u, 5u, 0u, 4u, 5u, 0u, 5u, 1u,
+                                     2u, 3u, 7u, 2u, 7u, 6u, 0u, 2u, 6u, 0u, 6u, 4u, 1u, 5u, 7u, 1u, 7u, 3u})
+                indices.push_back(base + c);
+            for (size_t i = indices.size() - 36; i < indices.size() && b.mirrored; i += 3)
+                std::swap(indices[i + 1], indices[i + 2]);
+        }
+        REQUIRE(lr::build_mesh(vertices.data(), static_cast<uint32_t>(vertices.size() / 3), indices.data(),
+                               static_cast<uint32_t>(indices.size() / 3), normals, hidden));
+        std::string out;
+        for (size_t b = 0; b < boxes.size(); ++b) {
+            const auto from = hidden.begin() + static_cast<ptrdiff_t>(12 * b);
+            const auto count = std::count_if(from, from + 12, [](uint8_t h) { return (h & lr::turned_triangle) != 0; });
+            out += count == 0 ? '.' : count == 12 ? 'x' : '?';
+        }
+        return out;
+    };
+    CHECK(turned({{0, 1, false}, {3, 1, true}, {6, 1, false}}) == ".x.");
+    CHECK(turned({{0, 1, true}, {3, 1, true}, {6, 1, false}}) == "..x");
+    CHECK(turned({{0, 1, true}, {3, 1, true}, {6, 1, true}}) == "...");
+    CHECK(turned({{0, 9, true}, {3, 1, false}, {6, 1, false}}) == "...");
+    CHECK(turned({{0, 9, true}, {3, 1, false}, {6, 1, true}, {-3, 1, false}}) == "..x.");
 }
