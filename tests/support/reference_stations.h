@@ -38,7 +38,12 @@ struct ReferenceStations {
         const Vec fall = velocity + cross(spin, arm);
         const double rim = length * scale * test::length(spin), share = dot(fall, fall);
         const Vec behind = -share / (share + rim * rim) * fall;
-        for (const lr::StationData& s : at) add(s, velocity, spin, behind, sum);
+        const auto n = static_cast<size_t>(std::max_element(whole.broadside.begin(), whole.broadside.end()) -
+                                           whole.broadside.begin());
+        const Vec normal{whole.axes[3 * n], whole.axes[3 * n + 1], whole.axes[3 * n + 2]};
+        // Spin about the body's normal is no pitching of a station that is tilted against it.
+        const Vec tumbling = spin - dot(normal, spin) * normal;
+        for (const lr::StationData& s : at) add(s, velocity, spin, tumbling, behind, sum);
         return sum;
     }
 
@@ -46,7 +51,7 @@ private:
     static constexpr double stall_power = 2.0; // of the squared sine
 
     static Vec row(const lr::StationData& s, size_t k) { return {s.axes[3 * k], s.axes[3 * k + 1], s.axes[3 * k + 2]}; }
-    void add(const lr::StationData& s, Vec velocity, Vec spin, Vec behind, Loads& sum) const {
+    void add(const lr::StationData& s, Vec velocity, Vec spin, Vec tumbling, Vec behind, Loads& sum) const {
         const Vec chord = row(s, 0), span = row(s, 1), n = row(s, 2), place = scale * s.place;
         const double s2 = scale * scale, s3 = s2 * scale, s4 = s3 * scale, s5 = s4 * scale;
         const auto push = [&](Vec force, Vec point) {
@@ -92,6 +97,7 @@ private:
         push(-drag * stream, place);
 
         const double w[3] = {dot(chord, spin), dot(span, spin), dot(n, spin)};
+        const double pitching[3] = {dot(chord, tumbling), dot(span, tumbling), w[2]};
         const Vec axes[3] = {chord, span, n};
         const double most = std::max({s.spin_drag[0], s.spin_drag[1], s.spin_drag[2]});
         double whirl = 0.0;
@@ -99,7 +105,8 @@ private:
         Vec circulation{};
         for (size_t k = 0; k < 3; ++k) {
             const double part = k == 2 ? 0.0 : s.plate_drag / (s.plate_drag + s.drag[2] + s.drag_blunt[2]);
-            circulation = circulation + (1.0 - part * (1.0 - streaming(light))) * s3 * s.spin_lift[k] * w[k] * axes[k];
+            circulation =
+                circulation + (1.0 - part * (1.0 - streaming(light))) * s3 * s.spin_lift[k] * pitching[k] * axes[k];
             const double resists = s5 * s.spin_drag[k] * std::sqrt(whirl) +
                                    s4 * s.spin_drag_stream[k] * std::abs(u[2]) + s3 * s.spin_drag_stokes[k] * viscosity;
             sum.torque = sum.torque - density * resists * w[k] * axes[k];

@@ -30,10 +30,10 @@ HWY_INLINE VF along6(const float* k, const Twist& t) {
     return weighted(k, t.v) + weighted(k + 3, t.u);
 }
 
-// behind_body: the wake's stream less the present one, body axes.
+// behind_body: the wake's stream less the present one, body axes. tumbling: the spin without that about the body's normal.
 template <class A>
 HWY_INLINE void add_station(const StationConstants& k, const A& a, const Held& held, VF nu, Vec3 behind_body,
-                            const Twist& t, Resistance& out) {
+                            const Twist& t, Vec3 tumbling, Resistance& out) {
     const VF one = constant(1.0f), zero = hn::Zero(DF()), least = constant(1e-20f);
     const VF fluid_drag = held.drag * constant(a.fluid[0]), fluid_lift = held.lift * constant(a.fluid[1]);
     const Vec3 u{along6(k.along[0], t), along6(k.along[1], t), along6(k.along[2], t)};
@@ -70,7 +70,8 @@ HWY_INLINE void add_station(const StationConstants& k, const A& a, const Held& h
     const auto circulation = [&](int i, VF wi)
                                  LR_LAMBDA { return (i < 2 ? pitching : fluid_lift) * constant(k.spin_lift[i]) * wi; };
     const Vec3 turn =
-        columns(k.axes, {circulation(0, w.x) - normal * u.y, circulation(1, w.y) + normal * u.x, circulation(2, w.z)});
+        columns(k.axes, {circulation(0, dot(broadcast(k.axes), tumbling)) - normal * u.y,
+                         circulation(1, dot(broadcast(k.axes + 3), tumbling)) + normal * u.x, circulation(2, w.z)});
 
     const Vec3 r = broadcast(k.place);
     const VF twist = dot(turn, r);
@@ -124,7 +125,9 @@ static HWY_NOINLINE Resistance station_resistance(const StationSet& stations, co
     const Vec3 v = centre_velocity<true>(a, t);
     const VF v2 = speed_squared(v);
     const Vec3 behind = columns(a.axes, v2 / (v2 + dot(t.u, t.u)) * (lag - v));
-    for (uint32_t i = 0; i < stations.count; ++i) add_station(stations.station[i], a, held, nu, behind, t, out);
+    const Vec3 n = broadcast(a.axes + 6), tumbling = t.u - dot(n, t.u) * n;
+    for (uint32_t i = 0; i < stations.count; ++i)
+        add_station(stations.station[i], a, held, nu, behind, t, tumbling, out);
     return out;
 }
 
