@@ -443,6 +443,25 @@ TEST_CASE("stations: blossoms are cut along a mirror line, so that they have no 
         }
 }
 
+TEST_CASE("stations: a saddle is cut along a line in which it is its own mirror image, not along a diagonal") {
+    const double turn = 0.7;
+    const Mesh mesh = shapes::patch(24, 24, [&](double u, double v) {
+        const double x = 0.04 * (u - 0.5), y = 0.04 * (v - 0.5), c = std::cos(turn), s = std::sin(turn);
+        return Vector3d(c * x - s * y, s * x + c * y, 10.0 * (x * x - y * y));
+    });
+    const Made m = made(mesh, 2e-4);
+    REQUIRE(m.stations.at.size() >= 2);
+    // A stream along the normal turns no side to it more than another: along a diagonal the strips are the blades of a propeller.
+    Vector3d moment = Vector3d::Zero();
+    double largest = 0.0;
+    for (const StationData& s : m.stations.at) {
+        const Wrench w = loads_of(s, {{0.0, 0.0, 1.0}, Vector3d::Zero()}, viscosity, m.size);
+        moment += w.tail<3>();
+        largest = std::max(largest, w.head<3>().norm() * m.size);
+    }
+    CHECK(std::abs(moment.z()) < 1e-3 * largest);
+}
+
 TEST_CASE("stations: what no sum of parts describes is said") {
     const Made tube = made(curled(6.2, 16), 0.005);
     CHECK(tube.stations.at.empty());

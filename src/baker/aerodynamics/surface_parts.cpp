@@ -59,6 +59,7 @@ double two_axes(const Part& part, Vector3d a, Vector3d b, std::vector<char>& sec
 struct Dot {
     Eigen::Vector2d at;
     double area;
+    double height = 0.0; // along the normal
 };
 
 struct Outline {
@@ -93,14 +94,15 @@ std::vector<Dot> joined(const std::vector<Dot>& dots, double step) {
     std::map<std::pair<int64_t, int64_t>, Dot> squares;
     for (const Dot& d : dots) {
         const auto index = [&](double x) { return static_cast<int64_t>(std::floor(x / step)); };
-        Dot& sum =
-            squares.try_emplace({index(d.at.x()), index(d.at.y())}, Dot{Eigen::Vector2d::Zero(), 0.0}).first->second;
+        Dot& sum = squares.try_emplace({index(d.at.x()), index(d.at.y())}, Dot{Eigen::Vector2d::Zero(), 0.0, 0.0})
+                       .first->second;
         sum.at += d.area * d.at;
         sum.area += d.area;
+        sum.height += d.area * d.height;
     }
     std::vector<Dot> out;
     for (const auto& [at, sum] : squares)
-        if (sum.area > 0.0) out.push_back({sum.at / sum.area, sum.area});
+        if (sum.area > 0.0) out.push_back({sum.at / sum.area, sum.area, sum.height / sum.area});
     return out;
 }
 
@@ -114,7 +116,7 @@ std::vector<Dot> dots_of(const Part& part, const Vector3d& normal, const Frame& 
     std::vector<Dot> dots;
     for (const Facet& f : refined(part, size / 40.0)) {
         const Vector3d m = f.middle();
-        dots.push_back({{frame.x.dot(m), frame.y.dot(m)}, f.area * std::abs(f.normal.dot(normal))});
+        dots.push_back({{frame.x.dot(m), frame.y.dot(m)}, f.area * std::abs(f.normal.dot(normal)), normal.dot(m)});
     }
     return dots.size() > most_dots ? joined(dots, size / 80.0) : dots;
 }
@@ -179,29 +181,39 @@ struct MirrorLine {
     double skewness; // square of the odd part over that of the outline; 0: the outline is its own mirror image
 };
 
-// The line, through the centroid, in which an outline is most nearly its own mirror image: along x, or else the best.
+// The line, through the centroid, in which a surface is most nearly its own mirror image: along x, or else the best.
 MirrorLine mirror_line(const std::vector<Dot>& dots) {
-    // Moments of z^m, z = x + i y. Along a mirror line all are real.
-    constexpr std::size_t least = 2, most = 8;
+    // Moments of z^m, z = x + i y, of the area and of the height. Along a mirror line all are real.
+    constexpr std::size_t most = 8;
     using Complex = std::complex<double>;
     Outline all;
-    for (const Dot& d : dots) all.add(d);
+    double height = 0.0;
+    for (const Dot& d : dots) {
+        all.add(d);
+        height += d.area * d.height;
+    }
     const Eigen::Vector2d middle = all.first / all.area;
     const double reach = std::sqrt(2.0 * ((all.second / all.area).trace() - middle.squaredNorm()));
-    std::array<Complex, most + 1> moments{};
+    std::array<std::array<Complex, 2>, most + 1> moments{};
     for (const Dot& d : dots) {
         const Complex z((d.at.x() - middle.x()) / reach, (d.at.y() - middle.y()) / reach);
-        Complex power = z;
-        for (std::size_t m = least; m <= most; ++m) moments[m] += d.area / all.area * (power *= z);
+        const double share = d.area / all.area, above = (d.height - height / all.area) / reach;
+        Complex power = share;
+        for (std::size_t m = 1; m <= most; ++m) {
+            power *= z;
+            moments[m][0] += power;
+            moments[m][1] += above * power;
+        }
     }
     double squares = 0.0;
-    for (const Complex& c : moments) squares += std::norm(c);
+    for (const auto& [level, raised] : moments) squares += std::norm(level) + std::norm(raised);
     const auto skewness_along = [&](const Complex& direction) {
-        Complex back = std::conj(direction);
+        Complex back = 1.0;
         double sum = 0.0;
-        for (std::size_t m = least; m <= most; ++m) {
-            const double odd = (moments[m] * (back *= std::conj(direction))).imag();
-            sum += odd * odd;
+        for (const auto& [level, raised] : moments) {
+            const double odd = (level * back).imag(), odd_raised = (raised * back).imag();
+            sum += odd * odd + odd_raised * odd_raised;
+            back *= std::conj(direction);
         }
         return sum;
     };
