@@ -462,6 +462,22 @@ TEST_CASE("stations: a saddle is cut along a line in which it is its own mirror 
     CHECK(std::abs(moment.z()) < 1e-3 * largest);
 }
 
+TEST_CASE("stations: lift of a long curved strip acts at its places in streams along the span") {
+    for (const double width : {0.1, 0.0125}) {
+        const Made m = made(shapes::patch(4, 24,
+                                          [&](double u, double v) {
+                                              const double y = 0.1 * (v - 0.5);
+                                              return Vector3d(width * (u - 0.5), y, 4.0 * y * y);
+                                          }),
+                            2e-4);
+        REQUIRE(m.stations.at.size() >= 2);
+        for (const StationData& s : m.stations.at) {
+            CHECK((s.lift_arm[1] != 0.0) == (width > 0.05));
+            CHECK(s.lift_arm[0] != 0.0);
+        }
+    }
+}
+
 TEST_CASE("stations: what no sum of parts describes is said") {
     const Made tube = made(curled(6.2, 16), 0.005);
     CHECK(tube.stations.at.empty());

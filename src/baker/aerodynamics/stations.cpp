@@ -34,6 +34,7 @@ constexpr double off_centre = 0.05;     // distance of the centre of mass from t
 constexpr double thick = 0.1;           // volume over the area to the power 3/2, half of a sphere's
 constexpr double convex = 0.9;          // volume over that of the hull
 constexpr double slender = 3.0;         // ratio of the root mean squares of span and chord
+constexpr double long_strip = 2.0;      // arms along the span fade from span/chord = 2 to 4
 constexpr double hiding = 0.36;         // share of the surface in the lee of the rest; a hemispherical bowl has 1/3
 constexpr double far_from_convex = 0.5; // volume over that of the hull
 // Hollow above which a body is a bowl, whose bottom counts, and not a tube, which falls across its axis.
@@ -50,6 +51,7 @@ struct Plan {
     shape::Wing wing;
     bool curved = false; // along the chord
     bool lump = false;   // one station, whatever its shape
+    double end_on = 1.0; // of lift_arm along the span
 };
 
 // Centre of lift in a stream along the span: near the front edge of a slender wing, at the quarter of a long one.
@@ -233,7 +235,7 @@ StationData station_of(const Part& part, const Plan& plan, const Grid& grid, dou
     // Added mass by strips; share_added_mass scales it.
     out.separated_shedding = 0.25 * std::numbers::pi * own_chord * g.area[2] * aspect / (1.0 + aspect);
     out.lift_arm = {-quarter * (whole_chord ? own_chord : g.extent[0]),
-                    -slender_arm(plan.wing) * (whole_chord ? plan.wing.span : g.extent[1]), 0.0};
+                    -plan.end_on * slender_arm(plan.wing) * (whole_chord ? plan.wing.span : g.extent[1]), 0.0};
     if (whole_chord && !plan.lump) out.camber = std::clamp(camber_of(part, m.centroid, chord, normal), -0.5, 0.5);
     // Creeping flow: the body's drag, shared by area, along this part's axes.
     for (std::size_t k = 0; k < 3; ++k)
@@ -425,6 +427,9 @@ Stations make_stations(const Mesh& mesh, const AerodynamicData& loads, const Vec
             plans.push_back(plan_of(std::move(part), loads, size));
     }
     join_arms(plans);
+    // End-on a long strip is stalled. An arm would steady it there like an arrow, so that curved ones fell end first while they spun about the span.
+    if (plans.size() == 1)
+        plans[0].end_on = std::clamp(long_strip - plans[0].wing.span / (2.0 * plans[0].wing.chord), 0.0, 1.0);
     if (plans.size() > options.most) {
         out.fit = StationFit::coarse;
         return out;
