@@ -462,6 +462,21 @@ TEST_CASE("stations: a saddle is cut along a line in which it is its own mirror 
     CHECK(std::abs(moment.z()) < 1e-3 * largest);
 }
 
+TEST_CASE("stations: the halves of a folded card are cut alike, though their triangles are not") {
+    const Made m = made(shapes::patch(24, 24,
+                                      [](double u, double v) {
+                                          const double x = 0.06 * (u - 0.5);
+                                          return Vector3d(x, 0.1 * (v - 0.5), 0.4 * std::abs(x));
+                                      }),
+                        2e-4);
+    REQUIRE(m.stations.at.size() >= 4);
+    for (const StationData& s : m.stations.at)
+        CHECK(std::any_of(m.stations.at.begin(), m.stations.at.end(), [&](const StationData& o) {
+            return (Vector3d(-place(o).x(), place(o).y(), place(o).z()) - place(s)).norm() < 1e-3 * m.size &&
+                   std::abs(o.plate_drag - s.plate_drag) < 1e-3 * s.plate_drag;
+        }));
+}
+
 TEST_CASE("stations: lift of a long curved strip acts at its places in streams along the span") {
     for (const double width : {0.1, 0.0125}) {
         const Made m = made(shapes::patch(4, 24,

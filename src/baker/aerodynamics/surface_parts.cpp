@@ -383,6 +383,40 @@ Part part_of(const Mesh& mesh, double sides_of_sheets, std::size_t solid_faces) 
     return out;
 }
 
+// Where a plane across the direction leaves this much of the area below it. Exact, or equal halves of a body would be cut unlike, as their triangles
+// are.
+static double offset_of_area(const Part& part, const Vector3d& direction, double area) {
+    struct Slope {
+        std::array<double, 3> at; // of the corners, upwards
+        double area;
+        double below(double x) const {
+            if (x <= at[0] || x >= at[2]) return x <= at[0] ? 0.0 : area;
+            const double across = at[2] - at[0];
+            return x < at[1] ? area * (x - at[0]) * (x - at[0]) / (across * (at[1] - at[0]))
+                             : area * (1.0 - (at[2] - x) * (at[2] - x) / (across * (at[2] - at[1])));
+        }
+    };
+    std::vector<Slope> open; // triangles between low and high
+    for (const Facet& f : part) {
+        Slope s{{direction.dot(f.at[0]), direction.dot(f.at[1]), direction.dot(f.at[2])}, f.area};
+        std::sort(s.at.begin(), s.at.end());
+        open.push_back(s);
+    }
+    auto [low, high] = extent_of(part, direction);
+    double passed = 0.0;
+    for (int round = 0; round < 50; ++round) {
+        const double middle = 0.5 * (low + high);
+        double below = passed;
+        for (const Slope& s : open) below += s.below(middle);
+        (below < area ? low : high) = middle;
+        std::erase_if(open, [&](const Slope& s) {
+            if (s.at[2] <= low) passed += s.area;
+            return s.at[2] <= low || s.at[0] >= high;
+        });
+    }
+    return 0.5 * (low + high);
+}
+
 std::pair<Part, Part> cut(const Part& part, const Vector3d& direction, double offset) {
     std::pair<Part, Part> out;
     for (const Facet& f : part) {
@@ -525,18 +559,13 @@ std::vector<Slice> sliced(const Part& part, const Vector3d& direction, std::size
     const Eigensystem<Eigen::MatrixXd> solver = eigensystem(jacobi);
     std::vector<Slice> out;
     Part rest = part;
-    double share = 0.0, passed = 0.0;
-    std::size_t next = 0;
     for (Eigen::Index k = 0; k < size; ++k) {
-        const double node = centre + scale * solver.values[k];
+        const double node = centre + scale * solver.values[k], first = solver.vectors(0, k);
         if (k + 1 == size) {
             out.push_back({std::move(rest), node});
             break;
         }
-        const double first = solver.vectors(0, k);
-        share += first * first * area;
-        while (next + 1 < points.size() && passed + points[next].second < share) passed += points[next++].second;
-        auto [below, above] = cut(rest, direction, centre + scale * points[next].first);
+        auto [below, above] = cut(rest, direction, offset_of_area(rest, direction, first * first * area));
         out.push_back({std::move(below), node});
         rest = std::move(above);
     }

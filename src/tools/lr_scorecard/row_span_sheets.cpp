@@ -31,8 +31,9 @@ std::string with(const char* what, double value, const char* unit) {
     return text;
 }
 
-std::vector<Track> drop(const Context& context, const Asset& asset, double duration, uint64_t seed) {
-    return record(asset, game_run(context, 4, duration), released_anyhow(context.quick ? 50 : 200, seed));
+std::vector<Track> drop(const Context& context, const Asset& asset, double duration, uint64_t seed,
+                        uint32_t falls = 200) {
+    return record(asset, game_run(context, 4, duration), released_anyhow(context.quick ? 50 : falls, seed));
 }
 
 // Share of falls that end with the +z side up.
@@ -61,8 +62,9 @@ RowResult run_cap(const Context& context) {
     static constexpr std::array<double, 4> rises{0.0, 0.05, 0.1, 0.2};
     const double diameter = 0.06, areal = 0.1; // m, kg/m^2
     std::array<std::vector<Track>, rises.size()> tracks;
+    // Of 200 falls the share of the flattest cap has a standard error of 0.015, and is 0.004 above the check.
     context.parallel(rises.size(),
-                     [&](size_t i) { tracks[i] = drop(context, bake_cap(diameter, rises[i], areal), 6.0, 63); });
+                     [&](size_t i) { tracks[i] = drop(context, bake_cap(diameter, rises[i], areal), 6.0, 63, 2000); });
     // A cap sinks steadily, so its reference is a disc that sinks broadside, C_D 1.17 (Hoerner 1965).
     const double broadside = std::sqrt(2.0 * areal * 9.81 / (Fluid{}.density * 1.17));
     result.show("flat disc: descent broadside", broadside, "m/s");
