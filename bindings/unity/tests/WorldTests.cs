@@ -285,6 +285,31 @@ public sealed class WorldTests : Stage
     }
 
     [Test]
+    public void HandlersMayStepTheWorld()
+    {
+        Put<BoxCollider>(new Vector3(0.0f, -0.5f, 0.0f), b => b.size = new Vector3(50.0f, 1.0f, 50.0f));
+        LangevinBatch batch = NewBatch(20);
+        World.SetEvents(100, EventKinds.All);
+        int seen = 0, within = 0;
+        bool steps = false;
+        World.Happened += e =>
+        {
+            ++seen;
+            Assert.IsTrue(e.batch == batch);
+            if (steps) ++within;
+            if (steps || within > 0) return;
+            steps = true;
+            for (int i = 0; i < 60; ++i) World.Step(1.0f / 60.0f);
+            steps = false;
+        };
+        for (int i = 0; i < 5; ++i) batch.Spawn(new Vector3(i, 0.1f, 0.0f), Quaternion.identity);
+        Frames(40);
+        Assert.Greater(within, 0);
+        Assert.Greater(seen, within + 1);
+        Silent();
+    }
+
+    [Test]
     public void SnapshotsPutBackWhatWas()
     {
         LangevinBatch batch = NewBatch(50, b => b.StartCount = 30);

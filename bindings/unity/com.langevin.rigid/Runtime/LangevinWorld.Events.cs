@@ -44,7 +44,8 @@ namespace LangevinUnity
 
         private readonly Dictionary<BatchId, LangevinBatch> batchesById = new Dictionary<BatchId, LangevinBatch>();
         private readonly Dictionary<ColliderId, LangevinCollider> collidersById = new Dictionary<ColliderId, LangevinCollider>();
-        private LangevinEvent[] buffer = new LangevinEvent[0];
+        private static readonly LangevinEvent[] none = new LangevinEvent[0];
+        private LangevinEvent[] buffer = none;
 
         /// <summary>Raised on the main thread after a step, for each of its events, in the same order in every run. Handlers can change the
         /// world.</summary>
@@ -99,24 +100,27 @@ namespace LangevinUnity
                 var collider = member as LangevinCollider;
                 if (collider != null && !collider.Id.IsNull) collidersById[collider.Id] = collider;
             }
-            // Copied before the first handler runs: a handler that changes the world invalidates the library's list.
-            if (buffer.Length < count) buffer = new LangevinEvent[Mathf.NextPowerOfTwo(count)];
-            for (int i = 0; i < count; ++i) buffer[i] = Convert(list.Events + i);
+            // Copied before the first handler runs: a handler that changes the world invalidates the library's list. One that steps it dispatches events
+            // from within, with a buffer of its own.
+            LangevinEvent[] events = buffer.Length < count ? new LangevinEvent[Mathf.NextPowerOfTwo(count)] : buffer;
+            buffer = none;
+            for (int i = 0; i < count; ++i) events[i] = Convert(list.Events + i);
             for (int i = 0; i < count; ++i)
             {
                 try
                 {
-                    if (Happened != null) Happened(buffer[i]);
-                    onEvent.Invoke(buffer[i]);
-                    if (buffer[i].batch != null) buffer[i].batch.Raise(buffer[i]);
-                    if (buffer[i].collider != null) buffer[i].collider.Raise(buffer[i]);
+                    if (Happened != null) Happened(events[i]);
+                    onEvent.Invoke(events[i]);
+                    if (events[i].batch != null) events[i].batch.Raise(events[i]);
+                    if (events[i].collider != null) events[i].collider.Raise(events[i]);
                 }
                 catch (Exception e)
                 {
                     Debug.LogException(e, this);
                 }
             }
-            Array.Clear(buffer, 0, count);
+            Array.Clear(events, 0, count);
+            buffer = events;
         }
 
         private LangevinEvent Convert(BodyEvent* from)
