@@ -2,6 +2,7 @@
 #include "asset/asset_file.h"
 #include "baker/added_mass/added_mass.h"
 #include "baker/aerodynamics/camber.h"
+#include "baker/aerodynamics/outline_parts.h"
 #include "baker/aerodynamics/local_thickness.h"
 #include "baker/aerodynamics/station_loads.h"
 #include "baker/aerodynamics/stations.h"

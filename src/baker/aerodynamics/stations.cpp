@@ -4,6 +4,7 @@
 #include "baker/aerodynamics/camber.h"
 #include "baker/aerodynamics/hollow.h"
 #include "baker/aerodynamics/local_thickness.h"
+#include "baker/aerodynamics/outline_parts.h"
 #include "baker/aerodynamics/silhouette.h"
 #include "baker/aerodynamics/station_loads.h"
 #include "baker/aerodynamics/surface_measures.h"

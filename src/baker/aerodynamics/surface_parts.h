@@ -61,16 +61,5 @@ std::vector<Part> split_by_normal(Part part, std::size_t most);
 // Splits such a group into the two walls of a steep bowl, if it has faces on both sides of a gap.
 std::vector<Part> split_walls(Part part);
 
-// Splits a part, seen along `normal`, into parts about as compact as a plate: the arms of a cross or star and the sides of a ring as sectors about
-// the centroid, other shapes by straight cuts.
-std::vector<Part> split_by_outline(Part part, const Eigen::Vector3d& normal, std::size_t most);
-
-// area/(12 sqrt(det)) of a silhouette's second moments: 1 for any rectangle, 1.05 for an ellipse, 0.87 for a triangle, 0.63 for a cross five times as
-// long as wide.
-double compactness(const Part& part, const Eigen::Vector3d& normal);
-inline constexpr double least_compactness = 0.8; // of a plate
-
-// Of a part whose second moments define no axes, such as a blossom: the direction across `normal` of the line in which its silhouette is most nearly
-// its own mirror image; `like` if no other is better.
-Eigen::Vector3d mirror_line(const Part& part, const Eigen::Vector3d& normal, const Eigen::Vector3d& like);
+inline constexpr double least_share = 0.04; // least share of the area in a group or on a side of a cut
 } // namespace lr::baker
