@@ -19,7 +19,7 @@ std::vector<Part> split_by_outline(Part part, const Eigen::Vector3d& normal, std
 double compactness(const Part& part, const Eigen::Vector3d& normal);
 inline constexpr double least_compactness = 0.8; // of a plate
 
-// Of a part whose second moments define no axes, such as a blossom: the direction across `normal` of the line in which its silhouette is most nearly
-// its own mirror image; `like` if no other is better.
+// Of a part whose second moments define no axes, such as a blossom: the direction across `normal` of the line in which its silhouette and its height
+// along the normal are most nearly their own mirror image; `like` if no other is better.
 Eigen::Vector3d mirror_line(const Part& part, const Eigen::Vector3d& normal, const Eigen::Vector3d& like);
 } // namespace lr::baker

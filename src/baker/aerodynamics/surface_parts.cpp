@@ -87,24 +87,10 @@ Part refined_along(const Part& part, const Vector3d& direction, double longest) 
         return x * x;
     });
 }
-} // namespace
-
-Part part_of(const Mesh& mesh, double sides_of_sheets, std::size_t solid_faces) {
-    Part out;
-    for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
-        const Face& f = mesh.faces[i];
-        const double sides = i < solid_faces ? 1.0 : sides_of_sheets;
-        const Vector3d &a = mesh.vertices[f[0]], &b = mesh.vertices[f[1]], &c = mesh.vertices[f[2]];
-        const Vector3d across = (b - a).cross(c - a);
-        const double twice = across.norm();
-        if (twice > 0.0) out.push_back({{a, b, c}, sides, across / twice, 0.25 * twice * sides});
-    }
-    return out;
-}
 
 // Where a plane across the direction leaves this much of the area below it. Exact, or equal halves of a body would be cut unlike, as their triangles
 // are.
-static double offset_of_area(const Part& part, const Vector3d& direction, double area) {
+double offset_of_area(const Part& part, const Vector3d& direction, double area) {
     struct Slope {
         std::array<double, 3> at; // of the corners, upwards
         double area;
@@ -134,6 +120,20 @@ static double offset_of_area(const Part& part, const Vector3d& direction, double
         });
     }
     return 0.5 * (low + high);
+}
+} // namespace
+
+Part part_of(const Mesh& mesh, double sides_of_sheets, std::size_t solid_faces) {
+    Part out;
+    for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+        const Face& f = mesh.faces[i];
+        const double sides = i < solid_faces ? 1.0 : sides_of_sheets;
+        const Vector3d &a = mesh.vertices[f[0]], &b = mesh.vertices[f[1]], &c = mesh.vertices[f[2]];
+        const Vector3d across = (b - a).cross(c - a);
+        const double twice = across.norm();
+        if (twice > 0.0) out.push_back({{a, b, c}, sides, across / twice, 0.25 * twice * sides});
+    }
+    return out;
 }
 
 std::pair<Part, Part> cut(const Part& part, const Vector3d& direction, double offset) {

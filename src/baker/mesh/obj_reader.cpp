@@ -10,6 +10,20 @@
 
 namespace lr::baker {
 // from_chars does not depend on the locale.
+bool is_blank(char c) {
+    return c == ' ' || (c >= '\t' && c <= '\r');
+}
+
+std::string_view next_word(std::string_view& rest) {
+    std::size_t begin = 0;
+    while (begin < rest.size() && is_blank(rest[begin])) ++begin;
+    std::size_t end = begin;
+    while (end < rest.size() && !is_blank(rest[end])) ++end;
+    const std::string_view word = rest.substr(begin, end - begin);
+    rest.remove_prefix(end);
+    return word;
+}
+
 bool parse_coordinate(std::string_view word, double& value) {
     if (!word.empty() && word.front() == '+') word.remove_prefix(1);
     std::string with_point; // some locales write 0,5
@@ -29,21 +43,6 @@ bool parse_coordinate(std::string_view word, double& value) {
 }
 
 namespace {
-
-bool is_space(char c) {
-    return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
-}
-
-// Next blank-separated word of a line; empty at its end.
-std::string_view next_word(std::string_view& rest) {
-    std::size_t begin = 0;
-    while (begin < rest.size() && is_space(rest[begin])) ++begin;
-    std::size_t end = begin;
-    while (end < rest.size() && !is_space(rest[end])) ++end;
-    const std::string_view word = rest.substr(begin, end - begin);
-    rest.remove_prefix(end);
-    return word;
-}
 
 bool parse_index(std::string_view word, int64_t& value) {
     word = word.substr(0, word.find('/'));
@@ -108,8 +107,8 @@ private:
     }
 
     static std::string_view trimmed(std::string_view text) {
-        while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
-        while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
+        while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+        while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
         return text;
     }
 

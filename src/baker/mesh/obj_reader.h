@@ -25,6 +25,12 @@ struct PolygonSoup {
     std::size_t ignored_points = 0; // points and lines, which have no surface
 };
 
+// Blanks are spaces, tabs and ends of lines.
+bool is_blank(char c);
+
+// Removes and returns the next word between blanks; empty at the end.
+std::string_view next_word(std::string_view& rest);
+
 // A number in any locale: also 0,5. One too small is 0, one too large infinite.
 bool parse_coordinate(std::string_view word, double& value);
 

@@ -36,7 +36,7 @@ Type type_of(std::string_view name) {
     return Type::unknown;
 }
 
-bool is_blank(char c) {
+bool is_separator(char c) {
     return c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
 
@@ -81,9 +81,9 @@ private:
 
     std::string_view next_word(std::string_view& text) const {
         std::size_t begin = 0;
-        while (begin < text.size() && is_blank(text[begin])) ++begin;
+        while (begin < text.size() && is_separator(text[begin])) ++begin;
         std::size_t end = begin;
-        while (end < text.size() && !is_blank(text[end])) ++end;
+        while (end < text.size() && !is_separator(text[end])) ++end;
         const std::string_view word = text.substr(begin, end - begin);
         text.remove_prefix(end);
         return word;

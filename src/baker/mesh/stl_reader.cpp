@@ -6,20 +6,6 @@
 namespace lr::baker {
 namespace {
 
-bool is_blank(char c) {
-    return c == ' ' || (c >= '\t' && c <= '\r');
-}
-
-std::string_view next_word(std::string_view& rest) {
-    std::size_t begin = 0;
-    while (begin < rest.size() && is_blank(rest[begin])) ++begin;
-    std::size_t end = begin;
-    while (end < rest.size() && !is_blank(rest[end])) ++end;
-    const std::string_view word = rest.substr(begin, end - begin);
-    rest.remove_prefix(end);
-    return word;
-}
-
 // keyword: in lower case.
 bool is(std::string_view word, std::string_view keyword) {
     return word.size() == keyword.size() &&
