@@ -152,7 +152,8 @@ LR_API lr_status lr_batch_get_turbulence_table(const lr_world* world, lr_batch b
                                                float* chi, float* epsilon, uint32_t capacity);
 
 /* The loads of the flow on a body and the state of its wake, for inspectors and debug arrows: what AERODYNAMIC loads do
- * to it now. Weight, buoyancy and added mass are not among them. World frame. */
+ * to it now. Weight, buoyancy and added mass are not among them, but what turning costs where added momentum is left in
+ * the wake is. World frame. */
 typedef struct lr_body_loads {
     uint32_t struct_size;
     uint32_t station_count;     /* 1 to 8: 1 where one stream describes the shape; 0: no AERODYNAMIC loads */

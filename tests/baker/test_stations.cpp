@@ -494,6 +494,21 @@ TEST_CASE("stations: lift of a long curved strip acts at its places in streams a
     }
 }
 
+TEST_CASE("stations: both ends of a strip that is bent like a bow are cut alike, and are no walls") {
+    const Made m = made(shapes::patch(4, 48,
+                                      [](double u, double v) {
+                                          const double y = 0.1 * (v - 0.5);
+                                          return Vector3d(0.1 / 12.0 * (u - 0.5), y, 8.0 * y * y);
+                                      }),
+                        2e-4);
+    REQUIRE(m.stations.at.size() >= 2);
+    for (const StationData& s : m.stations.at)
+        CHECK(std::any_of(m.stations.at.begin(), m.stations.at.end(), [&](const StationData& o) {
+            return (Vector3d(place(o).x(), -place(o).y(), place(o).z()) - place(s)).norm() < 1e-3 * m.size &&
+                   std::abs(o.plate_drag - s.plate_drag) < 1e-3 * s.plate_drag;
+        }));
+}
+
 TEST_CASE("stations: what no sum of parts describes is said") {
     const Made tube = made(curled(6.2, 16), 0.005);
     CHECK(tube.stations.at.empty());

@@ -67,6 +67,40 @@ TEST_CASE("spheres settle at the speed of the standard drag curve") {
     }
 }
 
+// As plates of 2:1 to 10:1 do (Wang, Hu, Xu and Wu 2013).
+TEST_CASE("paper four times as long as wide turns about its length and drifts down a slope") {
+    const Asset asset = make(ellipsoid(0.04, 0.01, 5e-5, 800.0));
+    const World world = make(world_desc());
+    constexpr int count = 50, frames = 120;
+    const lr_batch batch = add_batch(world, aerodynamic(), asset, count);
+    Random random(7);
+    std::vector<lr_body> bodies;
+    for (int i = 0; i < count; ++i)
+        bodies.push_back(add_body(world, batch, turned_anyhow(random, {double(i), 0.0, 0.0})));
+    steps(world, 180, 1.0f / 60.0f, 4);
+    std::vector<Vec> from;
+    std::vector<double> turned(count), square(count);
+    for (const lr_body b : bodies) from.push_back(vec(state_of(world, b).position));
+    for (int frame = 0; frame < frames; ++frame) {
+        steps(world, 1, 1.0f / 60.0f, 4);
+        for (size_t i = 0; i < count; ++i) {
+            const lr_body_state s = state_of(world, bodies[i]);
+            const double about = to_body(quat(s.orientation), vec(s.angular_velocity))[0];
+            turned[i] += about / frames, square[i] += about * about / frames;
+        }
+    }
+    int turn = 0;
+    double down = 0.0, sideways = 0.0;
+    for (size_t i = 0; i < count; ++i) {
+        if (std::abs(turned[i]) < 0.7 * std::sqrt(square[i])) continue;
+        const Vec way = vec(state_of(world, bodies[i]).position) - from[i];
+        ++turn, down -= way[1], sideways += std::hypot(way[0], way[2]);
+    }
+    CHECK(turn > 0.75 * count);
+    CHECK(sideways > 0.7 * down);
+    CHECK(down < 2.0 * 0.7 * turn); // in two seconds; broadside 0.9 m/s
+}
+
 TEST_CASE("a fall against quadratic drag is the hyperbolic tangent, at any step") {
     lr_aerodynamics loads = initialised(lr_aerodynamics_init);
     loads.drag[2] = drag_area;

@@ -196,6 +196,7 @@ TEST_CASE("stations: two halves at the centre of the loads are the body without 
     lr::AerodynamicData& a = data.aerodynamics;
     a.axes = turned_axes({0.06, 0.04, -0.2});
     a.lift = a.spin_drag_stream = {};
+    a.spin_lift = {0.0, 0.0, a.spin_lift[2]}; // of stations it is that of the stream across the axis
     a.plate_stall = {1.0, 1.0, 1.0};
     a.plate_separated_shedding = 0.0;
     a.drag_layer = {0.002, 0.002, 0.002}, a.drag_stokes = {0.1, 0.1, 0.1};

@@ -136,7 +136,6 @@ public:
     Vec velocity(const State& s) const { return to_world(s.q, upper(s.twist)) + wind; }
     Vec spin(const State& s) const { return to_world(s.q, lower(s.twist)); }
 
-private:
     // The added mass along a direction.
     double added_along(Vec n) const {
         double sum = 0.0;
@@ -144,6 +143,8 @@ private:
             for (size_t j = 0; j < 3; ++j) sum += n[i] * added_[i][j] * n[j];
         return sum;
     }
+
+private:
     State rate(const State& s) const {
         const Vec v = upper(s.twist), w = lower(s.twist), g = to_body(s.q, gravity);
         const Six momentum = mass * s.twist, drag = dragged * s.twist;

@@ -34,13 +34,21 @@ struct ReferenceStations {
 
     Loads operator()(Vec velocity, Vec spin) const {
         Loads sum;
-        // The wake remembers the stream of the fall, not those of the spin.
-        const Vec fall = velocity + cross(spin, arm);
-        const double rim = length * scale * test::length(spin), share = dot(fall, fall);
-        const Vec behind = -share / (share + rim * rim) * fall;
         const auto n = static_cast<size_t>(std::max_element(whole.broadside.begin(), whole.broadside.end()) -
                                            whole.broadside.begin());
-        const Vec normal{whole.axes[3 * n], whole.axes[3 * n + 1], whole.axes[3 * n + 2]};
+        const auto axis = [&](size_t k) {
+            return Vec{whole.axes[3 * k], whole.axes[3 * k + 1], whole.axes[3 * k + 2]};
+        };
+        const Vec normal = axis(n);
+        // The wake remembers the stream of the fall, not those of the ends that move by the spin. Spin about a long axis moves them little.
+        const Vec fall = velocity + cross(spin, arm);
+        const double most = std::max({whole.spin_drag[0], whole.spin_drag[1], whole.spin_drag[2]});
+        double ends = 0.0;
+        for (size_t k = 0; k < 3; ++k) {
+            const double weight = whole.spin_drag[k] / most, along = length * scale * dot(axis(k), spin);
+            ends += (k == n ? 1.0 : std::min(10.0 * weight * weight, 1.0)) * along * along;
+        }
+        const Vec behind = -dot(fall, fall) / (dot(fall, fall) + ends) * fall;
         // Spin about the body's normal is no pitching of a station that is tilted against it.
         const Vec tumbling = spin - dot(normal, spin) * normal;
         for (const lr::StationData& s : at) add(s, velocity, spin, tumbling, behind, sum);
@@ -105,8 +113,10 @@ private:
         Vec circulation{};
         for (size_t k = 0; k < 3; ++k) {
             const double part = k == 2 ? 0.0 : s.plate_drag / (s.plate_drag + s.drag[2] + s.drag_blunt[2]);
-            circulation =
-                circulation + (1.0 - part * (1.0 - streaming(light))) * s3 * s.spin_lift[k] * pitching[k] * axes[k];
+            // A stream along the axis of a spin makes no lift.
+            const double crossing = k == 2 ? 1.0 : 1.0 - u[k] * u[k] / (speed * speed);
+            circulation = circulation + crossing * (1.0 - part * (1.0 - streaming(light))) * s3 * s.spin_lift[k] *
+                                            pitching[k] * axes[k];
             const double resists = s5 * s.spin_drag[k] * std::sqrt(whirl) +
                                    s4 * s.spin_drag_stream[k] * std::abs(u[2]) + s3 * s.spin_drag_stokes[k] * viscosity;
             sum.torque = sum.torque - density * resists * w[k] * axes[k];

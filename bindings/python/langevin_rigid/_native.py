@@ -957,7 +957,8 @@ class lr_turbulence_table(ctypes.Structure):
 
 class lr_body_loads(ctypes.Structure):
     """The loads of the flow on a body and the state of its wake, for inspectors and debug arrows: what AERODYNAMIC loads do
-    to it now. Weight, buoyancy and added mass are not among them. World frame.
+    to it now. Weight, buoyancy and added mass are not among them, but what turning costs where added momentum is left in
+    the wake is. World frame.
     """
     _fields_ = [
         ('struct_size', ctypes.c_uint32),

@@ -149,10 +149,13 @@ Circulation set_spin(const AerodynamicGeometry& g, size_t k, double span, double
     // Extent along the flat side; of a body as thick as wide, the mean of both.
     const double chord = total > 0.0 ? (g.area[j] * g.extent[i] + g.area[i] * g.extent[j]) / total : 0.0;
     const double thick = 1.0 - std::max(sheetness(g, i), sheetness(g, j));
-    const double moment =
-        by_slenderness(plate.spin_disc, plate.spin_strip, chord > 0.0 ? std::max(0.0, span / chord - 1.0) : 0.0);
+    const double slenderness = chord > 0.0 ? std::max(0.0, span / chord - 1.0) : 0.0;
+    const double moment = by_slenderness(plate.spin_disc, plate.spin_strip, slenderness);
+    const double damping = plate.spin_stream_strip +
+                           (plate.spin_stream - plate.spin_stream_strip) /
+                               (1.0 + slenderness * slenderness / (plate.spin_stream_half * (1.0 + slenderness)));
     out.spin_drag[k] = 0.5 * (moment * g.stroke3[k] + spin_friction * g.rub[k]);
-    out.spin_drag_stream[k] = (plate.spin_stream * (1.0 - thick) + cross_flow * compact) * g.stroke2[k];
+    out.spin_drag_stream[k] = (damping * (1.0 - thick) + cross_flow * compact) * g.stroke2[k];
     // A rod or a round body has no edge for the stream to leave at, so its spin makes no circulation of this kind.
     return {thick * translation_lift * (g.area[j] - g.area[i]) * share(span, lift_span * chord),
             0.5 * plate.rotation * plan * chord * uneven * (1.0 - compact) * share(span, plate.rotation_span * chord) +

@@ -23,6 +23,7 @@ constexpr double folded = 0.03;    // mean squared sine of the tilt, above which
 constexpr double flat_sides = 0.1; // largest tilt within its sides, over that of the whole
 // Root mean square height along the normal, over the root of half the area, above which a group is two walls.
 constexpr double walls_apart = 0.25;
+constexpr double flat_walls = 0.18; // variance of the height within the walls, over that of the group
 
 void add(Part& part, const Vector3d& a, const Vector3d& b, const Vector3d& c, const Facet& from) {
     const double twice = (b - a).cross(c - a).norm();
@@ -240,6 +241,13 @@ std::vector<Part> split_walls(Part part) {
     const Vector3d n = common_normal(m, Vector3d::UnitZ());
     if (n.dot(m.second * n) < 0.5 * walls_apart * walls_apart * m.area) return {std::move(part)};
     auto [below, above] = cut(part, n, n.dot(m.centroid));
+    double within = 0.0;
+    for (const Part* side : {&below, &above}) {
+        const PartMoments s = moments_of(*side);
+        within += s.area * n.dot(s.second * n);
+    }
+    // A long strip that is bent along its length is as high, but no two walls.
+    if (within > flat_walls * m.area * n.dot(m.second * n)) return {std::move(part)};
     return {std::move(below), std::move(above)};
 }
 

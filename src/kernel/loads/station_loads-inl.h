@@ -70,8 +70,9 @@ HWY_INLINE void add_station(const StationConstants& k, const A& a, const Held& h
     const auto circulation = [&](int i, VF wi)
                                  LR_LAMBDA { return (i < 2 ? pitching : fluid_lift) * constant(k.spin_lift[i]) * wi; };
     const Vec3 turn =
-        columns(k.axes, {circulation(0, dot(broadcast(k.axes), tumbling)) - normal * u.y,
-                         circulation(1, dot(broadcast(k.axes + 3), tumbling)) + normal * u.x, circulation(2, w.z)});
+        columns(k.axes, {(one - part.x) * circulation(0, dot(broadcast(k.axes), tumbling)) - normal * u.y,
+                         (one - part.y) * circulation(1, dot(broadcast(k.axes + 3), tumbling)) + normal * u.x,
+                         circulation(2, w.z)});
 
     const Vec3 r = broadcast(k.place);
     const VF twist = dot(turn, r);
@@ -121,10 +122,15 @@ static HWY_NOINLINE Resistance station_resistance(const StationSet& stations, co
     for (VF& x : out.spin_drag) x = zero;
     out.mixed = out.couple = {{none, none, none}};
     out.turn = out.spin = out.lost.v = out.lost.u = none;
-    // The wake remembers the fall of the whole body. Ends that move faster, as a winged seed's do, meet streams of their own.
-    const Vec3 v = centre_velocity<true>(a, t);
-    const VF v2 = speed_squared(v);
-    const Vec3 behind = columns(a.axes, v2 / (v2 + dot(t.u, t.u)) * (lag - v));
+    // The wake remembers the fall of the whole body. Ends that move faster, as a winged seed's do, meet streams of their own; the edges of a long
+    // strip that turns about its length hardly leave the wake.
+    const Vec3 v = centre_velocity<true>(a, t), w = load_spin<true>(a, t);
+    const auto of_ends = [&](int k) LR_LAMBDA {
+        const VF weight = constant(a.spin_weight[k]);
+        return hn::Min(constant(10.0f) * (weight * weight), constant(1.0f));
+    };
+    const VF v2 = speed_squared(v), ends2 = of_ends(0) * (w.x * w.x) + (of_ends(1) * (w.y * w.y) + w.z * w.z);
+    const Vec3 behind = columns(a.axes, v2 / (v2 + ends2) * (lag - v));
     const Vec3 n = broadcast(a.axes + 6), tumbling = t.u - dot(n, t.u) * n;
     for (uint32_t i = 0; i < stations.count; ++i)
         add_station(stations.station[i], a, held, nu, behind, t, tumbling, out);

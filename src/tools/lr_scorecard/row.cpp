@@ -78,6 +78,8 @@ std::span<const Row> all_rows() {
          run_curled_leaf},
         {"holes", "measured", "Discs that tumble flutter with a hole", "Vincent, Shambaugh and Kanso 2016", 5.0, 2.0,
          run_holes},
+        {"strips", "measured", "Paper strips turn about their length and drift",
+         "Smith 1970; Iversen 1979; Wang et al. 2013", 5.0, 2.0, run_strips},
         {"cross", "measured", "A cross is no compact disc", "known behaviour", 3.0, 1.0, run_cross},
         {"snow", "measured", "Dendritic snow crystals fall flat and rock", "Nakaya and Terada 1935", 3.0, 1.0,
          run_snow},

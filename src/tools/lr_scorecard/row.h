@@ -98,6 +98,7 @@ RowResult run_cap(const Context&);
 RowResult run_bowls(const Context&);
 RowResult run_curled_leaf(const Context&);
 RowResult run_holes(const Context&);
+RowResult run_strips(const Context&);
 RowResult run_cross(const Context&);
 RowResult run_snow(const Context&);
 RowResult run_solids(const Context&);

@@ -1,4 +1,4 @@
-// Rows for sheets that are no single flat plate: caps, curled leaves, discs with holes, crosses, snow crystals.
+// Rows for sheets that are no single flat plate: caps, curled leaves, discs with holes, strips, crosses, snow crystals.
 #include "tools/falls/regime.h"
 #include "tools/lr_scorecard/span_bodies.h"
 #include "tools/lr_scorecard/span_falls.h"
@@ -202,6 +202,97 @@ RowResult run_holes(const Context& context) {
     plots.push_back(std::move(shares));
     result.pictures.push_back(
         {"holes.svg", draw(plots, 3), "Discs of 40 mm with a hole, any release; strokes: a diameter, enlarged."});
+    return result;
+}
+
+namespace {
+
+// Means over the falls that turn steadily about the body's y axis while it is about level.
+struct Turning {
+    double share = 0.0, spin = 0.0, down = 0.0, sideways = 0.0; // rad/s, m/s
+    double speed() const { return std::hypot(down, sideways); }
+    double angle() const { return std::atan2(down, sideways) / degree; } // below the horizontal
+};
+
+Turning turning_of(const std::vector<Track>& tracks) {
+    Turning sum;
+    double turn = 0.0;
+    for (const Track& t : tracks) {
+        const std::span<const Sample> end = end_of(t.samples, judged);
+        double spin = 0.0, square = 0.0, steep = 0.0;
+        Vector3d velocity = Vector3d::Zero();
+        for (const Sample& s : end) {
+            const Vector3d length = s.orientation * Vector3d::UnitY();
+            const double about = s.spin.dot(length);
+            steep += std::abs(length.y()) / static_cast<double>(end.size());
+            spin += about / static_cast<double>(end.size());
+            square += about * about / static_cast<double>(end.size());
+            velocity += s.velocity / static_cast<double>(end.size());
+        }
+        if (!(std::abs(spin) > 0.7 * std::sqrt(square)) || steep > 0.5) continue;
+        turn += 1.0;
+        sum.spin += std::abs(spin);
+        sum.down -= velocity.y();
+        sum.sideways += std::hypot(velocity.x(), velocity.z());
+    }
+    if (turn > 0.0)
+        sum = {turn / static_cast<double>(tracks.size()), sum.spin / turn, sum.down / turn, sum.sideways / turn};
+    return sum;
+}
+
+// Speed of a long edge over that of the fall, of autorotating plates (Iversen 1979). aspect: length over width.
+double tip_speed_of_plates(double aspect) {
+    const double slope = aspect / (2.0 + std::sqrt(4.0 + aspect * aspect));
+    return std::pow(slope * (2.0 - std::pow(aspect / (aspect + 0.595), 0.76)), 2.0 / 3.0);
+}
+} // namespace
+
+RowResult run_strips(const Context& context) {
+    RowResult result;
+    struct Strip {
+        double aspect, rise;
+    };
+    static constexpr std::array<Strip, 7> strips{
+        {{2.0, 0.0}, {3.0, 0.0}, {4.0, 0.0}, {6.0, 0.0}, {10.0, 0.0}, {5.0, 0.1}, {12.0, 0.05}}};
+    const double width = 0.02, areal = 0.08; // m, kg/m^2
+    std::array<std::vector<Track>, strips.size()> tracks;
+    context.parallel(strips.size(), [&](size_t i) {
+        const Asset body = bake_strip(width, strips[i].aspect * width, strips[i].rise, areal);
+        tracks[i] = drop(context, body, 6.0, 68);
+    });
+    std::array<Turning, strips.size()> turning;
+    std::vector<LinePlot> plots;
+    for (size_t i = 0; i < strips.size(); ++i) {
+        const Strip& strip = strips[i];
+        const Turning& t = turning[i] = turning_of(tracks[i]);
+        char name[64];
+        std::snprintf(name, sizeof name, strip.rise > 0.0 ? "%g:1, bent to a rise of %g" : "%g:1", strip.aspect,
+                      strip.rise);
+        const std::string of = name;
+        plots.push_back(side_view("Strip " + of, tracks[i], 5, 2.5, 1.0, {Vector3d::UnitX(), 0.1, 1}));
+        // Wang et al. saw plates of 2:1 to 10:1 tumble; here some of those of 2:1 rock end over end.
+        const double least = strip.aspect > 2.0 ? 0.75 : 0.4;
+        result.add(of + ": share that turns about its length", Rule::at_least, t.share, least, 0.0);
+        result.show(of + ": descent of those", t.down, "m/s");
+        result.show(of + ": horizontal speed", t.sideways, "m/s");
+        result.show(of + ": turns a second", t.spin / (2.0 * pi), "/s");
+        if (strip.rise > 0.0) continue;
+        result.add(of + ": speed of its edges over that of the fall", Rule::relative, 0.5 * width * t.spin / t.speed(),
+                   tip_speed_of_plates(strip.aspect), 0.2);
+    }
+    const Turning &shortest = turning[0], &longest = turning[4];
+    // Wang et al.: with the aspect ratio descent and angle fall, spin and horizontal speed grow.
+    result.add("10:1 over 2:1: descent", Rule::at_most, longest.down / shortest.down, 1.0, 0.0);
+    result.add("10:1 over 2:1: angle below the horizontal", Rule::at_most, longest.angle() / shortest.angle(), 1.0,
+               0.0);
+    result.add("10:1 over 2:1: spin", Rule::at_least, longest.spin / shortest.spin, 1.0, 0.0);
+    result.add("10:1 over 2:1: horizontal speed", Rule::at_least, longest.sideways / shortest.sideways, 1.0, 0.0);
+    const double pressure = 0.5 * Fluid{}.density * longest.speed() * longest.speed();
+    const double weight = areal * 9.81 / (pressure * longest.speed());
+    result.add("10:1: mean lift coefficient", Rule::relative, weight * longest.sideways, 2.2, 0.25);
+    result.add("10:1: mean drag coefficient", Rule::relative, weight * longest.down, 1.6, 0.25);
+    result.pictures.push_back({"strips.svg", draw(plots, 4, {380.0, 420.0}),
+                               "Paper strips 2 cm wide, any release; strokes: the width, enlarged."});
     return result;
 }
 

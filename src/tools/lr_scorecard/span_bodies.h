@@ -1,5 +1,5 @@
-// Bodies of parts that meet the air at different angles, from generated meshes: a winged seed, darts, caps, curled leaves, discs with holes, crosses
-// and snow crystals.
+// Bodies of parts that meet the air at different angles, from generated meshes: a winged seed, darts, caps, curled leaves, discs with holes, strips,
+// crosses and snow crystals.
 #pragma once
 
 #include "tools/lr_scorecard/measured_bodies.h"
@@ -41,6 +41,9 @@ Asset bake_curled_leaf(double width, double length, double curl, double twist, d
 
 // hole: of the diameter.
 Asset bake_ring(double diameter, double hole, double areal_density);
+
+// A rectangle, y along its length, bent to an arc towards +z. rise: of the length.
+Asset bake_strip(double width, double length, double rise, double areal_density);
 
 // Two bars of this length that cross at right angles. width: of a bar.
 Asset bake_cross(double length, double width, double areal_density);

@@ -181,7 +181,8 @@ namespace LangevinRigid
     }
 
     /// <summary>The loads of the flow on a body and the state of its wake, for inspectors and debug arrows: what
-    /// AERODYNAMIC loads do to it now. Weight, buoyancy and added mass are not among them. World frame.</summary>
+    /// AERODYNAMIC loads do to it now. Weight, buoyancy and added mass are not among them, but what turning costs where
+    /// added momentum is left in the wake is. World frame.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct BodyLoads
     {

@@ -1197,7 +1197,8 @@ export interface TurbulenceTable {
 
 /**
  * The loads of the flow on a body and the state of its wake, for inspectors and debug arrows: what AERODYNAMIC loads do
- * to it now. Weight, buoyancy and added mass are not among them. World frame.
+ * to it now. Weight, buoyancy and added mass are not among them, but what turning costs where added momentum is left in
+ * the wake is. World frame.
  */
 export interface BodyLoads {
   /** 1 to 8: 1 where one stream describes the shape; 0: no AERODYNAMIC loads */
