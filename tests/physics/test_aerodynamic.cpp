@@ -68,8 +68,8 @@ TEST_CASE("spheres settle at the speed of the standard drag curve") {
 }
 
 // As plates of 2:1 to 10:1 do (Wang, Hu, Xu and Wu 2013).
-TEST_CASE("paper four times as long as wide turns about its length and drifts down a slope") {
-    const Asset asset = make(ellipsoid(0.04, 0.01, 5e-5, 800.0));
+TEST_CASE("paper six times as long as wide turns about its length and drifts down a slope") {
+    const Asset asset = make(ellipsoid(0.06, 0.01, 5e-5, 800.0));
     const World world = make(world_desc());
     constexpr int count = 50, frames = 120;
     const lr_batch batch = add_batch(world, aerodynamic(), asset, count);
@@ -77,7 +77,7 @@ TEST_CASE("paper four times as long as wide turns about its length and drifts do
     std::vector<lr_body> bodies;
     for (int i = 0; i < count; ++i)
         bodies.push_back(add_body(world, batch, turned_anyhow(random, {double(i), 0.0, 0.0})));
-    steps(world, 180, 1.0f / 60.0f, 4);
+    steps(world, 240, 1.0f / 60.0f, 4);
     std::vector<Vec> from;
     std::vector<double> turned(count), square(count);
     for (const lr_body b : bodies) from.push_back(vec(state_of(world, b).position));
