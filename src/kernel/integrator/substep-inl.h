@@ -172,12 +172,12 @@ HWY_INLINE void aerodynamic_motion(const StepInput& in, const C& c, Held& held, 
                                    uint32_t motion, Body& b) {
     const auto& a = c.aerodynamics;
     const VF nu = constant(a.viscosity) * held.inverse_length;
-    VF gauss[6];
-    three_gaussians(noise_seed, in.first_substep + substep, in.seed, gauss);
+    VF gauss[3], shedding[2];
+    three_gaussians(noise_seed, in.first_substep + substep, in.seed, gauss, shedding);
     if (HWY_LIKELY(motion == 0)) {
         b.t.v -= to_body(b.q, b.gust);
         const Vec3 v = centre_velocity<kFull>(a, b.t);
-        advance_wake(in, a, held, nu, hn::Sqrt(gusts_at(in, a, held, nu, b, v).variance), gauss, v,
+        advance_wake(in, a, held, nu, hn::Sqrt(gusts_at(in, a, held, nu, b, v).variance), shedding, v,
                      load_spin<kFull>(a, b.t), b);
         b.x += constant(in.h) * b.gust;
     }

@@ -118,8 +118,8 @@ template <class A> HWY_INLINE Vec3 shedding_couple(const A& c, const Held& held,
 // The wake over a substep: its memory relaxes towards the stream, and its oscillator (q, r) is rotated and changes its size (Stuart-Landau). Both are
 // exact at any step but for exp(-x). Forces use the wake in the middle of a substep, so it advances from middle to middle.
 template <class A>
-HWY_INLINE void advance_wake(const StepInput& in, const A& c, const Held& held, VF nu, VF fluctuation, const VF gauss[],
-                             Vec3 v, Vec3 u, Body& b) {
+HWY_INLINE void advance_wake(const StepInput& in, const A& c, const Held& held, VF nu, VF fluctuation,
+                             const VF noise[2], Vec3 v, Vec3 u, Body& b) {
     const VF one = constant(1.0f), half = constant(0.5f), zero = hn::Zero(DF());
     const VF s = hn::Sqrt(speed_squared(v)), inverse_s = one / s;
     const VF travel = constant(in.h) * held.inverse_length * s;
@@ -144,7 +144,7 @@ HWY_INLINE void advance_wake(const StepInput& in, const A& c, const Held& held, 
     const VF kick = constant(c.shedding_noise) * fluctuation * inverse_s * hn::Sqrt(angle);
     VF size2 = zero;
     for (int i = 0; i < 2; ++i) {
-        const VF r = turned_q[i + 2] + kick * gauss[i];
+        const VF r = turned_q[i + 2] + kick * noise[i];
         q[i] = cos_shed * turned_q[i] + sin_shed * r;
         q[i + 2] = cos_shed * r - sin_shed * turned_q[i];
         size2 = q[i] * q[i] + (q[i + 2] * q[i + 2] + size2);

@@ -162,13 +162,16 @@ HWY_INLINE void six_gaussians(VU key, uint64_t substep, uint64_t seed, VF out[6]
     gaussian_pair(word[2], pair_angle<2>(word), out[4], out[5]);
 }
 
-// The first three of six_gaussians.
-HWY_INLINE void three_gaussians(VU key, uint64_t substep, uint64_t seed, VF out[3]) {
+// The first three of six_gaussians. uniform: two numbers of mean 0 and variance 1, independent of them and of each other.
+HWY_INLINE void three_gaussians(VU key, uint64_t substep, uint64_t seed, VF out[3], VF uniform[2]) {
     VU word[4];
     noise_words(key, substep, seed, word);
     VF unused;
     gaussian_pair(word[0], pair_angle<0>(word), out[0], out[1]);
     gaussian_pair(word[1], pair_angle<1>(word), out[2], unused);
+    const VF unit = constant(8.0654933e-10f); // sqrt(3)/2^31
+    uniform[0] = unit * from_signed(word[2]);
+    uniform[1] = unit * from_signed(hn::ShiftLeft<16>(word[2]));
 }
 } // namespace lr::LR_KERNEL_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -85,8 +85,8 @@ void test_gaussians(const uint32_t* keys, uint64_t substep, uint64_t seed, float
 void test_three_gaussians(const uint32_t* keys, uint64_t substep, uint64_t seed, float* out, size_t n) {
     const DF d;
     for (size_t i = 0; i < n; i += hn::Lanes(d)) {
-        VF g[3];
-        three_gaussians(hn::Load(DU(), keys + i), substep, seed, g);
+        VF g[3], uniform[2];
+        three_gaussians(hn::Load(DU(), keys + i), substep, seed, g, uniform);
         for (size_t k = 0; k < 3; ++k) hn::Store(g[k], d, out + k * n + i);
     }
 }
