@@ -676,7 +676,7 @@ typedef struct lr_water_query {
     float* height;            /* m, of the surface above the plane, along the plane's normal */
     float* normal[3];         /* unit, of the surface, less than 80 degrees from the plane's */
     float* velocity[3];       /* m/s, of the water at the position */
-    float* rate[3];           /* m/s^2, acceleration of the water; lets bodies slide down a steep surface */
+    float* rate[3];           /* m/s^2, du/dt + u . grad u of the water: lets bodies slide down slopes, follow eddies */
 } lr_water_query;
 
 /* Called for bodies near the water surface: once, and twice more in each substep. Threads and restrictions: as for

@@ -408,6 +408,7 @@ void equivalent_ellipsoid(const AssetData& a, WaterBody& out) {
         offset += a.center_of_buoyancy[i] * a.center_of_buoyancy[i];
         for (size_t k = 0; k < 3; ++k) out.axes[i * 3 + k] = static_cast<float>(axes[k][i]);
     }
+    out.thin = std::sqrt(*std::min_element(out.semi_axes_squared, out.semi_axes_squared + 3));
     out.radius = static_cast<float>(std::sqrt(longest) + std::sqrt(offset));
 }
 } // namespace
@@ -429,6 +430,12 @@ bool make_water_body(const AssetData& a, const AerodynamicData& loads, const Gai
     out.air_density = static_cast<float>(air_density);
     out.water_density = static_cast<float>(water_density);
     if (!diagonal) narrow(a.center_of_buoyancy, out.center);
+    double high = 1.0, draught = -1.0;
+    for (int i = 0; i < 30; ++i) {
+        const double s = 0.5 * (draught + high), share = 0.25 * (2.0 + s * (3.0 - s * s));
+        (a.volume * (air_density + share * (water_density - air_density)) < a.mass ? draught : high) = s;
+    }
+    out.draught = static_cast<float>(draught);
 
     const double ratio = (a.mass + water_density * a.volume) / (a.mass + air_density * a.volume);
     const Matrix6 dry = kernel_mass(a, diagonal, air_density), wet = kernel_mass(a, diagonal, water_density);

@@ -189,6 +189,22 @@ TEST_CASE("a leaf comes to lie flat on the water") {
     CHECK(std::abs(s.position[1]) < 0.002f);
 }
 
+// Thinner than their fall in a step they count as that thick. They lay at the draught of a body so thick, up to 11 mm below the surface.
+TEST_CASE("thin floats lie at their own draught at the steps of games") {
+    for (const double density : {50.0, 500.0, 700.0, 900.0})
+        for (const float dt : {1.0f / 30.0f, 1.0f / 60.0f}) {
+            CAPTURE(density);
+            CAPTURE(dt);
+            const World world = make(world_desc());
+            set_water(world, water_desc());
+            const Asset card = make(ellipsoid(0.04, 0.0002, 0.03, density));
+            const lr_batch batch = add_batch(world, with_loads(LR_LOADS_AERODYNAMIC), card, 1);
+            const lr_body body = add_body(world, batch, at_height(0.002));
+            steps(world, 1200, dt);
+            CHECK(std::abs(wide(state_of(world, body).position[1]) + 0.0002 * draught(density)) < 3e-4);
+        }
+}
+
 TEST_CASE("floats of every kind come to rest at the step of a game") {
     const double shapes[][4] = {{0.005, 0.0025, 0.00005, 700.0}, {0.02, 0.01, 0.0001, 400.0},
                                 {0.001, 0.001, 0.001, 500.0},    {0.01, 0.01, 0.01, 30.0},

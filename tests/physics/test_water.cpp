@@ -248,6 +248,63 @@ TEST_CASE("small bodies ride on long waves") {
     CHECK(std::abs(travelled) < 10.0); // Stokes drift, not the wave's own speed of 4 m/s
 }
 
+namespace {
+
+// On one wave, of the slope 0.16 and 2 m long or as given: means over the bodies' last two seconds of ten.
+struct OnWave {
+    double depth = 0.0, spin = 0.0; // of the centre below the surface, m; rad/s
+};
+OnWave on_wave(const Asset& asset, int32_t loads, double depth, double length = 2.0, double slope = 0.16) {
+    const double k = 2.0 * pi / length, amplitude = slope / k, omega = std::sqrt(g * k);
+    const World world = make(world_desc());
+    lr_water_desc d = water_desc();
+    d.wave_count = 1;
+    d.waves[0] = {{1.0f, 0.0f, 0.0f}, narrow(length), narrow(amplitude), 0.0f};
+    set_water(world, d);
+    const lr_batch batch = add_batch(world, with_loads(loads), asset, 10);
+    no_turbulence(world, batch);
+    std::vector<lr_body> bodies;
+    for (int i = 0; i < 10; ++i) {
+        const double x = 0.37 * i, faded = amplitude * omega * std::exp(-k * depth);
+        lr_body_desc b = at_height(amplitude * std::cos(k * x) - depth);
+        b.position[0] = narrow(x);
+        b.linear_velocity[0] = narrow(faded * std::cos(k * x)), b.linear_velocity[1] = narrow(faded * std::sin(k * x));
+        bodies.push_back(add_body(world, batch, b));
+    }
+    OnWave mean;
+    steps(world, 480, 1.0f / 60.0f);
+    for (int i = 0; i < 120; ++i) {
+        steps(world, 1, 1.0f / 60.0f);
+        for (lr_body body : bodies) {
+            const lr_body_state s = state_of(world, body);
+            const double at = k * wide(s.position[0]) - omega * info_of(world).time;
+            mean.depth += (amplitude * std::cos(at) - wide(s.position[1])) / 1200.0;
+            mean.spin += wide(std::hypot(s.angular_velocity[0], s.angular_velocity[1], s.angular_velocity[2])) / 1200.0;
+        }
+    }
+    return mean;
+}
+
+} // namespace
+
+// Discs and petals were held 2 to 15 cm below the surface, and neutral balls sank by a metre or two in ten seconds.
+TEST_CASE("on waves small bodies keep the depth that they have on still water") {
+    for (const int32_t loads : {LR_LOADS_NONE, LR_LOADS_AERODYNAMIC}) {
+        CAPTURE(loads);
+        const OnWave ball = on_wave(make(ellipsoid(0.004, 0.004, 0.004, 800.0)), loads, 0.0);
+        CHECK(ball.depth == doctest::Approx(0.004 * draught(800.0)).epsilon(0.1));
+        CHECK(on_wave(make(ellipsoid(0.02, 0.02, 0.02, 998.0)), loads, 0.1, 10.0).depth < 0.4);
+    }
+    const Asset disc = make(ellipsoid(0.008, 0.0001, 0.008, 800.0));
+    CHECK(std::abs(on_wave(disc, LR_LOADS_AERODYNAMIC, 0.0, 2.0, 0.31).depth) < 0.007);
+}
+
+// Buoyancy that was not along the surface's normal turned them: one of 4 mm without loads ever faster, at 75 rad/s after 40 s.
+TEST_CASE("waves turn no balls") {
+    for (const double density : {300.0, 800.0})
+        CHECK(on_wave(make(ellipsoid(0.03, 0.03, 0.03, density)), LR_LOADS_NONE, 0.0).spin < 0.05);
+}
+
 // They take a wake of some centimetres a second with them into the water. Some kept it, and sailed across the pond.
 TEST_CASE("leaves that fall into still water come to rest there") {
     const Asset leaf = make(ellipsoid(0.035, 0.02, 0.00015, 350.0));

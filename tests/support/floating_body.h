@@ -13,7 +13,7 @@ class FloatingBody {
 public:
     static constexpr double gravity = 9.81;
 
-    // h: s, the substep; a body counts as at least as thick as its fall in a substep.
+    // h: s, the substep; a body counts as at least as thick as its fall in a substep, and is raised to float flat at its own draught.
     FloatingBody(const lr_asset_info& info, double h)
         : air_(info), more_(info), mass_(info.mass), volume_(info.volume), blur_(gravity * h * h) {
         for (size_t i = 0; i < 3; ++i) {
@@ -22,6 +22,8 @@ public:
             squared_[i] = 2.5 / mass_ * (moment[(i + 1) % 3] + moment[(i + 2) % 3] - moment[i]);
             center_[i] = info.center_of_buoyancy[i];
         }
+        const double thin = std::min({semi_axis(0), semi_axis(1), semi_axis(2)});
+        raised_ = draught(mass_ / volume_) * (std::sqrt(thin * thin + blur_ * blur_) - thin);
         // The fluid's part of the mass matrix is proportional to its density.
         lr_asset_info wet = info;
         for (double& m : wet.added_mass) m *= water_density / info.fluid_density;
@@ -41,10 +43,10 @@ public:
         Vec stretched{};
         for (size_t i = 0; i < 3; ++i) stretched[i] = squared_[i] * n[i], square += stretched[i] * n[i];
         const double half = std::sqrt(square), height = position[1] + dot(n, center_);
-        const double s = std::clamp(-height / half, -1.0, 1.0);
+        const double depth = raised_ - height, s = std::clamp(depth / half, -1.0, 1.0);
         // Displaced water: its force is rho V f g, and its depth the integral of f.
         const double lifted =
-            -height > half ? -height : half * ((2.0 * s + 1.5 * s * s - 0.25 * s * s * s * s) / 4.0 + 3.0 / 16.0);
+            depth > half ? depth : half * ((2.0 * s + 1.5 * s * s - 0.25 * s * s * s * s) / 4.0 + 3.0 / 16.0);
         return {(2.0 + 3.0 * s - s * s * s) / 4.0,
                 gravity * (mass_ * position[1] - air_density * volume_ * height +
                            (water_density - air_density) * volume_ * lifted),
@@ -68,7 +70,7 @@ public:
 
 private:
     ReferenceBody air_, more_;
-    double mass_, volume_, blur_;
+    double mass_, volume_, blur_, raised_;
     Vec squared_{}, center_{};
 };
 

@@ -1130,7 +1130,7 @@ FIELD_DOCS = {
         'height': "m, of the surface above the plane, along the plane's normal",
         'normal': "unit, of the surface, less than 80 degrees from the plane's",
         'velocity': 'm/s, of the water at the position',
-        'rate': 'm/s^2, acceleration of the water; lets bodies slide down a steep surface',
+        'rate': 'm/s^2, du/dt + u . grad u of the water: lets bodies slide down slopes, follow eddies',
     },
     'lr_step_report': {
         'batches_stepped': '',

@@ -41,39 +41,51 @@ HWY_INLINE SurfaceSample sample_surface(const SurfaceInstant& s, Vec3 x) {
     const VF zero = hn::Zero(DF());
     const Vec3 up = broadcast(s.up), from = x - broadcast(s.point);
     VF sine[most_waves], cosine[most_waves];
-    SurfaceSample out{zero, up, broadcast(s.current), zero3()};
+    Vec3 slope = zero3(), turning = zero3(); // slope: minus the gradient of the height; -turning: its rate
+    VF height = zero, lift = zero;
     for (uint32_t i = 0; i < s.wave_count; ++i) {
         const WaveInstant& w = s.waves[i];
         const Vec3 k = broadcast(w.direction);
         const VF turns = dot(k, from) * constant(w.turns_per_m) + constant(w.turn);
         sin_cos_turn(turns - hn::Floor(turns), sine[i], cosine[i]);
-        out.height = constant(w.amplitude) * cosine[i] + out.height;
-        out.normal += constant(w.amplitude * w.number) * sine[i] * k;
+        height = constant(w.amplitude) * cosine[i] + height;
+        lift = constant(w.speed) * sine[i] + lift;
+        slope += constant(w.amplitude * w.number) * sine[i] * k;
+        turning += constant(w.speed * w.number) * cosine[i] * k;
     }
-    out.normal = constant(1.0f) / hn::Sqrt(dot(out.normal, out.normal)) * out.normal;
     // Motion fades with depth below the wavy surface (Wheeler stretching): a wave on another one's crest moves no faster than on still water.
-    const VF depth = hn::Max(out.height - dot(up, from), zero);
+    const VF depth = hn::Max(height - dot(up, from), zero);
+    Vec3 along = zero3(), push = zero3();
+    VF rise = zero, fall = zero, steep = zero;
     for (uint32_t i = 0; i < s.wave_count; ++i) {
         const WaveInstant& w = s.waves[i];
         const Vec3 k = broadcast(w.direction);
-        const VF fade = decay(constant(w.number) * depth);
-        const VF v = fade * constant(w.speed), a = fade * constant(w.rate);
-        out.velocity = out.velocity + v * cosine[i] * k + v * sine[i] * up;
-        out.rate = out.rate + a * sine[i] * k + -(a * cosine[i]) * up;
+        const VF fade = decay(constant(w.number) * depth), a = fade * constant(w.rate);
+        const VF up_speed = fade * constant(w.speed) * sine[i];
+        const Vec3 speed = fade * constant(w.speed) * cosine[i] * k;
+        along += speed, rise += up_speed;
+        turning += constant(w.number) * speed, steep = constant(w.number) * up_speed + steep;
+        push += a * sine[i] * k;
+        fall = a * cosine[i] + fall;
     }
-    return out;
+    // To second order in the slope water at the surface stays there, and its rate is that along its own path. Else swell washes over leaves, and the
+    // rate has a mean downward, which holds whatever moves with the water far below the surface.
+    const VF climb = dot(along, turning) + ((rise - lift) * steep - dot(push, slope));
+    return {height, constant(1.0f) / hn::Sqrt(dot(slope, slope) + constant(1.0f)) * (up + slope),
+            broadcast(s.current) + along + (rise - dot(along, slope)) * up, push + (climb - fall) * up};
 }
 
 // Immersion of the equivalent ellipsoid: scaled to a sphere, from which a plane cuts a cap.
 struct Immersion {
     VF fraction;    // of the volume in water
-    Vec3 center;    // m, body frame: fraction times the submerged part's centre, from the centre of mass
+    Vec3 lowered;   // m, body frame: fraction times the submerged part's centre, from the centre of buoyancy
     VF half_height; // m, of the ellipsoid along the surface's normal
     VF second;      // 3/16 (1 - s^2)^2
     Vec3 normal;    // body frame
 };
 
-// blur: m. A body thinner than its fall in a substep counts as that thick; else it would jump over the surface.
+// blur: m. A body thinner than its fall in a substep counts as that thick; else it would jump over the surface. It is raised to float, lying flat, at
+// its own draught, not at that of a thick one.
 HWY_INLINE Immersion immersed(const WaterBody& w, const SurfaceInstant& plane, VF body_scale, Quaternion q, Vec3 x,
                               VF height, Vec3 normal, float blur) {
     const VF one = constant(1.0f);
@@ -85,13 +97,15 @@ HWY_INLINE Immersion immersed(const WaterBody& w, const SurfaceInstant& plane, V
     const Vec3 middle = body_scale * broadcast(w.center);
     const Vec3 up = broadcast(plane.up);
     const VF above = dot(up, x + to_world(q, middle) - broadcast(plane.point));
-    const VF depth = (height - above) * dot(up, normal);
+    const VF thin = body_scale * constant(w.thin);
+    const VF raised = constant(w.draught) * (hn::Sqrt(thin * thin + constant(blur * blur)) - thin);
+    const VF depth = (height - above) * dot(up, normal) + raised;
     const VF s = hn::Max(hn::Min(depth / out.half_height, one), constant(-1.0f));
     const VF s2 = s * s, rest = one - s2;
     out.fraction = constant(0.25f) * (s * (constant(3.0f) - s2) + constant(2.0f));
     out.second = constant(0.1875f) * (rest * rest);
     const VF lowered = -(out.second / out.half_height);
-    out.center = out.fraction * middle + lowered * columns(w.axes, stretched);
+    out.lowered = lowered * columns(w.axes, stretched);
     return out;
 }
 
@@ -275,7 +289,7 @@ static HWY_NOINLINE void blend(bool damped, const BodyConstants& a, const WaterB
 void near_surface(const SurfaceInstant& plane, float highest, const WaterBody& w, float dt, float gravity,
                   const BatchArrays& a, size_t begin, size_t end, uint32_t* near) {
     const DU du;
-    const VF fall = constant(highest + gravity * dt * dt), travel = constant(1.5f * dt);
+    const VF fall = constant(highest + 2.0f * gravity * dt * dt), travel = constant(1.5f * dt);
     for (size_t at = begin; at < end; at += hn::Lanes(DF())) {
         const Vec3 v = load3(a, field_vx, at);
         const VF radius = constant(w.radius) * load1(a, field_scale, at);
@@ -388,9 +402,10 @@ HWY_NOINLINE Floating floating(const StepInput& in, const WetSubstep& s, const L
     out.force = per_unit * constant(w.mass) * (gravity - out.stream * rate);
     out.force -= water * f * lower + air * dry * gravity;
     const Vec3 middle = body_scale * broadcast(w.center);
-    const Vec3 from_water = cross(-water * at.center, to_body(q, lower));
-    const Vec3 from_air = cross(-air * (middle - at.center), to_body(q, gravity));
-    out.torque = inverse_length * (from_water + from_air);
+    // The surface has one pressure, so the parts that it makes of the body are pulled along its normal: a ball in waves is not turned.
+    const Vec3 whole = cross(middle, to_body(q, water * f * lower + air * dry * gravity));
+    const VF parts = water * dot(normal, lower) - air * dot(normal, gravity);
+    out.torque = -inverse_length * (whole + cross(at.lowered, parts * at.normal));
 
     const auto between = hn::And(f > zero, f < one);
     const VF quarter = hn::IfThenElseZero(between, constant(0.25f * in.h * in.h));

@@ -48,6 +48,8 @@ struct WaterBody {
     float air_density, water_density; // kg/m^3
     float axes[9];                    // rows: axes of the equivalent ellipsoid in the body frame
     float semi_axes_squared[3];       // m^2
+    float thin;                       // m: the smallest semi-axis
+    float draught;                    // of the ellipsoid's centre, afloat at rest, over its half height: -1 to 1
     float center[3];                  // m: of buoyancy, from the centre of mass
     float radius;                     // m: bound of the ellipsoid's distance from the centre of mass
     float fall;                       // |m - rho V|/|M + A|: acceleration from rest over gravity (contact.md, 4)

@@ -503,11 +503,14 @@ namespace LangevinRigid
         public float* VelocityY;
         /// <summary>m/s, of the water at the position. Element 2 of 3.</summary>
         public float* VelocityZ;
-        /// <summary>m/s^2, acceleration of the water; lets bodies slide down a steep surface. Element 0 of 3.</summary>
+        /// <summary>m/s^2, du/dt + u . grad u of the water: lets bodies slide down slopes, follow eddies. Element 0 of
+        /// 3.</summary>
         public float* RateX;
-        /// <summary>m/s^2, acceleration of the water; lets bodies slide down a steep surface. Element 1 of 3.</summary>
+        /// <summary>m/s^2, du/dt + u . grad u of the water: lets bodies slide down slopes, follow eddies. Element 1 of
+        /// 3.</summary>
         public float* RateY;
-        /// <summary>m/s^2, acceleration of the water; lets bodies slide down a steep surface. Element 2 of 3.</summary>
+        /// <summary>m/s^2, du/dt + u . grad u of the water: lets bodies slide down slopes, follow eddies. Element 2 of
+        /// 3.</summary>
         public float* RateZ;
     }
 

@@ -557,7 +557,7 @@ export interface WaterQuery {
   normal: Float32Array[];
   /** 3 elements. m/s, of the water at the position */
   velocity: Float32Array[];
-  /** 3 elements. m/s^2, acceleration of the water; lets bodies slide down a steep surface */
+  /** 3 elements. m/s^2, du/dt + u . grad u of the water: lets bodies slide down slopes, follow eddies */
   rate: Float32Array[];
 }
 
