@@ -9,6 +9,13 @@
 #include <cstdint>
 #include <type_traits>
 
+// Also where code is compiled for size: a call of these is longer than what it calls.
+#if defined(_MSC_VER) && !defined(__clang__)
+#define LR_INLINE [[msvc::forceinline]]
+#else
+#define LR_INLINE [[gnu::always_inline]]
+#endif
+
 namespace lr {
 
 template <class T> struct Vector3 {
@@ -18,28 +25,28 @@ template <class T> struct Vector3 {
 template <class T> constexpr Vector3<T> along_axis(uint32_t k, T size) {
     return {k == 0 ? size : T(0), k == 1 ? size : T(0), k == 2 ? size : T(0)};
 }
-template <class T> constexpr Vector3<T> operator+(Vector3<T> a, Vector3<T> b) {
+template <class T> LR_INLINE constexpr Vector3<T> operator+(Vector3<T> a, Vector3<T> b) {
     return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
-template <class T> constexpr Vector3<T> operator-(Vector3<T> a, Vector3<T> b) {
+template <class T> LR_INLINE constexpr Vector3<T> operator-(Vector3<T> a, Vector3<T> b) {
     return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
-template <class T> constexpr Vector3<T> operator-(Vector3<T> a) {
+template <class T> LR_INLINE constexpr Vector3<T> operator-(Vector3<T> a) {
     return {-a.x, -a.y, -a.z};
 }
-template <class T> constexpr Vector3<T> operator*(std::type_identity_t<T> s, Vector3<T> a) {
+template <class T> LR_INLINE constexpr Vector3<T> operator*(std::type_identity_t<T> s, Vector3<T> a) {
     return {s * a.x, s * a.y, s * a.z};
 }
 template <class T> constexpr Vector3<T> operator/(Vector3<T> a, std::type_identity_t<T> s) {
     return {a.x / s, a.y / s, a.z / s};
 }
-template <class T> constexpr T dot(Vector3<T> a, Vector3<T> b) {
+template <class T> LR_INLINE constexpr T dot(Vector3<T> a, Vector3<T> b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 template <class T> constexpr Vector3<T> cross(Vector3<T> a, Vector3<T> b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-template <class T> inline T length(Vector3<T> a) {
+template <class T> LR_INLINE inline T length(Vector3<T> a) {
     return std::sqrt(dot(a, a));
 }
 // The lesser and the greater of each coordinate.
@@ -126,7 +133,7 @@ template <class T> constexpr Quaternion<T> operator*(Quaternion<T> a, Quaternion
 template <class T> constexpr T dot(Quaternion<T> a, Quaternion<T> b) {
     return a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w;
 }
-template <class T> constexpr Quaternion<T> inverse(Quaternion<T> q) {
+template <class T> LR_INLINE constexpr Quaternion<T> inverse(Quaternion<T> q) {
     return {-q.x, -q.y, -q.z, q.w};
 }
 template <class T> constexpr Vector3<T> rotate(Quaternion<T> q, std::type_identity_t<Vector3<T>> a) {
@@ -199,7 +206,7 @@ constexpr Pose relative(const Pose& frame, const Pose& of) {
 }
 
 // Bodies stored as rows, with one index for each body: BatchArrays::field, LaneRow and the like.
-template <class Rows> Vector vector_in(const Rows& rows, size_t first, size_t i) {
+template <class Rows> LR_INLINE inline Vector vector_in(const Rows& rows, size_t first, size_t i) {
     return {rows[first][i], rows[first + 1][i], rows[first + 2][i]};
 }
 template <class Rows> void put_in(Rows& rows, size_t first, size_t i, Vector v) {
