@@ -123,44 +123,6 @@ struct Patience {
     VF lever, creep;
 };
 
-// Sweeps over the contacts in alternating directions until none changes its point's velocity by more than `dust`.
-template <bool kFull, class C>
-HWY_INLINE void project(const C& c, Row* rows, uint32_t count, VF rolling, VF spin_hold, VF dust,
-                        const Patience& patience, Twist& t) {
-    const VF zero = hn::Zero(DF());
-    const bool rolls = !hn::AllTrue(DF(), hn::Eq(rolling, zero));
-    Vec3 rolled = zero3(); // couple against rolling and spinning
-    for (uint32_t sweep = 0; sweep < resting_sweeps; ++sweep) {
-        if (sweep == contact_sweeps) {
-            const VF speed = speed_of({t.v - patience.floor, t.u}, patience.lever);
-            const auto creeps = hn::And(patience.still, speed > patience.creep);
-            if (hn::AllFalse(DF(), creeps)) break;
-            dust = hn::IfThenElse(creeps, dust, constant(1e30f)); // stops the others
-        }
-        VF change = zero, load = zero;
-        // Over-relaxed after the first sweep, which solves a single contact exactly.
-        const VF relaxed = constant(sweep == 0 ? 1.0f : 1.3f);
-        for (uint32_t i = 0; i < count; ++i) {
-            Row& r = rows[(sweep & 1) == 0 ? i : count - 1 - i];
-            const VF more = press(r, product(r.along[0], t), dust, relaxed);
-            const VF x = more * r.to_first + product(r.along[1], t) - r.surface[0];
-            const VF y = more * r.to_second + product(r.along[2], t) - r.surface[1];
-            VF step_x, step_y;
-            drag(r, x, y, dust, step_x, step_y);
-            t = t + more * r.response[0] + step_x * r.response[1] + step_y * r.response[2];
-            change = hn::Max(hn::Max(change, hn::Abs(more)), hn::Max(hn::Abs(step_x), hn::Abs(step_y)));
-        }
-        if (rolls) {
-            // The same order in each sweep, since rounding of the sum would move bodies that are done.
-            for (uint32_t i = 0; i < count; ++i) load += rows[i].pressed;
-            const Vec3 step = hold_spin(rolled, t.u, spin_hold, rolling * load, dust);
-            t += turned_by<kFull>(c, step);
-            change = hn::Max(change, greatest(step));
-        }
-        if (hn::AllTrue(DF(), hn::Eq(change, zero))) break;
-    }
-}
-
 // Two unit vectors across a normal (Duff et al. 2017).
 HWY_INLINE void tangents(Vec3 n, Vec3& first, Vec3& second) {
     const VF one = constant(1.0f), zero = hn::Zero(DF());
@@ -218,37 +180,57 @@ HWY_INLINE VF small_part(Vec3 u, VF inverse) {
     return hn::Min(half / hn::Max(large, half), constant(1.0f));
 }
 
-template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, ContactSlots& slots) {
-    const BodyConstants& c = *b.body;
-    const VF zero = hn::Zero(DF()), one = constant(1.0f), half = constant(0.5f), h = constant(b.h);
-    const VF empty = constant(0.5f * no_contact), inverse_h = constant(1.0f / b.h);
+// A vector of bodies from `at` on, between the stages of the solver.
+struct Solved {
     Row rows[contact_slots];
-    uint32_t used[contact_slots];
-    for (size_t at = 0; at < b.count; at += hn::Lanes(DF())) {
-        uint32_t count = 0;
+    uint32_t count, used[contact_slots]; // rows, and their slots
+    // Of the sweeps.
+    Patience patience;
+    VF rolling, spin_hold, dust;
+    Twist t;
+    Vec3 rolled; // couple against rolling and spinning
+    VF change;   // in this sweep
+    bool done;
+
+    size_t at;
+    VF length, inverse, reach, slop, depth;
+    Vec3 x, x0, floor; // floor: velocity of the first surface
+    Quaternion q, q0;
+    Twist began, way;
+    Vec3 over[contact_slots]; // over d s
+    VF gap[contact_slots], before[contact_slots], bounce[contact_slots], touching[contact_slots];
+    VF left[contact_slots]; // overlap that later substeps undo
+    VF shallow;             // least gap at the beginning
+    VF apart;               // m/s, difference of the surfaces' velocities
+    Vec3 carried;           // velocity of the first touching surface
+    hn::Mask<DF> any_touch;
+    Twist met;
+
+    // Prepares the path projection. False if the bodies have no contact.
+    template <bool kFull> HWY_NOINLINE bool begin(const ContactBodies& b, ContactSlots& slots, size_t from) {
+        const BodyConstants& c = *b.body;
+        const VF zero = hn::Zero(DF()), one = constant(1.0f), h = constant(b.h), empty = constant(0.5f * no_contact);
+        at = from;
+        count = 0;
         for (uint32_t k = 0; k < slots.used; ++k) {
             store1(slots.slot[k].impulse, at, -one);
             if (!hn::AllFalse(DF(), load1(slots.slot[k].gap, at) < empty)) used[count++] = k;
         }
-        if (count == 0) continue;
+        if (count == 0) return false;
         const VF body_scale = load1(b.arrays, field_scale, at);
-        const VF length = body_scale * constant(c.length), inverse = one / length;
-        const VF reach = body_scale * constant(b.shape.reach);
-        Vec3 x = load3(b.arrays, field_x, at);
-        Quaternion q = load4(b.arrays, at);
-        const Vec3 x0 = load3(b.before, at);
-        const Quaternion q0 = load4(b.before + 3, at);
-        const Twist began{load3(b.before + 7, at), length * load3(b.before + 10, at)};
-        const VF round = constant(1e-6f) * greatest(x);
-        const VF slop = constant(1e-3f) * reach + round;
+        length = body_scale * constant(c.length), inverse = one / length;
+        reach = body_scale * constant(b.shape.reach);
+        x = load3(b.arrays, field_x, at);
+        q = load4(b.arrays, at);
+        x0 = load3(b.before, at);
+        q0 = load4(b.before + 3, at);
+        began = {load3(b.before + 7, at), length * load3(b.before + 10, at)};
+        slop = constant(1e-3f) * reach + constant(1e-6f) * greatest(x);
+        t = way = way_of(q0, q, x - x0, length);
 
-        const Twist way = way_of(q0, q, x - x0, length);
-
-        Vec3 over[contact_slots]; // over d s
-        VF gap[contact_slots], before[contact_slots], bounce[contact_slots], depth = zero;
-        Vec3 floor = zero3(); // velocity of the first surface
+        depth = zero;
+        floor = zero3();
         auto above_any = reach < zero;
-        VF left[contact_slots]; // overlap that later substeps undo
         for (uint32_t k = 0; k < count; ++k) {
             const ContactSlots::Slot& s = slots.slot[used[k]];
             const Vec3 normal = load3(s.normal, at), arm = load3(s.arm, at), surface = load3(s.surface, at);
@@ -282,18 +264,25 @@ template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, C
             const VF part = hn::IfThenElseZero(closes, hn::Min(before[k] / hn::Max(closed, constant(1e-30f)), one));
             bounce[k] = part * (last - first) + first;
         }
-        const VF rolling = constant(b.rolling) * (reach * inverse);
-        const VF spin_hold = constant(1.0f / most_turned<kFull>(c));
+        rolling = constant(b.rolling) * (reach * inverse);
+        spin_hold = constant(1.0f / most_turned<kFull>(c));
+        dust = constant(1e-2f) * slop;
         const VF lever = reach * inverse, creep = constant(0.01f * b.gravity * b.h);
         const auto still = speed_of({began.v - to_body(q0, floor), began.u}, lever) < constant(5.0f) * creep;
+        patience = {still, h * to_body(q, floor), lever, h * creep};
+        return true;
+    }
+
+    // Moves the bodies and prepares the velocity projection.
+    template <bool kFull> HWY_NOINLINE void move(const ContactBodies& b, const ContactSlots& slots) {
+        const BodyConstants& c = *b.body;
+        const VF zero = hn::Zero(DF()), one = constant(1.0f), half = constant(0.5f),
+                 empty = constant(0.5f * no_contact);
+        const VF inverse_h = constant(1.0f / b.h);
         const Vec3 under = to_body(q, floor);
-        Twist moved = way;
-        project<kFull>(c, rows, count, rolling, spin_hold, constant(1e-2f) * slop, {still, h * under, lever, h * creep},
-                       moved);
-        Twist correction = moved - way;
+        Twist correction = t - way;
         const VF less = small_part(correction.u, inverse);
         correction = less * correction;
-        VF touching[contact_slots];
         for (uint32_t k = 0; k < count; ++k) {
             gap[k] += product(rows[k].along[0], correction);
             const auto touches = hn::Or(rows[k].pressed > zero, gap[k] <= slop);
@@ -320,13 +309,11 @@ template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, C
         x += to_world(q, correction.v);
         q = normalised(turn(q, q, half * inverse, correction.u));
 
-        const Twist met{load3(b.arrays, field_vx, at), length * load3(b.arrays, field_wx, at)};
-        Twist t = met;
+        t = met = {load3(b.arrays, field_vx, at), length * load3(b.arrays, field_wx, at)};
         const VF slow = constant(2.0f * b.gravity * b.h);
-        VF shallow = zero;      // least gap at the beginning
-        VF apart = zero;        // m/s, difference of the surfaces' velocities
-        Vec3 carried = zero3(); // velocity of the first touching surface
-        auto any_touch = reach < zero;
+        shallow = apart = zero;
+        carried = zero3();
+        any_touch = reach < zero;
         // A resting body falls by g h^2/2 in a substep and gains g h. So the impulses of positions times 2/h are a good start.
         const auto rests = depth < constant(2.0f) * slop + constant(b.gravity * (b.h * b.h));
         const VF guess = hn::IfThenElseZero(rests, constant(2.0f / b.h));
@@ -357,7 +344,15 @@ template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, C
             t = t + r.pressed * r.response[0] + r.dragged[0] * r.response[1] + r.dragged[1] * r.response[2];
             shallow = hn::Min(shallow, hn::IfThenElse(touches, before[k], zero));
         }
-        project<kFull>(c, rows, count, rolling, spin_hold, constant(1e-3f) * slow, {still, under, lever, creep}, t);
+        dust = constant(1e-3f) * slow;
+        patience.floor = under;
+        patience.creep = constant(0.01f * b.gravity * b.h);
+    }
+
+    // Stores the bodies' state and their impulses.
+    template <bool kFull> HWY_NOINLINE void finish(const ContactBodies& b, ContactSlots& slots) {
+        const BodyConstants& c = *b.body;
+        const VF zero = hn::Zero(DF()), one = constant(1.0f), h = constant(b.h), empty = constant(0.5f * no_contact);
         // Energy guard in the frame of the surface, which does no work there: restitution with friction can add energy (Kane 1984).
         const Vec3 base = to_body(q, carried);
         const Twist came{met.v - base, met.u};
@@ -366,7 +361,7 @@ template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, C
             const Twist p = momentum<kFull>(c, of);
             return dot(p.v, of.v) + dot(p.u, of.u);
         };
-        const auto one_surface = apart <= creep;
+        const auto one_surface = apart <= patience.creep;
         const VF had = energy(came), has = energy(goes);
         const auto gained = hn::And(has > had, one_surface);
         const VF factor = hn::IfThenElse(gained, hn::Sqrt(had / hn::Max(has, constant(1e-30f))), one);
@@ -375,7 +370,8 @@ template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, C
         // Static lock: a body that was still and is still keeps its pose to the bit, since the sweeps' residual would make it creep. Less than 1/100
         // of gravity, half a degree of slope, does not move it.
         const Twist first{began.v - to_body(q0, carried), began.u};
-        auto stays = hn::And(speed_of(first, lever) < creep, speed_of(goes, lever) < creep);
+        auto stays =
+            hn::And(speed_of(first, patience.lever) < patience.creep, speed_of(goes, patience.lever) < patience.creep);
         stays = hn::And(hn::And(stays, any_touch), hn::And(one_surface, shallow > -(slop + slop)));
         // A contact must press the body: thin leaves under water rise with a few thousandths of gravity. And it must have begun within the slop: a
         // body that its fall has just brought to the ground would hang there.
@@ -406,6 +402,70 @@ template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, C
         put(q.w, field_qw);
         put3(without_dust(t.v), field_vx);
         put3(without_dust(inverse * t.u), field_wx);
+    }
+};
+
+// Vectors that are swept together. A row's operations wait for each other, so the rows of two vectors, in turn, take little longer than those of one.
+constexpr uint32_t swept_together = 2;
+
+// Sweeps over the contacts in alternating directions until none changes its point's velocity by more than `dust`.
+template <bool kFull, class C> static HWY_NOINLINE void project(const C& c, Solved* all, uint32_t vectors, bool rolls) {
+    const VF zero = hn::Zero(DF());
+    for (uint32_t v = 0; v < vectors; ++v) all[v].rolled = zero3(), all[v].done = false;
+    for (uint32_t sweep = 0; sweep < resting_sweeps; ++sweep) {
+        uint32_t most = 0;
+        for (uint32_t v = 0; v < vectors; ++v) {
+            Solved& s = all[v];
+            if (sweep == contact_sweeps && !s.done) {
+                const Patience& p = s.patience;
+                const auto creeps = hn::And(p.still, speed_of({s.t.v - p.floor, s.t.u}, p.lever) > p.creep);
+                s.done = hn::AllFalse(DF(), creeps);
+                s.dust = hn::IfThenElse(creeps, s.dust, constant(1e30f)); // stops the others
+            }
+            s.change = zero;
+            if (!s.done) most = HWY_MAX(most, s.count);
+        }
+        if (most == 0) break;
+        // Over-relaxed after the first sweep, which solves a single contact exactly.
+        const VF relaxed = constant(sweep == 0 ? 1.0f : 1.3f);
+        for (uint32_t i = 0; i < most; ++i)
+            for (uint32_t v = 0; v < vectors; ++v) {
+                Solved& s = all[v];
+                if (s.done || i >= s.count) continue;
+                Row& r = s.rows[(sweep & 1) == 0 ? i : s.count - 1 - i];
+                const VF more = press(r, product(r.along[0], s.t), s.dust, relaxed);
+                const VF x = more * r.to_first + product(r.along[1], s.t) - r.surface[0];
+                const VF y = more * r.to_second + product(r.along[2], s.t) - r.surface[1];
+                VF step_x, step_y;
+                drag(r, x, y, s.dust, step_x, step_y);
+                s.t = s.t + more * r.response[0] + step_x * r.response[1] + step_y * r.response[2];
+                s.change = hn::Max(hn::Max(s.change, hn::Abs(more)), hn::Max(hn::Abs(step_x), hn::Abs(step_y)));
+            }
+        for (uint32_t v = 0; v < vectors; ++v) {
+            Solved& s = all[v];
+            if (rolls && !s.done) {
+                // The same order in each sweep, since rounding of the sum would move bodies that are done.
+                VF load = zero;
+                for (uint32_t i = 0; i < s.count; ++i) load += s.rows[i].pressed;
+                const Vec3 step = hold_spin(s.rolled, s.t.u, s.spin_hold, s.rolling * load, s.dust);
+                s.t += turned_by<kFull>(c, step);
+                s.change = hn::Max(s.change, greatest(step));
+            }
+            s.done = s.done || hn::AllTrue(DF(), hn::Eq(s.change, zero));
+        }
+    }
+}
+
+template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, ContactSlots& slots) {
+    Solved all[swept_together];
+    for (size_t at = 0; at < b.count;) {
+        uint32_t vectors = 0;
+        for (; at < b.count && vectors < swept_together; at += hn::Lanes(DF()))
+            vectors += all[vectors].begin<kFull>(b, slots, at) ? 1 : 0;
+        project<kFull>(*b.body, all, vectors, b.rolling != 0.0f);
+        for (uint32_t v = 0; v < vectors; ++v) all[v].move<kFull>(b, slots);
+        project<kFull>(*b.body, all, vectors, b.rolling != 0.0f);
+        for (uint32_t v = 0; v < vectors; ++v) all[v].finish<kFull>(b, slots);
     }
 }
 
