@@ -283,8 +283,10 @@ public:
                 h.response = select(here, response, h.response);
                 for (int i = 0; i < 2; ++i) h.seen[i] = hn::IfThenElse(here, turn[i], h.seen[i]);
             }
+            const int filled = HWY_MIN(round + 1, static_cast<int>(manifold_slots)); // each round holds one more
             for (int sweep = 0; sweep < sweeps; ++sweep)
-                for (Pushed& h : held) {
+                for (int k = 0; k < filled; ++k) {
+                    Pushed& h = held[k];
                     const VF now = after(h.gap, h.seen), had = h.pressed;
                     h.pressed = hn::IfThenElse(active, hn::Max(had - now * h.inverse, zero), had);
                     moved += (h.pressed - had) * h.response;
