@@ -83,9 +83,12 @@ ContactGroup::ContactGroup(const ContactStep& step, const StepInput& in, const B
         const uint32_t layers = step.settings->layers;
         near.count = step.colliders->candidates(box, layers, nullptr, near.candidate, near.overflowed);
         if (near.overflowed) near.count = step.colliders->grounds(box, layers, near.candidate);
+        near.grounds = near.finite = 0;
         for (uint32_t k = 0; k < near.count; ++k) {
             const uint32_t slot = near.candidate[k].slot;
-            if (!is_ground(step.colliders->at(slot).geometry.kind)) continue;
+            const bool ground = is_ground(step.colliders->at(slot).geometry.kind);
+            (ground ? near.grounds : near.finite) |= uint64_t{1} << k;
+            if (!ground) continue;
             uint32_t* const end = grounds_ + ground_count_;
             uint32_t* const at = std::lower_bound(grounds_, end, slot);
             if (at != end && *at == slot) continue;
@@ -199,9 +202,38 @@ Vector floor_side(uint32_t packed, uint32_t slot) {
     return packed >> 12 == tag_of(slot) ? 1.0f / 7.5f * Vector{part(0), part(4), part(8)} : Vector{};
 }
 
+// Most bodies near a box, a hull and the like are only within its bounding box. Where heightfields are swept all count, since they decide on the lift.
+void ContactGroup::find_others(const ContactSubstep& substep) {
+    for (uint32_t i = 0; i < count_; ++i) {
+        Near& near = near_[i];
+        near.others = near.finite;
+        const Vector from = pose_in(substep.before, i).position, to = pose_of(i).position;
+        const float reach = 1.2f * step_->shape->reach * arrays_.field[field_scale][i] + margin_of(i, substep.h);
+        bool swept = false;
+        for (uint64_t left = near.grounds; left != 0 && near.finite != 0; left &= left - 1) {
+            const Collider& c = step_->colliders->at(near.candidate[std::countr_zero(left)].slot);
+            const HeightfieldGeometry* const f = c.geometry.heightfield;
+            swept =
+                swept ||
+                (f && (c.moves || 3.0f * length(to - from) + reach > 0.5f * std::min(f->spacing[0], f->spacing[1])));
+        }
+        for (uint64_t left = near.finite; left != 0 && !swept; left &= left - 1) {
+            const Collider& c = step_->colliders->at(near.candidate[std::countr_zero(left)].slot);
+            const Vector first = to_inner(pose_at(c, substep.begin), from),
+                         last = to_inner(pose_at(c, substep.end), to);
+            if (distance_from(c.geometry, last) > reach + length(last - first)) near.others ^= left & -left;
+        }
+    }
+}
+
 void ContactGroup::find_floors(const ContactSubstep& substep) {
     for (uint32_t i = 0; i < count_; ++i) {
         MeshFloor& floor = floor_[i];
+        if (!near_[i].meets_others()) {
+            floor.slot = 0, floor.count = 0, floor.side = 0;
+            if (arrays_.floor) arrays_.floor[i] = 0;
+            continue;
+        }
         const float reach = step_->shape->reach * arrays_.field[field_scale][i] + margin_of(i, substep.h);
         const Vector a = pose_in(substep.before, i).position, b = pose_of(i).position;
         Candidate near[most_candidates];
@@ -238,6 +270,7 @@ void ContactGroup::find_floors(const ContactSubstep& substep) {
 }
 
 void ContactGroup::touch_others(uint32_t i, const ContactSubstep& substep) {
+    if (!near_[i].meets_others()) return;
     const float margin = margin_of(i, substep.h), scale = arrays_.field[field_scale][i];
     const Pose at = pose_of(i), lifted{at.position + lift_[i], at.rotation};
     const Box around = grown({at.position, at.position}, 1.2f * step_->shape->reach * scale + margin);
@@ -309,6 +342,7 @@ void ContactGroup::collect(const ContactSubstep& substep) {
     if (step_->settings->ground_effect > 0.0f) ground_effect(substep);
     slots_.used = 0;
     std::fill(filled_, filled_ + contact_lanes, uint8_t{0});
+    find_others(substep);
     find_floors(substep);
     for (uint32_t i = 0; i < count_; ++i) up_[i] = lift(i, pose_of(i), substep.end, substep, lift_[i]);
     stop_before_passing_through(substep);

@@ -11,6 +11,7 @@
 #include "kernel/wind/sample_wind.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -200,8 +201,12 @@ private:
     struct Near {
         uint32_t count;
         bool overflowed;
+        // Bits of candidates: planes and heightfields; all others; those of them that the body can meet in this substep.
+        uint64_t grounds, finite, others;
         Candidate candidate[most_candidates];
+        bool meets_others() const { return overflowed || others != 0; }
     };
+    void find_others(const ContactSubstep& substep);
     template <class Found> void each_candidate(uint32_t lane, const Box& around, Found&& found) const;
     template <class Found> void any_order(uint32_t lane, const Box& around, Found&& found) const;
     ContactBodies bodies(const ContactSubstep& substep) const;
@@ -241,11 +246,13 @@ private:
     ContactSlots slots_;
 };
 
-// Calls found for candidates whose box, over the whole step, overlaps `around`, in order of slots and parts; with a complete list, for all of it.
+// Calls found for candidates whose box, over the whole step, overlaps `around`, in order of slots and parts; with a complete list, for those that
+// the body can meet in the substep.
 template <class Found> void ContactGroup::each_candidate(uint32_t i, const Box& around, Found&& found) const {
     const Near& near = near_[i];
     if (!near.overflowed) {
-        for (uint32_t k = 0; k < near.count; ++k) found(near.candidate[k]);
+        for (uint64_t left = near.grounds | near.others; left != 0; left &= left - 1)
+            found(near.candidate[std::countr_zero(left)]);
         return;
     }
     Candidate list[most_candidates], last{};

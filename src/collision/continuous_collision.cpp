@@ -135,13 +135,15 @@ Vector ContactGroup::lift(uint32_t i, const Pose& at, float part, const ContactS
     const MeshFloor& floor = floor_[i];
     const Near& near = near_[i];
     const auto is_floor = [&](const Candidate& c) { return floor.count > 0 && c.slot == floor.slot; };
+    if (!near.meets_others()) return out;
     bool others = near.overflowed, floor_met = false;
-    for (uint32_t k = 0; k < near.count && !others; ++k)
-        others = !is_floor(near.candidate[k]) && !is_ground(step_->colliders->at(near.candidate[k].slot).geometry.kind);
+    for (uint64_t left = near.others; left != 0; left &= left - 1)
+        others = others || !is_floor(near.candidate[std::countr_zero(left)]);
     if (!others) return out;
     others = near.overflowed;
     const float scale = arrays_.field[field_scale][i];
-    for (uint32_t k = 0; k < near.count; ++k) {
+    for (uint64_t left = near.grounds | near.others; left != 0; left &= left - 1) {
+        const auto k = static_cast<uint32_t>(std::countr_zero(left));
         const Collider& c = step_->colliders->at(near.candidate[k].slot);
         const Pose pose = pose_at(c, part), here = relative(pose, at);
         const Vector x = here.position;
@@ -320,6 +322,7 @@ void ContactGroup::stay_in_front(const ContactSubstep& substep) {
             return slot.gap[i] < -deep || c == a_body || !is_ground(step_->colliders->at(c).geometry.kind);
         };
         if (!std::any_of(slots_.slot, slots_.slot + filled_[i], presses)) continue;
+        near_[i].others = near_[i].finite; // contacts can have moved it far
         Vector slow;
         const Pose to = pose_of(i), began = pose_in(substep.before, i);
         const Vector at = to.position + lift(i, to, substep.end, substep, slow),
