@@ -61,7 +61,7 @@ void leave(const ContactCache& book, uint32_t* floor, const NearContacts& near, 
     }
 }
 
-// Sorts bodies: in the air; moving on grounds, moving on other things; nearly still on others, on grounds. A vector has the contacts of its body with
+// Sorts bodies: in the air, far and not far above grounds; moving on grounds, moving on other things; nearly still on others, on grounds. A vector has the contacts of its body with
 // most, more on other things than on grounds, and is swept until its last body is done.
 void arrange(const ContactCache& book, const Colliders& colliders, NearContacts& near) {
     if (!book.still_time) return;
@@ -71,9 +71,9 @@ void arrange(const ContactCache& book, const Colliders& colliders, NearContacts&
                 return true;
         return false;
     };
-    near.arrange(5, [&](uint32_t i) {
-        if (book.touching[0][i] == 0) return 0u;
-        return book.still_time[i] == 0.0f ? (on_others(i) ? 2u : 1u) : (on_others(i) ? 3u : 4u);
+    near.arrange(6, [&](uint32_t i) {
+        if (book.touching[0][i] == 0) return near.over_ground(i) ? 1u : 0u;
+        return book.still_time[i] == 0.0f ? (on_others(i) ? 3u : 2u) : (on_others(i) ? 4u : 5u);
     });
 }
 
