@@ -43,7 +43,7 @@ template <class T> constexpr Vector3<T> operator/(Vector3<T> a, std::type_identi
 template <class T> LR_INLINE constexpr T dot(Vector3<T> a, Vector3<T> b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
-template <class T> constexpr Vector3<T> cross(Vector3<T> a, Vector3<T> b) {
+template <class T> LR_INLINE constexpr Vector3<T> cross(Vector3<T> a, Vector3<T> b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 template <class T> LR_INLINE inline T length(Vector3<T> a) {
@@ -213,7 +213,7 @@ template <class Rows> void put_in(Rows& rows, size_t first, size_t i, Vector v) 
     rows[first][i] = v.x, rows[first + 1][i] = v.y, rows[first + 2][i] = v.z;
 }
 // For rows that begin with those of BatchArrays::field.
-template <class Rows> Pose pose_in(const Rows& rows, size_t i) {
+template <class Rows> LR_INLINE inline Pose pose_in(const Rows& rows, size_t i) {
     return {vector_in(rows, field_x, i), {rows[field_qx][i], rows[field_qy][i], rows[field_qz][i], rows[field_qw][i]}};
 }
 inline Pose pose_of(const BatchArrays& arrays, size_t i) {
