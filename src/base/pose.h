@@ -37,7 +37,7 @@ template <class T> LR_INLINE constexpr Vector3<T> operator-(Vector3<T> a) {
 template <class T> LR_INLINE constexpr Vector3<T> operator*(std::type_identity_t<T> s, Vector3<T> a) {
     return {s * a.x, s * a.y, s * a.z};
 }
-template <class T> constexpr Vector3<T> operator/(Vector3<T> a, std::type_identity_t<T> s) {
+template <class T> LR_INLINE constexpr Vector3<T> operator/(Vector3<T> a, std::type_identity_t<T> s) {
     return {a.x / s, a.y / s, a.z / s};
 }
 template <class T> LR_INLINE constexpr T dot(Vector3<T> a, Vector3<T> b) {
@@ -50,29 +50,29 @@ template <class T> LR_INLINE inline T length(Vector3<T> a) {
     return std::sqrt(dot(a, a));
 }
 // The lesser and the greater of each coordinate.
-template <class T> constexpr Vector3<T> low_of(Vector3<T> a, Vector3<T> b) {
+template <class T> LR_INLINE constexpr Vector3<T> low_of(Vector3<T> a, Vector3<T> b) {
     return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
 }
-template <class T> constexpr Vector3<T> high_of(Vector3<T> a, Vector3<T> b) {
+template <class T> LR_INLINE constexpr Vector3<T> high_of(Vector3<T> a, Vector3<T> b) {
     return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
 }
 using Vector = Vector3<float>;
 // For differences of large coordinates, where single precision would lose small distances.
 using Double3 = Vector3<double>;
 
-constexpr Double3 to_double(Vector a) {
+LR_INLINE constexpr Double3 to_double(Vector a) {
     return {static_cast<double>(a.x), static_cast<double>(a.y), static_cast<double>(a.z)};
 }
-constexpr Vector to_float(Double3 a) {
+LR_INLINE constexpr Vector to_float(Double3 a) {
     return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
 }
 constexpr double wide(float x) {
     return static_cast<double>(x);
 }
-constexpr void put(Vector v, float* to) {
+LR_INLINE constexpr void put(Vector v, float* to) {
     to[0] = v.x, to[1] = v.y, to[2] = v.z;
 }
-constexpr Vector vector_of(const float* v) {
+LR_INLINE constexpr Vector vector_of(const float* v) {
     return {v[0], v[1], v[2]};
 }
 
@@ -94,20 +94,20 @@ struct Box {
 constexpr Box around(const Box& a, const Box& b) {
     return {low_of(a.low, b.low), high_of(a.high, b.high)};
 }
-constexpr Box grown(const Box& box, Vector by) {
+LR_INLINE constexpr Box grown(const Box& box, Vector by) {
     return {box.low - by, box.high + by};
 }
-constexpr Box grown(const Box& box, float by) {
+LR_INLINE constexpr Box grown(const Box& box, float by) {
     return grown(box, Vector{by, by, by});
 }
 constexpr float extent(const Box& box) {
     const Vector e = box.high - box.low;
     return std::max(e.x, std::max(e.y, e.z));
 }
-constexpr Vector middle_of(const Box& box) {
+LR_INLINE constexpr Vector middle_of(const Box& box) {
     return 0.5f * (box.low + box.high);
 }
-constexpr bool overlap(const Box& a, const Box& b) {
+LR_INLINE constexpr bool overlap(const Box& a, const Box& b) {
     return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
            a.low.z <= b.high.z && b.low.z <= a.high.z;
 }
@@ -144,7 +144,7 @@ using Rotation = Quaternion<float>;
 constexpr Rotation rotation_of(const float* q) {
     return {q[0], q[1], q[2], q[3]};
 }
-constexpr void put(Rotation q, float* to) {
+LR_INLINE constexpr void put(Rotation q, float* to) {
     to[0] = q.x, to[1] = q.y, to[2] = q.z, to[3] = q.w;
 }
 constexpr Quaternion<double> to_double(Rotation q) {
@@ -209,7 +209,7 @@ constexpr Pose relative(const Pose& frame, const Pose& of) {
 template <class Rows> LR_INLINE inline Vector vector_in(const Rows& rows, size_t first, size_t i) {
     return {rows[first][i], rows[first + 1][i], rows[first + 2][i]};
 }
-template <class Rows> void put_in(Rows& rows, size_t first, size_t i, Vector v) {
+template <class Rows> LR_INLINE inline void put_in(Rows& rows, size_t first, size_t i, Vector v) {
     rows[first][i] = v.x, rows[first + 1][i] = v.y, rows[first + 2][i] = v.z;
 }
 // For rows that begin with those of BatchArrays::field.

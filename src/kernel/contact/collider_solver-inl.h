@@ -434,7 +434,8 @@ template <bool kFull, class C> static HWY_NOINLINE void project(const C& c, Solv
                 if (s.done || i >= s.count) continue;
                 Row& r = s.rows[(sweep & 1) == 0 ? i : s.count - 1 - i];
                 const VF more = press(r, product(r.along[0], s.t), s.dust, relaxed);
-                if (hn::AllTrue(DF(), hn::Eq(hn::Max(r.pressed, hn::Abs(more)), zero))) continue; // open, without friction
+                if (hn::AllTrue(DF(), hn::Eq(hn::Max(r.pressed, hn::Abs(more)), zero)))
+                    continue; // open, without friction
                 const VF x = more * r.to_first + product(r.along[1], s.t) - r.surface[0];
                 const VF y = more * r.to_second + product(r.along[2], s.t) - r.surface[1];
                 VF step_x, step_y;
