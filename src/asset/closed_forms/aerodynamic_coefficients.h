@@ -34,11 +34,11 @@ struct PlateCoefficients {
     double spin_disc = 0.8933, spin_strip = 2.5;     // C_M by span over chord
     double spin_stream = 1.192;                      // of stroke2
     double spin_stream_strip = 0.15, spin_stream_half = 0.4;
-    double start = 2.462;                            // drag while the wake develops, over broadside drag
-    double lag = 2.033, share = 0.7341;              // of the wake's memory
+    double start = 2.462;               // drag while the wake develops, over broadside drag
+    double lag = 2.033, share = 0.7341; // of the wake's memory
     double strouhal = 0.159, growth = 0.3853, critical_reynolds = 96.35;
     double moment = 0.04745, rate_moment = -0.01302; // by shedding, of the area times the wake's length
-    double noise = 4.95;                             // of shedding, over the intensity
+    double noise = 4.3;                              // of shedding, over the intensity
     double intensity = 0.159, correlation = 0.9264;  // of gusts; in largest extents
     double wake_reynolds = 1600;
 };

@@ -172,12 +172,19 @@ HWY_INLINE void aerodynamic_motion(const StepInput& in, const C& c, Held& held, 
                                    uint32_t motion, Body& b) {
     const auto& a = c.aerodynamics;
     const VF nu = constant(a.viscosity) * held.inverse_length;
-    VF gauss[3], shedding[2];
-    three_gaussians(noise_seed, in.first_substep + substep, in.seed, gauss, shedding);
+    VF gauss[3], noise[2];
+    three_gaussians(noise_seed, in.first_substep + substep, in.seed, gauss, noise);
     if (HWY_LIKELY(motion == 0)) {
         b.t.v -= to_body(b.q, b.gust);
         const Vec3 v = centre_velocity<kFull>(a, b.t);
-        advance_wake(in, a, held, nu, hn::Sqrt(gusts_at(in, a, held, nu, b, v).variance), shedding, v,
+        if (!kFull || in.body.stations.count == 0) {
+            // What disturbs the stream past a plate disturbs its shedding. The couple is n x q: without `side`, that of n downstream, discs would
+            // tumble more one way.
+            const VF side = hn::IfThenElse(v.z > hn::Zero(DF()), constant(-1.0f), constant(1.0f));
+            const Vec3 seen = side * load_spin<kFull>(a, {zero3(), to_body(b.q, broadcast(gauss))});
+            noise[0] = seen.x, noise[1] = seen.y;
+        }
+        advance_wake(in, a, held, nu, hn::Sqrt(gusts_at(in, a, held, nu, b, v).variance), noise, v,
                      load_spin<kFull>(a, b.t), b);
         b.x += constant(in.h) * b.gust;
     }
