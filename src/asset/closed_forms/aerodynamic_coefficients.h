@@ -30,12 +30,12 @@ struct PlateCoefficients {
     double lift = 1.972, vortex = 2.872; // slope of the normal force; its part with the square of the incidence
     double stall = 0.6;                  // squared sine of the angle
     double separated_shedding = 0.8;     // share of the added momentum left in the wake
-    double rotation = 1.121, rotation_span = 0.3327; // C_R of a long strip; falls with chord over span
-    double spin_disc = 0.8933, spin_strip = 2.5;     // C_M by span over chord
-    double spin_stream = 1.192;                      // of stroke2
-    double spin_stream_strip = 0.15, spin_stream_half = 0.4;
-    double start = 2.462;               // drag while the wake develops, over broadside drag
-    double lag = 2.033, share = 0.7341; // of the wake's memory
+    double rotation = 1.121, rotation_span = 0.3327;         // C_R of a long strip; falls with chord over span
+    double spin_disc = 0.8933, spin_strip = 2.5;             // C_M by span over chord
+    double spin_stream = 1.192;                              // of stroke2
+    double spin_stream_strip = 0.15, spin_stream_half = 0.4; // by (span/chord - 1)^2/(span/chord)
+    double start = 2.462;                                    // drag while the wake develops, over broadside drag
+    double lag = 2.033, share = 0.7341;                      // of the wake's memory
     double strouhal = 0.159, growth = 0.3853, critical_reynolds = 96.35;
     double moment = 0.04745, rate_moment = -0.01302; // by shedding, of the area times the wake's length
     double noise = 4.3;                              // of shedding, over the intensity

@@ -178,8 +178,8 @@ HWY_INLINE void aerodynamic_motion(const StepInput& in, const C& c, Held& held, 
         b.t.v -= to_body(b.q, b.gust);
         const Vec3 v = centre_velocity<kFull>(a, b.t);
         if (!kFull || in.body.stations.count == 0) {
-            // What disturbs the stream past a plate disturbs its shedding. The couple is n x q: without `side`, that of n downstream, discs would
-            // tumble more one way.
+            // Gusts disturb the shedding of a plate. Its couple is n x q: without `side`, which tells if n points downstream, discs would tumble more
+            // one way.
             const VF side = hn::IfThenElse(v.z > hn::Zero(DF()), constant(-1.0f), constant(1.0f));
             const Vec3 seen = side * load_spin<kFull>(a, {zero3(), to_body(b.q, broadcast(gauss))});
             noise[0] = seen.x, noise[1] = seen.y;

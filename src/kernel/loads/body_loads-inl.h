@@ -33,19 +33,13 @@ HWY_INLINE void body_loads(const StepInput& in, const BodyConstants& c, const Ba
         put(mass * to_world(b.q, force), out.station_force + 3 * out.station_count);
         ++out.station_count;
     };
-    // Added momentum that is left in the wake pushes a body that turns.
-    const auto with_shed = [&](const Twist& loads, const Twist& lost) LR_LAMBDA {
-        const Vec3 p = held.inverse_length * lost.v, l = held.inverse_length * lost.u;
-        return loads + Twist{cross(t.u, p), cross(t.u, l) + cross(t.v, p)};
-    };
     Twist sum;
     out.station_count = 0;
     if (c.stations.count == 0) {
         VF shed;
         sum = aerodynamic_loads(a, held, b, t, shed);
-        const Vec3 n = broadcast(a.normal), arm = broadcast(a.normal_arm);
-        const VF lost = shed * (dot(n, t.v) + dot(arm, t.u));
-        sum = with_shed(sum, {lost * n, lost * arm});
+        const Twist none{zero3(), zero3()};
+        sum += push_of_shed(held.inverse_length, none - moving_momentum<true, true>(c, shed, none, t), t);
         add(a.arm, sum.v);
     } else {
         sum = {zero3(), columns(a.axes, shedding_couple(a, held, b.shedding, centre_velocity<true>(a, t)))};
@@ -54,7 +48,7 @@ HWY_INLINE void body_loads(const StepInput& in, const BodyConstants& c, const Ba
             one.station[0] = c.stations.station[i];
             one.count = 1;
             const Resistance k = station_resistance(one, a, held, nu, b.lag, t);
-            const Twist f = with_shed(resisted(k, t), k.lost);
+            const Twist f = resisted(k, t) + push_of_shed(held.inverse_length, k.lost, t);
             add(one.station[0].place, f.v);
             sum += f;
         }

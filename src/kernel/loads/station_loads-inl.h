@@ -146,6 +146,12 @@ HWY_INLINE void add_momentum(VF g, const Twist& mu, Resistance& out) {
     out.couple.row[2] += Vec3{-p.y, p.x, hn::Zero(DF())};
 }
 
+// Added momentum that is left in the wake pushes a body that turns. g: 1/(d s).
+HWY_INLINE Twist push_of_shed(VF g, const Twist& lost, const Twist& t) {
+    const Vec3 p = g * lost.v, l = g * lost.u;
+    return {cross(t.u, p), cross(t.u, l) + cross(t.v, p)};
+}
+
 // (W - S) t.
 HWY_INLINE Twist resisted(const Resistance& k, const Twist& t) {
     const Vec3 v = cross(k.turn, t.v) - symmetric3(k.drag, t.v) + (k.couple - k.mixed) * t.u;
@@ -310,8 +316,7 @@ static HWY_NOINLINE Twist station_loads(const StepInput& in, const C& c, const H
     const Twist through{t.v, t.u - fluid_spin};
     const Resistance k = station_resistance(in.body.stations, c.aerodynamics, held, nu, b.lag, through);
     Twist out = resisted(k, through);
-    const Vec3 p = held.inverse_length * k.lost.v, l = held.inverse_length * k.lost.u;
-    out += Twist{cross(t.u, p), cross(t.u, l) + cross(t.v, p)};
+    out += push_of_shed(held.inverse_length, k.lost, t);
     out.u += body_shedding_couple(in.h, c, held, b.shedding, centre_velocity<true>(c.aerodynamics, through));
     return out;
 }

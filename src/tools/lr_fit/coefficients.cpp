@@ -40,7 +40,7 @@ std::span<const Coefficient> fitted_coefficients() {
                                           {"separated_shedding", &P::separated_shedding, 0.0, 1.0},
                                           {"rotation", &P::rotation, 0.2, 2.5},
                                           {"spin_disc", &P::spin_disc, 0.2, 10.0},
-                                          {"spin_stream", &P::spin_stream, 0.0, 6.0},
+                                          {"spin_stream", &P::spin_stream, 0.15, 6.0},
                                           {"start", &P::start, 0.0, 5.0},
                                           {"lag", &P::lag, 0.3, 6.0},
                                           {"share", &P::share, 0.0, 1.0},

@@ -292,19 +292,8 @@ Asset bake_ring(double diameter, double hole, double areal_density) {
 }
 
 Asset bake_strip(double width, double length, double rise, double areal_density) {
-    constexpr uint32_t across = 4, along = 40;
-    Triangles mesh;
-    for (uint32_t j = 0; j <= along; ++j)
-        for (uint32_t i = 0; i <= across; ++i) {
-            const double v = 2.0 * j / along - 1.0;
-            add_vertex(mesh, width * (static_cast<double>(i) / across - 0.5), 0.5 * length * v, rise * length * v * v);
-        }
-    for (uint32_t j = 0; j < along; ++j)
-        for (uint32_t i = 0; i < across; ++i) {
-            const uint32_t a = j * (across + 1) + i, d = a + across + 1;
-            add_triangle(mesh, a, a + 1, d + 1);
-            add_triangle(mesh, a, d + 1, d);
-        }
+    const Triangles mesh =
+        bent(rectangle_mesh(width, length, 4, 40), [&](double, double y) { return 4.0 * rise * y * y / length; });
     return load(mesh.bake(sheet_options(1e-4, areal_density, Fluid{})));
 }
 

@@ -61,8 +61,8 @@ void leave(const ContactCache& book, uint32_t* floor, const NearContacts& near, 
     }
 }
 
-// Sorts bodies: in the air, far and not far above grounds; moving on grounds, moving on other things; nearly still on others, on grounds. A vector has the contacts of its body with
-// most, more on other things than on grounds, and is swept until its last body is done.
+// Sorts bodies: in the air, not over grounds and over them; moving on grounds, moving on other things; nearly still on others, on grounds. A vector
+// has the contacts of its body with most, more on other things than on grounds, and is swept until its last body is done.
 void arrange(const ContactCache& book, const Colliders& colliders, NearContacts& near) {
     if (!book.still_time) return;
     const auto on_others = [&](uint32_t i) {

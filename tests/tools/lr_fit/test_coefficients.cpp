@@ -36,7 +36,7 @@ void check_same(const lr_aerodynamics& a, const AerodynamicData& b, double toler
         for (size_t i = 0; i < count; ++i) {
             CAPTURE(field);
             CAPTURE(i);
-            CHECK(std::abs(values[i] - expected[i]) <= tolerance * std::abs(expected[i]) + 1e-7 * unit);
+            CHECK(std::abs(values[i] - expected[i]) <= tolerance * std::abs(expected[i]) + 1e-9 * unit);
         }
     };
 #define LR_SAME_VECTOR(name, least, most, power) same(#name, a.name, b.name.data(), 3, std::pow(2.0 * radius, power));
