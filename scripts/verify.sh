@@ -122,7 +122,7 @@ step_fuzz() {
     done
     for target in "${!running[@]}"; do
         wait "${running[$target]}" || good=false
-        echo "$target: $(grep -E 'number_of_executed_units|ERROR|SUMMARY' "build/fuzz/$target.log" || true)"
+        echo "$target: $(grep -E 'number_of_executed_units|DEFECT|runtime error|terminate|ERROR|SUMMARY|Base64' "build/fuzz/$target.log" || true)"
     done
     $good
 }

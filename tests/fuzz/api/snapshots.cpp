@@ -165,6 +165,9 @@ void twin(Fuzzer& f) {
         if (c.desc.kind >= LR_COLLIDER_HULL && LR_CALL(lr_collider_create)(other.at, &c.desc, 1, &id) != LR_OK)
             defect("lr_collider_create", "not what a world did before");
     }
+    // Calls leave events for the next step, and a world without events does not keep them.
+    if (w.event_capacity != 0 && LR_CALL(lr_world_set_events)(other.at, w.event_capacity, LR_EVENTS_ALL) != LR_OK)
+        defect("lr_world_set_events", "not what a world did before");
     const std::vector<unsigned char> bytes = save_bytes(w);
     const lr_status status = LR_CALL(lr_world_snapshot_restore)(other.at, bytes.data(), bytes.size());
     if (status != LR_OK) defect("lr_world_snapshot_restore", "a twin does not take it", status);
