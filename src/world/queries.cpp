@@ -199,10 +199,12 @@ const BodyConstants& constants_at(const lr_world& world, Batch& batch, uint32_t 
     bool failed = false;
     const WaterBody* const water = world.surface.present() ? batch.water_body(world.surface.desc(), failed) : nullptr;
     if (!water) return batch.step.body;
+    BodyCopies<lane_block> body;
+    body.take(batch.arrays(), 1, [&](uint32_t) { return i; });
     SurfaceBlock block;
-    for (size_t k = 0; k < 3; ++k) std::fill_n(block.position[k], lane_block, batch.arrays().field[field_x + k][i]);
     const SurfaceInstant plane = world.surface.at(world.time);
-    world.target->surface.surface(plane, lane_block, block);
+    world.target->surface.ahead(body.arrays(), lane_block, 0.0f, block);
+    world.target->surface.surface(plane, *water, body.arrays(), lane_block, block);
     if (world.surface.callback()) world.surface.ask(world.time, world.handle(batch.slot()), 1, plane, block);
     const Vector from = vector_in(batch.arrays().field, field_x, i) - vector_of(plane.point);
     if (!(dot(vector_of(plane.up), from) < block.height[0])) return batch.step.body;

@@ -305,6 +305,31 @@ TEST_CASE("waves turn no balls") {
         CHECK(on_wave(make(ellipsoid(0.03, 0.03, 0.03, density)), LR_LOADS_NONE, 0.0).spin < 0.05);
 }
 
+// The wave at their centre moved them: a raft of half a metre in ripples of 30 cm and 8 mm bobbed by 8 mm, a log of a metre along them by 12 mm.
+TEST_CASE("waves shorter than a body do not lift it, by its length along them") {
+    const auto bobs = [](const Asset& asset, float across) {
+        const World world = make(world_desc());
+        lr_water_desc d = water_desc();
+        d.wave_count = 1;
+        d.waves[0] = {{1.0f - across, 0.0f, across}, 0.3f, 0.008f, 0.0f};
+        set_water(world, d);
+        const lr_batch batch = add_batch(world, with_loads(LR_LOADS_AERODYNAMIC), asset, 1);
+        no_turbulence(world, batch);
+        const lr_body body = add_body(world, batch, at_height(0.0));
+        steps(world, 600, 1.0f / 60.0f, 2);
+        double most = 0.0;
+        for (int i = 0; i < 120; ++i) {
+            steps(world, 1, 1.0f / 60.0f, 2);
+            most = std::max(most, std::abs(wide(state_of(world, body).position[1])));
+        }
+        return most;
+    };
+    CHECK(bobs(make(ellipsoid(0.25, 0.05, 0.25, 500.0)), 0.0f) < 0.002);
+    const Asset log = make(ellipsoid(0.5, 0.015, 0.015, 500.0)); // along x
+    CHECK(bobs(log, 0.0f) < 0.001);
+    CHECK(bobs(log, 1.0f) > 0.005);
+}
+
 // They take a wake of some centimetres a second with them into the water. Some kept it, and sailed across the pond.
 TEST_CASE("leaves that fall into still water come to rest there") {
     const Asset leaf = make(ellipsoid(0.035, 0.02, 0.00015, 350.0));

@@ -37,8 +37,11 @@ HWY_INLINE VF decay(VF x) {
     return e;
 }
 
-HWY_INLINE SurfaceSample sample_surface(const SurfaceInstant& s, Vec3 x) {
-    const VF zero = hn::Zero(DF());
+// For a body as large as the equivalent ellipsoid waves are the mean over its volume: beside waves much longer than itself that is the water at its
+// centre, and short waves neither lift nor carry it.
+HWY_INLINE SurfaceSample sample_surface(const SurfaceInstant& s, const WaterBody& body, VF body_scale, Quaternion q,
+                                        Vec3 x) {
+    const VF zero = hn::Zero(DF()), one = constant(1.0f);
     const Vec3 up = broadcast(s.up), from = x - broadcast(s.point);
     VF sine[most_waves], cosine[most_waves];
     Vec3 slope = zero3(), turning = zero3(); // slope: minus the gradient of the height; -turning: its rate
@@ -48,6 +51,11 @@ HWY_INLINE SurfaceSample sample_surface(const SurfaceInstant& s, Vec3 x) {
         const Vec3 k = broadcast(w.direction);
         const VF turns = dot(k, from) * constant(w.turns_per_m) + constant(w.turn);
         sin_cos_turn(turns - hn::Floor(turns), sine[i], cosine[i]);
+        // The ellipsoid's mean square distance from its centre along k is l^2/5, l its half length there: about exp(-|k|^2 l^2/10) of the wave.
+        const Vec3 across = constant(w.number) * body_scale * rows(body.axes, to_body(q, k));
+        const VF shrink = constant(1.0f / 40.0f) * dot(scaled_by(body.semi_axes_squared, across), across) + one;
+        const VF shrink2 = shrink * shrink, mean = one / (shrink2 * shrink2);
+        sine[i] *= mean, cosine[i] *= mean;
         height = constant(w.amplitude) * cosine[i] + height;
         lift = constant(w.speed) * sine[i] + lift;
         slope += constant(w.amplitude * w.number) * sine[i] * k;
@@ -307,9 +315,11 @@ void ahead_of(const BatchArrays& a, size_t count, float h, SurfaceBlock& out) {
     }
 }
 
-void evaluate_surface(const SurfaceInstant& plane, size_t count, SurfaceBlock& b) {
+void evaluate_surface(const SurfaceInstant& plane, const WaterBody& body, const BatchArrays& a, size_t count,
+                      SurfaceBlock& b) {
     for (size_t at = 0; at < count; at += hn::Lanes(DF())) {
-        const SurfaceSample s = sample_surface(plane, load3(b.position, at));
+        const SurfaceSample s =
+            sample_surface(plane, body, load1(a, field_scale, at), load4(a, at), load3(b.position, at));
         store1(b.height, at, s.height);
         store3(b.normal, at, s.normal);
         store3(b.velocity, at, s.velocity);

@@ -79,8 +79,8 @@ using NearFunction = void(const SurfaceInstant&, float highest, const WaterBody&
                           const BatchArrays&, size_t begin, size_t end, uint32_t* near);
 // Positions of bodies after `h`.
 using AheadFunction = void(const BatchArrays&, size_t count, float h, SurfaceBlock&);
-// Plane and built-in waves at the block's positions.
-using SurfaceFunction = void(const SurfaceInstant&, size_t count, SurfaceBlock&);
+// Plane and built-in waves at the block's positions, for bodies of these scales and orientations.
+using SurfaceFunction = void(const SurfaceInstant&, const WaterBody&, const BatchArrays&, size_t count, SurfaceBlock&);
 // One substep of bodies near water, with the change of added mass at its end.
 using WetFunction = void(const StepInput&, const WetSubstep&, const BatchArrays&, size_t count);
 
