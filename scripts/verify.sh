@@ -117,6 +117,7 @@ step_fuzz() {
         # assimp leaks memory on some damaged files; our code cannot free it.
         ASAN_OPTIONS=detect_leaks=$([ "$target" = mesh ] && echo 0 || echo 1) \
             "build/fuzz/tests/fuzz/fuzz_$target" -max_total_time="${run#*:}" -max_len=40000 -verbosity=0 -print_final_stats=1 \
+            -artifact_prefix="build/fuzz/$target-" \
             "build/fuzz/corpus-$target" "tests/fuzz/corpus/$target" >"build/fuzz/$target.log" 2>&1 &
         running[$target]=$!
     done

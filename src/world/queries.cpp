@@ -203,8 +203,7 @@ const BodyConstants& constants_at(const lr_world& world, Batch& batch, uint32_t 
     body.take(batch.arrays(), 1, [&](uint32_t) { return i; });
     SurfaceBlock block;
     const SurfaceInstant plane = world.surface.at(world.time);
-    world.target->surface.ahead(body.arrays(), lane_block, 0.0f, block);
-    world.target->surface.surface(plane, *water, body.arrays(), lane_block, block);
+    world.target->surface.surface(plane, *water, body.arrays(), lane_block, 0.0f, block);
     if (world.surface.callback()) world.surface.ask(world.time, world.handle(batch.slot()), 1, plane, block);
     const Vector from = vector_in(batch.arrays().field, field_x, i) - vector_of(plane.point);
     if (!(dot(vector_of(plane.up), from) < block.height[0])) return batch.step.body;

@@ -66,7 +66,6 @@ StepFunction step_aerodynamic;
 PredictFunction predict;
 EvaluateFunction evaluate;
 NearFunction near_surface;
-AheadFunction ahead_of;
 SurfaceFunction evaluate_surface;
 WetFunction step_wet, settle_wet;
 extern const ContactTarget contact_functions;
@@ -82,7 +81,7 @@ constexpr KernelTarget functions(int32_t simd) {
             &ended_range,
             &predict,
             &evaluate,
-            {&near_surface, &ahead_of, &evaluate_surface, &step_wet, &settle_wet},
+            {&near_surface, &evaluate_surface, &step_wet, &settle_wet},
             &contact_functions,
             &body_contact_functions,
             &search_pairs,

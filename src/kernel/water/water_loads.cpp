@@ -308,18 +308,14 @@ void near_surface(const SurfaceInstant& plane, float highest, const WaterBody& w
     }
 }
 
-void ahead_of(const BatchArrays& a, size_t count, float h, SurfaceBlock& out) {
-    for (size_t at = 0; at < count; at += hn::Lanes(DF())) {
-        const Vec3 v = to_world(load4(a, at), load3(a, field_vx, at));
-        store3(out.position, at, within(load3(a, field_x, at) + constant(h) * v, 1e12f));
-    }
-}
-
-void evaluate_surface(const SurfaceInstant& plane, const WaterBody& body, const BatchArrays& a, size_t count,
+void evaluate_surface(const SurfaceInstant& plane, const WaterBody& body, const BatchArrays& a, size_t count, float h,
                       SurfaceBlock& b) {
     for (size_t at = 0; at < count; at += hn::Lanes(DF())) {
-        const SurfaceSample s =
-            sample_surface(plane, body, load1(a, field_scale, at), load4(a, at), load3(b.position, at));
+        const Quaternion q = load4(a, at);
+        const Vec3 v = to_world(q, load3(a, field_vx, at));
+        const Vec3 x = within(load3(a, field_x, at) + constant(h) * v, 1e12f);
+        const SurfaceSample s = sample_surface(plane, body, load1(a, field_scale, at), q, x);
+        store3(b.position, at, x);
         store1(b.height, at, s.height);
         store3(b.normal, at, s.normal);
         store3(b.velocity, at, s.velocity);

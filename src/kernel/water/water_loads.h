@@ -77,16 +77,14 @@ struct WetSubstep {
 // Marks with 1 the bodies of [begin, end) that can touch the water within `dt`, others with 0.
 using NearFunction = void(const SurfaceInstant&, float highest, const WaterBody&, float dt, float gravity,
                           const BatchArrays&, size_t begin, size_t end, uint32_t* near);
-// Positions of bodies after `h`.
-using AheadFunction = void(const BatchArrays&, size_t count, float h, SurfaceBlock&);
-// Plane and built-in waves at the block's positions, for bodies of these scales and orientations.
-using SurfaceFunction = void(const SurfaceInstant&, const WaterBody&, const BatchArrays&, size_t count, SurfaceBlock&);
+// Positions of bodies after `h`, and plane and built-in waves there.
+using SurfaceFunction = void(const SurfaceInstant&, const WaterBody&, const BatchArrays&, size_t count, float h,
+                             SurfaceBlock&);
 // One substep of bodies near water, with the change of added mass at its end.
 using WetFunction = void(const StepInput&, const WetSubstep&, const BatchArrays&, size_t count);
 
 struct SurfaceTarget {
     NearFunction* near;
-    AheadFunction* ahead;
     SurfaceFunction* surface;
     WetFunction *step, *settle;
 };

@@ -36,10 +36,10 @@ void NearBodies::set_wind(const float (&wind)[3][field_block]) {
             wind[k], [this](uint32_t i) { return index_[i] - begin_; }, wind_[k]);
 }
 
-void NearBodies::sample(double time, lr_batch batch, const WaterBody& body, SurfaceInstant& plane,
+void NearBodies::sample(double time, float h, lr_batch batch, const WaterBody& body, SurfaceInstant& plane,
                         SurfaceBlock& block) {
     plane = step_->surface->at(time);
-    step_->target->surface.surface(plane, body, copies_.arrays(), copies_.padded, block);
+    step_->target->surface.surface(plane, body, copies_.arrays(), copies_.padded, h, block);
     if (step_->surface->callback()) step_->surface->ask(time, batch, count_, plane, block);
 }
 
@@ -53,8 +53,7 @@ void NearBodies::run(const StepInput& in, lr_batch batch, uint32_t first, uint32
     SurfaceBlock blocks[3];
     SurfaceBlock *begin = blocks, *const middle = blocks + 1, *end = blocks + 2;
     const auto h = static_cast<float>(step_->time.h);
-    kernel.ahead(bodies, copies_.padded, 0.0f, *begin);
-    sample(step_->time.begin + first * step_->time.h, batch, *in.water, plane, *begin);
+    sample(step_->time.begin + first * step_->time.h, 0.0f, batch, *in.water, plane, *begin);
     for (uint32_t i = first; i < first + count; ++i) {
         one.first_substep = in.first_substep + i;
         if (!windy_) {
@@ -62,12 +61,10 @@ void NearBodies::run(const StepInput& in, lr_batch batch, uint32_t first, uint32
             for (size_t k = 0; k < 3; ++k)
                 std::fill_n(wind_[k], copies_.padded, in.wind_begin[k] + part * (in.wind[k] - in.wind_begin[k]));
         }
-        kernel.ahead(bodies, copies_.padded, 0.5f * h, *middle);
-        sample(step_->time.begin + (i + 0.5) * step_->time.h, batch, *in.water, plane, *middle);
+        sample(step_->time.begin + (i + 0.5) * step_->time.h, 0.5f * h, batch, *in.water, plane, *middle);
         const WetSubstep wet{in.water, &plane, begin, middle, end, wind_, step_->gravity, fraction_};
         kernel.step(one, wet, bodies, copies_.padded);
-        kernel.ahead(bodies, copies_.padded, 0.0f, *end);
-        sample(step_->time.begin + (i + 1.0) * step_->time.h, batch, *in.water, plane, *end);
+        sample(step_->time.begin + (i + 1.0) * step_->time.h, 0.0f, batch, *in.water, plane, *end);
         kernel.settle(one, wet, bodies, copies_.padded);
         std::swap(begin, end);
     }

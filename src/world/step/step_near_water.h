@@ -33,7 +33,9 @@ public:
     void put_back(const BatchArrays& to, float* submerged) const;
 
 private:
-    void sample(double time, lr_batch batch, const WaterBody& body, SurfaceInstant& plane, SurfaceBlock& block);
+    // The surface at `time` where the bodies are after `h`.
+    void sample(double time, float h, lr_batch batch, const WaterBody& body, SurfaceInstant& plane,
+                SurfaceBlock& block);
 
     const WaterStep* step_;
     uint32_t begin_, count_ = 0;
