@@ -665,7 +665,7 @@ LR_API lr_status lr_world_set_water(lr_world* world, const lr_water_desc* desc);
 LR_API lr_status lr_world_get_water(const lr_world* world, lr_water_desc* desc, int32_t* present);
 
 /* Input and output of a water surface callback. Arrays hold one value per body; outputs are preset to the values of the
- * plane and its waves. */
+ * plane and its waves, each wave as its mean over the body. */
 typedef struct lr_water_query {
     uint32_t struct_size;
     uint32_t count;           /* bodies, 1 to 256 */

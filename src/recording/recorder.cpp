@@ -129,17 +129,22 @@ void Recorder::wind_asked(void* self, const lr_wind_query* query) {
     std::copy_n(query->velocity, 3, values);
     std::copy_n(query->rate, 3, values + 3);
     std::copy_n(query->gradient, 9, values + 6);
-    recorder.answer(Kind::wind, query->count, query->batch.id, query->time, query->position, values, wind_values);
+    const void* const keys[] = {query->position[0], query->position[1], query->position[2]};
+    recorder.answer(Kind::wind, query->count, query->batch.id, query->time, keys, wind_key_rows, values, wind_values);
 }
 
 void Recorder::surface_asked(void* self, const lr_water_query* query) {
     auto& recorder = *static_cast<Recorder*>(self);
+    uint32_t given[field_block];
+    for (uint32_t i = 0; i < query->count; ++i) given[i] = given_surface(*query, i);
     recorder.surface_.function(recorder.surface_.user, query);
     const float* values[surface_values] = {query->height};
     std::copy_n(query->normal, 3, values + 1);
     std::copy_n(query->velocity, 3, values + 4);
     std::copy_n(query->rate, 3, values + 7);
-    recorder.answer(Kind::surface, query->count, query->batch.id, query->time, query->position, values, surface_values);
+    const void* const keys[] = {query->position[0], query->position[1], query->position[2], given};
+    recorder.answer(Kind::surface, query->count, query->batch.id, query->time, keys, surface_key_rows, values,
+                    surface_values);
 }
 
 void Recorder::begin(const lr_world& world) {
@@ -160,8 +165,8 @@ void Recorder::begin(const lr_world& world) {
 }
 
 // Called by all workers, in any order: the player looks up an answer by its query.
-void Recorder::answer(Kind kind, uint32_t count, uint32_t batch, double time, const float* const* positions,
-                      const float* const* values, uint32_t value_count) {
+void Recorder::answer(Kind kind, uint32_t count, uint32_t batch, double time, const void* const* keys,
+                      uint32_t key_rows, const float* const* values, uint32_t value_count) {
     AnswerRecord record{count, batch, time, 0, 0};
     const uint64_t bytes = sizeof(float) * uint64_t{count};
     for (uint32_t v = 0; v < value_count; ++v) {
@@ -175,7 +180,7 @@ void Recorder::answer(Kind kind, uint32_t count, uint32_t batch, double time, co
     while (writing_.exchange(1, std::memory_order_acquire) != 0) writing_.wait(1);
     open(kind);
     value(record);
-    for (int k = 0; k < 3; ++k) put(positions[k], bytes);
+    for (uint32_t k = 0; k < key_rows; ++k) put(keys[k], bytes);
     for (uint32_t v = 0; v < value_count; ++v)
         if ((record.given & 1u << v) != 0) put(values[v], bytes);
     close();

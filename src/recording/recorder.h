@@ -70,7 +70,7 @@ private:
     void flush(uint16_t flags);
     static void wind_asked(void* self, const lr_wind_query* query);
     static void surface_asked(void* self, const lr_water_query* query);
-    void answer(Kind kind, uint32_t count, uint32_t batch, double time, const float* const* positions,
+    void answer(Kind kind, uint32_t count, uint32_t batch, double time, const void* const* keys, uint32_t key_rows,
                 const float* const* values, uint32_t value_count);
 
     Allocator* allocator_;

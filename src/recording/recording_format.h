@@ -16,7 +16,7 @@ struct FileHeader {
     uint32_t library; // lr_version()
 };
 inline constexpr char magic[8] = {'L', 'R', 'R', 'E', 'C', 'O', 'R', 'D'};
-inline constexpr uint32_t format_version = 2;
+inline constexpr uint32_t format_version = 3;
 
 // Frames follow. A record is one frame or several; all but its last have frame_continues.
 struct FrameHeader {
@@ -66,7 +66,8 @@ struct ResultRecord {
     uint64_t output; // the resulting handle or number, or a hash of several; 0 if the caller passed null
     uint64_t hash;   // of the world, if `hashed`
 };
-// Followed by `count` positions (x of all, then y, z), then `count` floats for each bit set in `given`.
+// Followed by the rows that an answer is found by, `count` words each: x of all positions, y, z, and for water a hash of
+// the values that the callback was given; then `count` floats for each bit set in `given`.
 struct AnswerRecord {
     uint32_t count;
     uint32_t batch;
@@ -76,6 +77,7 @@ struct AnswerRecord {
 };
 inline constexpr uint32_t wind_values = 15;    // velocity, rate, gradient
 inline constexpr uint32_t surface_values = 10; // height, normal, velocity, rate
+inline constexpr uint32_t wind_key_rows = 3, surface_key_rows = 4;
 
 // A call is identified by a hash of its function's name. If two functions had the same hash, lr_replay would not compile.
 using Op = uint16_t;
@@ -134,6 +136,24 @@ public:
 private:
     uint64_t state_;
 };
+
+// Of the values that a water callback is given for body i. A body that contact turns about its centre is asked for twice
+// at the same time and position, and its pose decides how much of each wave it is given.
+inline uint32_t given_surface(const lr_water_query& q, uint32_t i) {
+    Hash hash(0);
+    const auto add = [&](float value) {
+        uint32_t bits = 0;
+        std::memcpy(&bits, &value, sizeof bits);
+        hash.add(bits);
+    };
+    add(q.height[i]);
+    for (size_t k = 0; k < 3; ++k) {
+        add(q.normal[k][i]);
+        add(q.velocity[k][i]);
+        add(q.rate[k][i]);
+    }
+    return static_cast<uint32_t>(hash.value());
+}
 
 inline uint64_t frame_checksum(const FrameHeader& h, uint64_t number, const void* payload) {
     Hash hash(number);

@@ -50,7 +50,8 @@ struct Scene {
     lr_world* world = nullptr;
     std::vector<lr_asset*> assets;
     std::vector<uint64_t> made; // ids of the bodies or colliders that the last call made
-    Answers wind{recording::wind_values}, surface{recording::surface_values};
+    Answers wind{recording::wind_key_rows, recording::wind_values};
+    Answers surface{recording::surface_key_rows, recording::surface_values};
 };
 // The name of the function; null if unknown.
 const char* name_of(recording::Op op);
