@@ -646,7 +646,7 @@ typedef struct lr_water_desc {
     float normal[3];     /* upward, any length but 0; default 0, 1, 0 */
     float density;       /* kg/m^3, 1e-3 to 1e6; default 998. A batch whose own fluid is denser keeps its own density */
     float viscosity;     /* m^2/s, kinematic, 1e-12 to 1e3; default 1e-6 */
-    float current[3];    /* m/s, velocity of the water, each up to 1000 in magnitude; default 0 */
+    float current[3];    /* m/s, of the water, and of a plane that you move; each up to 1000 in magnitude; default 0 */
     float reach;         /* m, 0 to 1e6: the farthest that a callback's surface lies from the plane; default 0 */
     lr_wave waves[LR_MAX_WAVES];
 } lr_water_desc;

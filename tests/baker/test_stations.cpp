@@ -478,7 +478,8 @@ TEST_CASE("stations: the halves of a folded card are cut alike, though their tri
         }));
 }
 
-TEST_CASE("stations: lift of a long curved strip acts at its places in streams along the span") {
+TEST_CASE(
+    "stations: in streams along the span lift of long strips acts at their places, behind the weight farther aft") {
     for (const double width : {0.1, 0.0125}) {
         const Made m = made(shapes::patch(4, 24,
                                           [&](double u, double v) {
@@ -491,6 +492,19 @@ TEST_CASE("stations: lift of a long curved strip acts at its places in streams a
             CHECK((s.lift_arm[1] != 0.0) == (width > 0.05));
             CHECK(s.lift_arm[0] != 0.0);
         }
+    }
+    // A blade as of an ash seed, whose weight parts it, and one behind its weight, as of a maple's.
+    const Mesh nut = shapes::ellipsoid(0.006, 0.0015, 0.001, 3);
+    Mesh blade = shapes::ellipsoid(0.018, 0.0035, 0.00008, 4);
+    for (const double ahead : {0.004, 0.017}) {
+        CAPTURE(ahead);
+        Mesh moved = blade;
+        shapes::apply(moved, Eigen::Matrix3d::Identity(), {ahead, 0.0, 0.0});
+        const Vector3d weight(0.0, 0.0, 0.0);
+        const Made seed = made(shapes::joined(nut, moved), 0.0, &weight);
+        REQUIRE(seed.stations.at.size() >= 3);
+        for (size_t i = 1; i < seed.stations.at.size(); ++i) // the nut is the first
+            CHECK((seed.stations.at[i].lift_arm[1] < -0.001) == (ahead > 0.01));
     }
 }
 

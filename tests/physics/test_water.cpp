@@ -395,6 +395,25 @@ TEST_CASE("another current leaves the waves where they are") {
     CHECK(std::abs(height[0] - height[1]) < 1e-3f);
 }
 
+TEST_CASE("floats go with a plane that is moved, if the current has its speed") {
+    const Asset leaf = make(ellipsoid(0.04, 0.02, 5e-4, 500.0));
+    for (const float speed : {0.1f, -0.1f}) {
+        const World world = make(world_desc());
+        lr_water_desc d = water_desc();
+        set_water(world, d);
+        const lr_body body = add_body(world, add_batch(world, leaf, 1), at_height(0.001));
+        steps(world, 120, 1.0f / 60.0f, 2);
+        const float draught = state_of(world, body).position[1];
+        d.current[1] = speed;
+        for (int i = 0; i < 480; ++i) {
+            d.position[1] = speed * static_cast<float>(i) / 60.0f;
+            set_water(world, d);
+            steps(world, 1, 1.0f / 60.0f, 2);
+        }
+        CHECK(std::abs(state_of(world, body).position[1] - 8.0f * speed - draught) < 2e-3f);
+    }
+}
+
 TEST_CASE("a callback's surface is as good as a plane there, and one that is none is refused") {
     const Asset ball = make(ellipsoid(0.05, 0.05, 0.05, 500.0));
     const auto run = [&](float plane, float raised, bool callback) {

@@ -210,7 +210,7 @@ and one warning is logged after the step.
 
 class lr_water_query(ctypes.Structure):
     """Input and output of a water surface callback. Arrays hold one value per body; outputs are preset to the values of the
-    plane and its waves.
+    plane and its waves, each wave as its mean over the body.
     """
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
@@ -1118,7 +1118,7 @@ FIELD_DOCS = {
         'normal': 'upward, any length but 0; default 0, 1, 0',
         'density': 'kg/m^3, 1e-3 to 1e6; default 998. A batch whose own fluid is denser keeps its own density',
         'viscosity': 'm^2/s, kinematic, 1e-12 to 1e3; default 1e-6',
-        'current': 'm/s, velocity of the water, each up to 1000 in magnitude; default 0',
+        'current': 'm/s, of the water, and of a plane that you move; each up to 1000 in magnitude; default 0',
         'reach': "m, 0 to 1e6: the farthest that a callback's surface lies from the plane; default 0",
         'waves': '',
     },

@@ -105,7 +105,7 @@ class Water(Record):
     normal: upward, any length but 0; default 0, 1, 0
     density: kg/m^3, 1e-3 to 1e6; default 998. A batch whose own fluid is denser keeps its own density
     viscosity: m^2/s, kinematic, 1e-12 to 1e3; default 1e-6
-    current: m/s, velocity of the water, each up to 1000 in magnitude; default 0
+    current: m/s, of the water, and of a plane that you move; each up to 1000 in magnitude; default 0
     reach: m, 0 to 1e6: the farthest that a callback's surface lies from the plane; default 0
     waves
     """

@@ -31,11 +31,14 @@ constexpr double bad_error = 0.2;   // above it, a warning
 constexpr double flat = 0.015;
 // Mean squared slope along the chord, above which the chord is cut too; less is camber.
 constexpr double bent_chord = 0.008;
-constexpr double off_centre = 0.05;     // distance of the centre of mass from the middle of the area, over the extent
-constexpr double thick = 0.1;           // volume over the area to the power 3/2, half of a sphere's
-constexpr double convex = 0.9;          // volume over that of the hull
-constexpr double slender = 3.0;         // ratio of the root mean squares of span and chord
-constexpr double long_strip = 2.0;      // arms along the span fade from span/chord = 2 to 4
+constexpr double off_centre = 0.05; // distance of the centre of mass from the middle of the area, over the extent
+constexpr double thick = 0.1;       // volume over the area to the power 3/2, half of a sphere's
+constexpr double convex = 0.9;      // volume over that of the hull
+constexpr double slender = 3.0;     // ratio of the root mean squares of span and chord
+constexpr double long_strip = 2.0;  // arms along the span fade from span/chord = 2 to 4
+// They fade in parts that reach across the centre of mass: its distance from their middle, over half their length, is at most 0.4; from 0.6 on they
+// lie behind it.
+constexpr double across_centre = 0.4, behind_centre = 0.6;
 constexpr double hiding = 0.36;         // share of the surface in the lee of the rest; a hemispherical bowl has 1/3
 constexpr double far_from_convex = 0.5; // volume over that of the hull
 // Hollow above which a body is a bowl, whose bottom counts, and not a tube, which falls across its axis.
@@ -59,6 +62,16 @@ struct Plan {
 double slender_arm(const shape::Wing& wing) {
     const double aspect = wing.chord * wing.chord / wing.area;
     return 0.5 - quarter * aspect / (aspect + 0.35);
+}
+
+// End-on a long strip is stalled. An arm would steady it there like an arrow, so that curved ones fell end first while they spun about the span, and
+// ash seeds as darts. The wing of a maple's seed, behind its nut, and walls keep theirs. broadside: the body's normal; the centre of mass is the origin.
+double end_on_share(const Plan& plan, const Vector3d& broadside) {
+    const auto [low, high] = extent_of(plan.part, plan.span);
+    const double aside = std::abs(high + low) / (high - low), facing = plan.normal.dot(broadside);
+    const double slenderness = std::clamp(plan.wing.span / (long_strip * plan.wing.chord) - 1.0, 0.0, 1.0);
+    const double across = std::clamp((behind_centre - aside) / (behind_centre - across_centre), 0.0, 1.0);
+    return 1.0 - slenderness * facing * facing * across;
 }
 
 std::array<double, 3> to_array(const Vector3d& v) {
@@ -428,9 +441,7 @@ Stations make_stations(const Mesh& mesh, const AerodynamicData& loads, const Vec
             plans.push_back(plan_of(std::move(part), loads, size));
     }
     join_arms(plans);
-    // End-on a long strip is stalled. An arm would steady it there like an arrow, so that curved ones fell end first while they spun about the span.
-    if (plans.size() == 1)
-        plans[0].end_on = std::clamp(long_strip - plans[0].wing.span / (2.0 * plans[0].wing.chord), 0.0, 1.0);
+    for (Plan& plan : plans) plan.end_on = end_on_share(plan, normal);
     if (plans.size() > options.most) {
         out.fit = StationFit::coarse;
         return out;

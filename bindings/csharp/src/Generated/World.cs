@@ -430,7 +430,7 @@ namespace LangevinRigid
         public float Density;
         /// <summary>m^2/s, kinematic, 1e-12 to 1e3; default 1e-6</summary>
         public float Viscosity;
-        /// <summary>m/s, velocity of the water, each up to 1000 in magnitude; default 0</summary>
+        /// <summary>m/s, of the water, and of a plane that you move; each up to 1000 in magnitude; default 0</summary>
         public Float3 Current;
         /// <summary>m, 0 to 1e6: the farthest that a callback's surface lies from the plane; default 0</summary>
         public float Reach;
@@ -469,7 +469,7 @@ namespace LangevinRigid
     }
 
     /// <summary>Input and output of a water surface callback. Arrays hold one value per body; outputs are preset to the
-    /// values of the plane and its waves.</summary>
+    /// values of the plane and its waves, each wave as its mean over the body.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct WaterQuery
     {

@@ -530,7 +530,7 @@ export interface WaterDesc {
   density: number;
   /** m^2/s, kinematic, 1e-12 to 1e3; default 1e-6 */
   viscosity: number;
-  /** 3 elements. m/s, velocity of the water, each up to 1000 in magnitude; default 0 */
+  /** 3 elements. m/s, of the water, and of a plane that you move; each up to 1000 in magnitude; default 0 */
   current: number[];
   /** m, 0 to 1e6: the farthest that a callback's surface lies from the plane; default 0 */
   reach: number;
@@ -540,7 +540,7 @@ export interface WaterDesc {
 
 /**
  * Input and output of a water surface callback. Arrays hold one value per body; outputs are preset to the values of the
- * plane and its waves.
+ * plane and its waves, each wave as its mean over the body.
  */
 export interface WaterQuery {
   /** bodies, 1 to 256 */
