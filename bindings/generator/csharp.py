@@ -310,7 +310,7 @@ public ref {type_} {name}(int index)
 public WindSourceId Add{method}({desc} desc)
 {{
     WindSourceId source;
-    Leave(Native.lr_world_add_{name}(EnterChange(), &desc, &source), "lr_world_add_{name}");
+    LeaveNew(Native.lr_world_add_{name}(EnterChange(), &desc, &source), "lr_world_add_{name}");
     return source;
 }}
 

@@ -47,7 +47,7 @@ namespace LangevinRigid
         public void CreateBodies(BodyDesc* descs, int count, BodyId* ids)
         {
             uint number = Counts.Of(count);
-            Leave(Native.lr_body_create(EnterChange(), _id, descs, number, ids), "lr_body_create");
+            _world.LeaveNew(Native.lr_body_create(EnterChange(), _id, descs, number, ids), "lr_body_create");
         }
 
         /// <summary>Creates bodies from an array, all or none; returns their ids.</summary>
@@ -72,7 +72,7 @@ namespace LangevinRigid
         public void Emit(int count, BodyId* ids)
         {
             uint number = Counts.Of(count);
-            Leave(Native.lr_batch_spawn(EnterChange(), _id, number, ids), "lr_batch_spawn");
+            _world.LeaveNew(Native.lr_batch_spawn(EnterChange(), _id, number, ids), "lr_batch_spawn");
         }
 
         /// <summary>Spawns bodies at rest, evenly in a box and turned at random, without an emitter, all or none; returns their
@@ -81,7 +81,7 @@ namespace LangevinRigid
         {
             var ids = new BodyId[Counts.Of(count)];
             fixed (BodyId* to = ids)
-                Leave(Native.lr_batch_spawn_box(EnterChange(), _id, &low.X, &high.X, (uint)count, to), "lr_batch_spawn_box");
+                _world.LeaveNew(Native.lr_batch_spawn_box(EnterChange(), _id, &low.X, &high.X, (uint)count, to), "lr_batch_spawn_box");
             return ids;
         }
 

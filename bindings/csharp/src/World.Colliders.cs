@@ -17,7 +17,7 @@ namespace LangevinRigid
         public void CreateColliders(ColliderDesc* descs, int count, ColliderId* ids)
         {
             uint number = Counts.Of(count);
-            Leave(Native.lr_collider_create(EnterChange(), descs, number, ids), "lr_collider_create");
+            LeaveNew(Native.lr_collider_create(EnterChange(), descs, number, ids), "lr_collider_create");
         }
 
         /// <summary>Creates the colliders of an array, all or none; returns their ids.</summary>

@@ -8,7 +8,8 @@ namespace LangevinRigid
     {
         /// <summary>Writes every call that can change the world to a stream, with its arguments and results, for <c>lr_replay</c> and for bug
         /// reports. Calls on this world write to the stream. The stream still belongs to the caller, who closes it after
-        /// <see cref="StopRecording"/>. Its exceptions end the recording, and that call rethrows them.
+        /// <see cref="StopRecording"/>. Its exceptions end the recording, and that call rethrows them, as
+        /// <see cref="World"/> says.
         /// docs/reference/snapshots.md</summary>
         public void StartRecording(Stream to)
         {

@@ -6,7 +6,8 @@ namespace LangevinRigid
 {
     /// <summary>A world of falling bodies. Only one thread at a time can use it: a second thread during a call, or a callback of that call,
     /// gets an <see cref="InvalidOperationException"/>. Different worlds can be used at the same time.
-    /// <para>Refused calls throw <see cref="LangevinException"/> and change nothing.</para></summary>
+    /// <para>Refused calls throw <see cref="LangevinException"/> and change nothing. An exception of a callback is thrown after the call that it
+    /// happened in; if that created something, by the next call that creates nothing, so that no handle is lost.</para></summary>
     public sealed unsafe partial class World : IDisposable
     {
         private const int Idle = 0, InCall = 1, Disposed = 2;
@@ -153,7 +154,7 @@ namespace LangevinRigid
             try
             {
                 BatchId id;
-                Leave(Native.lr_batch_create(EnterChange(), &desc, &id), "lr_batch_create");
+                LeaveNew(Native.lr_batch_create(EnterChange(), &desc, &id), "lr_batch_create");
                 return new Batch(this, id, desc.Capacity);
             }
             finally
@@ -197,6 +198,14 @@ namespace LangevinRigid
             Volatile.Write(ref _state, Idle);
             _callbacks.Rethrow();
             if (status < Status.Ok) throw new LangevinException(status, function, _callbacks.LastError);
+        }
+
+        /// <summary>Leaves a call that creates something. An exception of a callback would lose the handle, so the next other call throws
+        /// it.</summary>
+        internal void LeaveNew(Status status, string function)
+        {
+            if (status < Status.Ok) Leave(status, function);
+            else Volatile.Write(ref _state, Idle);
         }
 
         private static Exception Busy()

@@ -157,6 +157,56 @@ static unsafe class CallbackTests
             Check.Throws<FormatException>(() => world.SetUniformWind(new Float3(2000, 0, 0)), "log");
     }
 
+    // A full disk, say, ends the recording. What the call created exists, so the caller must get its handle.
+    public static void CallbacksThatThrowLoseNoHandle()
+    {
+        var creations = new Dictionary<string, Func<World, Batch, Func<bool>>>
+        {
+            { "batch", (world, batch) => { BatchId id = world.CreateBatch(Scene.Leaf(), 1).Id; return () => world.IsValid(id); } },
+            { "body", (world, batch) => { BodyId id = batch.CreateBody(BodyDesc.Create()); return () => world.IsValid(id); } },
+            { "box", (world, batch) => { BodyId id = batch.SpawnBox(default(Float3), new Float3(1, 1, 1), 2)[1]; return () => world.IsValid(id); } },
+            { "emitter", (world, batch) => { BodyId id = batch.Emit(2)[1]; return () => world.IsValid(id); } },
+            { "collider", (world, batch) => { ColliderId id = world.CreateCollider(Plane()); return () => world.IsValid(id); } },
+            { "wind", (world, batch) => { WindSourceId id = world.AddVortex(VortexDesc.Create()); return () => world.IsValid(id); } },
+        };
+        foreach (var creation in creations)
+        {
+            var disk = new FullDisk();
+            var world = new World();
+            Batch batch = Scene.Batch(world, 10);
+            batch.SetEmitter(EmitterDesc.Create());
+            world.StartRecording(disk);
+            disk.Full = true;
+            Func<bool> isValid = creation.Value(world, batch);
+            Check.Throws<System.IO.IOException>(() => isValid(), creation.Key + ": the next other call throws");
+            Check.True(isValid(), creation.Key);
+            disk.Full = false;
+            world.StartRecording(disk);
+            disk.Full = true;
+            creation.Value(world, batch);
+            Check.Throws<System.IO.IOException>(() => world.Dispose(), creation.Key + ": also at the end of the world");
+            Check.True(world.IsDisposed, creation.Key);
+        }
+    }
+
+    static ColliderDesc Plane()
+    {
+        ColliderDesc desc = ColliderDesc.Create();
+        desc.Kind = ColliderKind.Plane;
+        return desc;
+    }
+
+    sealed class FullDisk : System.IO.MemoryStream
+    {
+        public bool Full;
+
+        public override void Write(byte[] buffer, int offset, int count)
+        {
+            if (Full) throw new System.IO.IOException("no space left");
+            base.Write(buffer, offset, count);
+        }
+    }
+
     public static void WorkersThrowToo()
     {
         using (World world = With(new WorldServices(), 1))

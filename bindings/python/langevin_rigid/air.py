@@ -78,6 +78,7 @@ class AirMixin:
     if TYPE_CHECKING:
         def _ask(self, name: str, *arguments: Any) -> None: ...
         def _change(self, name: str, *arguments: Any) -> None: ...
+        def _create(self, name: str, *arguments: Any) -> None: ...
         def _give(self, place: str, callback: Any, name: str, *arguments: Any) -> None: ...
         _handle: Any
         _changes: int
@@ -98,7 +99,7 @@ class AirMixin:
         keep: List[Any] = []
         desc = make(_struct(kind), _with_counts(options), keep)
         out = ctypes.c_uint32()
-        self._change(f"lr_world_add_{kind}", ctypes.byref(desc), ctypes.byref(out))
+        self._create(f"lr_world_add_{kind}", ctypes.byref(desc), ctypes.byref(out))
         return WindSource(self, kind, out.value)  # type: ignore[arg-type]
 
     @takes("lr_gusts_desc")

@@ -78,7 +78,7 @@ class Batch(BatchPlain):
                 kind = {"noise_seed": ctypes.c_uint32, "user": ctypes.c_uint64}.get(name, ctypes.c_float)
                 descs[name] = contiguous(value, kind, name)
         ids = np.zeros(count, np.uint64)
-        self._change("lr_body_create", address(descs, native.lr_body_desc), count, address(ids, ctypes.c_uint64))
+        self.world._create("lr_body_create", self.id, address(descs, native.lr_body_desc), count, address(ids, ctypes.c_uint64))
         return ids
 
     def view(self) -> View:
@@ -230,14 +230,14 @@ class Batch(BatchPlain):
     def emit(self, count: int) -> NDArray[Any]:
         """Spawns bodies from the emitter now, all or none, and returns their ids."""
         ids = np.zeros(count, np.uint64)
-        self._change("lr_batch_spawn", count, address(ids, ctypes.c_uint64))
+        self.world._create("lr_batch_spawn", self.id, count, address(ids, ctypes.c_uint64))
         return ids
 
     def spawn_box(self, low: ArrayLike, high: ArrayLike, count: int) -> NDArray[Any]:
         """Spawns bodies at rest, evenly in a box and turned at random, without an emitter, all or none; returns their ids."""
         corners = np.array([low, high], np.float32).reshape(2, 3)
         ids = np.zeros(count, np.uint64)
-        self._change("lr_batch_spawn_box", address(corners[0], ctypes.c_float), address(corners[1], ctypes.c_float), count,
+        self.world._create("lr_batch_spawn_box", self.id, address(corners[0], ctypes.c_float), address(corners[1], ctypes.c_float), count,
                      address(ids, ctypes.c_uint64))
         return ids
 

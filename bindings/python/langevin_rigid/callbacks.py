@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Calls from the library into Python. A call on the world raises the first exception of its callbacks after it returns."""
+"""Calls from the library into Python. A call on the world raises the first exception of its callbacks after it returns. If it created
+something, the next call that creates nothing does, so that no handle is lost."""
 from __future__ import annotations
 
 import ctypes
@@ -23,15 +24,22 @@ LEVELS = {LogLevel.ERROR: logging.ERROR, LogLevel.WARNING: logging.WARNING, LogL
 
 
 class Guard:
-    """State shared by the callbacks of a world: the first exception of a call, and the last error message."""
+    """State shared by the callbacks of a world: the first exception of a call, that of a call that created something, and the last error
+    message."""
 
     def __init__(self) -> None:
         self.pending: Optional[BaseException] = None
+        self.late: Optional[BaseException] = None
         self.message = ""
 
     def caught(self, exception: BaseException) -> None:
         if self.pending is None:
             self.pending = exception
+
+    def raise_late(self) -> None:
+        late, self.late = self.late, None
+        if late is not None:
+            raise late
 
 
 def _copy_in(pointers: Any, count: int) -> NDArray[Any]:

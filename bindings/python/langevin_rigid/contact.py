@@ -115,13 +115,14 @@ class ContactMixin:
     if TYPE_CHECKING:
         def _ask(self, name: str, *arguments: Any) -> None: ...
         def _change(self, name: str, *arguments: Any) -> None: ...
+        def _create(self, name: str, *arguments: Any) -> None: ...
 
     def add_colliders(self, options: List[Mapping[str, Any]]) -> List[Collider]:
         """Creates colliders, all or none. Each dict has the keywords of `add_collider`, kind included."""
         keep: List[Any] = []
         descs = (native.lr_collider_desc * len(options))(*(make(native.lr_collider_desc, _shaped(o), keep) for o in options))
         ids = np.zeros(len(options), np.uint64)
-        self._change("lr_collider_create", descs, len(options), address(ids, ctypes.c_uint64))
+        self._create("lr_collider_create", descs, len(options), address(ids, ctypes.c_uint64))
         return [Collider(self, int(handle)) for handle in ids]  # type: ignore[arg-type]
 
     @takes("lr_collider_desc", "kind", "vertex_count", "triangle_count", "counts")

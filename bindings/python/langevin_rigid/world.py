@@ -90,7 +90,7 @@ class World(WorldPlain, AirMixin, ContactMixin, QueryMixin):
             raise ClosedError("the world was closed")
         return self._handle
 
-    def _call(self, name: str, *arguments: Any) -> Tuple[int, str]:
+    def _call(self, name: str, *arguments: Any, creates: bool = False) -> Tuple[int, str]:
         """A function's result, and its error message."""
         handle = self._open()
         try:
@@ -102,15 +102,15 @@ class World(WorldPlain, AirMixin, ContactMixin, QueryMixin):
             function = getattr(library(), name)
             result = uninterrupted(function, handle.pointer, *arguments) if handle.calls_python() else function(handle.pointer, *arguments)
         finally:
-            pending, handle.guard.pending = handle.guard.pending, None
+            handle.guard.late, handle.guard.pending = handle.guard.late or handle.guard.pending, None
             handle.idle.append(True)
-        if pending is not None:
-            raise pending
+        if result or not creates:
+            handle.guard.raise_late()
         return result, handle.guard.message
 
-    def _ask(self, name: str, *arguments: Any) -> None:
+    def _ask(self, name: str, *arguments: Any, creates: bool = False) -> None:
         """Makes a call that does not change the world."""
-        status, message = self._call(name, *arguments)
+        status, message = self._call(name, *arguments, creates=creates)
         if status:
             raise error(status, name, message)
 
@@ -118,6 +118,11 @@ class World(WorldPlain, AirMixin, ContactMixin, QueryMixin):
         """Makes a call that changes the world, so that views become stale."""
         self._changes += 1
         self._ask(name, *arguments)
+
+    def _create(self, name: str, *arguments: Any) -> None:
+        """Makes a call that creates something. An exception of a callback would lose the handle, so the next other call raises it."""
+        self._changes += 1
+        self._ask(name, *arguments, creates=True)
 
     def _give(self, place: str, callback: Any, name: str, *arguments: Any) -> None:
         """Makes a call that gives the library a callback. One that raises, by Ctrl-C or in a recording's `write`, can have given it:
@@ -136,7 +141,10 @@ class World(WorldPlain, AirMixin, ContactMixin, QueryMixin):
         """Destroys the world. Its memory is freed once no array uses it."""
         if self._handle is not None and not self._handle.idle:
             raise BusyError("the world is in a call")
+        guard = self._handle and self._handle.guard
         uninterrupted(setattr, self, "_handle", None)  # Python drops an exception in __del__
+        if guard:
+            guard.raise_late()
 
     @property
     def closed(self) -> bool:
@@ -213,7 +221,7 @@ class World(WorldPlain, AirMixin, ContactMixin, QueryMixin):
         keep: List[Any] = []
         desc = make(native.lr_batch_desc, {**options, "asset": asset, "capacity": capacity}, keep)
         out = ctypes.c_uint32()
-        self._change("lr_batch_create", ctypes.byref(desc), ctypes.byref(out))
+        self._create("lr_batch_create", ctypes.byref(desc), ctypes.byref(out))
         return Batch(self, out.value, asset)
 
     def destroy_bodies(self, bodies: "ArrayLike") -> None:

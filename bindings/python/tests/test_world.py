@@ -350,8 +350,40 @@ class Recordings(WorldCase):
             self.world.record_start(full)
         self.fall()
 
+    def test_an_exception_of_a_callback_loses_no_handle(self):
+        creations = {
+            "batch": lambda: self.world.create_batch(thin_leaf(), 1),
+            "body": lambda: self.batch.create(1)[0],
+            "box": lambda: self.batch.spawn_box((0, 0, 0), (1, 1, 1), 1)[0],
+            "emitter": lambda: self.batch.emit(1)[0],
+            "collider": lambda: self.world.add_plane(),
+            "wind": lambda: self.world.add_vortex(),
+        }
+        self.batch.set_emitter(rate=1)
+        for name, create in creations.items():
+            with self.subTest(name):
+                self.record_to_a_full_disk()
+                thing = create()
+                with self.assertRaisesRegex(OSError, "no room"):
+                    self.fall()
+                self.assertTrue(self.world.is_valid(thing))
+        self.record_to_a_full_disk()
+        self.batch.create(1)
+        with self.assertRaisesRegex(OSError, "no room"):
+            self.world.close()
 
-class Recordings(WorldCase):
+    def record_to_a_full_disk(self):
+        full = False
+
+        def write(_):
+            if full:
+                raise OSError("no room")
+
+        self.world.record_start(write)
+        full = True
+
+
+class Frames(WorldCase):
     def test_saved_and_loaded(self):
         self.batch.set_emitter(rate=300, shape=lr.EmitterShape.BOX, size=(1, 1, 1))
         self.batch.set_rules(max_age=0.1)

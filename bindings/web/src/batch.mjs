@@ -21,7 +21,7 @@ export class Batch extends BatchPlain {
     batch.#host = world.host;
     batch.handle = world.host.scratch((scratch) => {
       const out = scratch.bytes(4);
-      world.call('lr_batch_create', scratch.struct('lr_batch_desc', { ...desc, asset: asset.addressIn(world.host) }), out);
+      world.create('lr_batch_create', scratch.struct('lr_batch_desc', { ...desc, asset: asset.addressIn(world.host) }), out);
       return world.host.heap.view.getUint32(out, true);
     });
     return batch;
@@ -51,7 +51,7 @@ export class Batch extends BatchPlain {
       const count = Array.isArray(descs) ? descs.length : descs.count;
       const at = Array.isArray(descs) ? scratch.structs('lr_body_desc', descs) : this.#manyDescs(scratch, descs);
       const out = scratch.bytes(8 * count);
-      this.#call('lr_body_create', at, count, out);
+      this.#world.create('lr_body_create', this.handle, at, count, out);
       return this.#host.heap.array(BigUint64Array, out, count).slice();
     });
   }
@@ -85,7 +85,7 @@ export class Batch extends BatchPlain {
   emit(count) {
     return this.#host.scratch((scratch) => {
       const out = scratch.bytes(8 * count);
-      this.#call('lr_batch_spawn', count, out);
+      this.#world.create('lr_batch_spawn', this.handle, count, out);
       return this.#host.heap.array(BigUint64Array, out, count).slice();
     });
   }
@@ -94,7 +94,8 @@ export class Batch extends BatchPlain {
   spawnBox(low, high, count) {
     return this.#host.scratch((scratch) => {
       const out = scratch.bytes(8 * count);
-      this.#call('lr_batch_spawn_box', scratch.copy(Float32Array, three(low, 'low')), scratch.copy(Float32Array, three(high, 'high')), count, out);
+      const corners = [three(low, 'low'), three(high, 'high')].map((corner) => scratch.copy(Float32Array, corner));
+      this.#world.create('lr_batch_spawn_box', this.handle, ...corners, count, out);
       return this.#host.heap.array(BigUint64Array, out, count).slice();
     });
   }

@@ -19,6 +19,7 @@ export class World extends WorldPlain {
   #host;
   #address = 0;
   #said = '';
+  #late = null; // what a callback threw in a call that created something
   #busy = false; // in a call, whose callbacks must not use the world: C++ code in the middle of a step would meet its changes
   #kept; // freed with the world: its address and the numbers of its callbacks
   #placed = { wind: 0, surface: 0, record: 0 }; // numbers of callbacks
@@ -37,7 +38,7 @@ export class World extends WorldPlain {
       host.scratch((scratch) => {
         const out = scratch.bytes(4);
         const at = scratch.struct('lr_world_desc', { ...desc, log: host.raw.lr_web_log(), logUser: id });
-        world.#call('lr_world_create', at, out);
+        world.#create('lr_world_create', at, out);
         world.#address = host.heap.view.getUint32(out, true);
       });
     } catch (error) {
@@ -71,9 +72,30 @@ export class World extends WorldPlain {
     }
   }
 
+  #create(name, ...values) {
+    try {
+      this.#call(name, ...values);
+    } catch (error) {
+      if (this.#host.result !== LR.OK) throw error;
+      this.#late ??= { error };
+    }
+  }
+
+  #throwLate() {
+    const late = this.#late;
+    this.#late = null;
+    if (late) throw late.error;
+  }
+
   /** @internal Calls a C function whose first argument is the world. */
   call(name, ...values) {
     this.#call(name, this.address, ...values);
+    this.#throwLate();
+  }
+
+  /** @internal The same for one that creates something: an exception of a callback would lose the handle, so the next call() throws it. */
+  create(name, ...values) {
+    this.#create(name, this.address, ...values);
   }
 
   /** @internal Reads a struct that a C function fills. */
@@ -114,6 +136,7 @@ export class World extends WorldPlain {
     leaked.unregister(this);
     this.#address = 0; // first: a callback can throw
     end(kept);
+    this.#throwLate();
   }
 
   [Symbol.dispose ?? Symbol.for('Symbol.dispose')]() {
@@ -183,7 +206,7 @@ export class World extends WorldPlain {
   #addSource(kind, desc) {
     return this.#host.scratch((scratch) => {
       const out = scratch.bytes(4);
-      this.call(`lr_world_add_${kind}`, this.#windSource(scratch, kind, desc), out);
+      this.create(`lr_world_add_${kind}`, this.#windSource(scratch, kind, desc), out);
       return this.#host.heap.view.getUint32(out, true);
     });
   }
@@ -333,7 +356,7 @@ export class World extends WorldPlain {
         ...(indices && { triangleCount: desc.triangleCount ?? indices.length / 3, indices: scratch.copy(Uint32Array, indices) }),
         ...(heights && { heights: scratch.copy(Float32Array, checkedHeights(heights, desc.counts)) }),
       }));
-      this.call('lr_collider_create', scratch.structs('lr_collider_desc', plain), descs.length, out);
+      this.create('lr_collider_create', scratch.structs('lr_collider_desc', plain), descs.length, out);
       return this.#host.heap.array(BigUint64Array, out, descs.length).slice();
     });
   }

@@ -70,6 +70,34 @@ test('recordings', () => {
   world.dispose();
 });
 
+test('an exception of a callback loses no handle', () => {
+  const creations = {
+    batch: (world) => { const batch = world.createBatch({ asset: leaf, capacity: 1 }); return () => world.batchIsValid(batch); },
+    body: (world, batch) => { const body = batch.createBody(); return () => world.bodyIsValid(body); },
+    box: (world, batch) => { const [, body] = batch.spawnBox([0, 0, 0], [1, 1, 1], 2); return () => world.bodyIsValid(body); },
+    emitter: (world, batch) => { const [, body] = batch.emit(2); return () => world.bodyIsValid(body); },
+    collider: (world) => { const id = world.createCollider({ kind: LR.COLLIDER_PLANE }); return () => world.colliderIsValid(id); },
+    wind: (world) => { const id = world.addVortex(); return () => world.windSourceIsValid(id); },
+  };
+  for (const [name, create] of Object.entries(creations)) {
+    const { world, batch } = scene({}, 20);
+    batch.setEmitter({});
+    let full = false;
+    const record = () => {
+      full = false;
+      world.startRecording(() => { if (full) throw new RangeError('full'); });
+      full = true;
+    };
+    record();
+    const isValid = create(world, batch);
+    assert.throws(() => world.step(1 / 60), /full/, name);
+    assert.ok(isValid(), name);
+    record();
+    create(world, batch);
+    assert.throws(() => world.dispose(), /full/, name);
+  }
+});
+
 test('struct layouts are those of the module', () => {
   for (const [name, { size, init, fields }] of Object.entries(structs)) {
     if (!init) continue;

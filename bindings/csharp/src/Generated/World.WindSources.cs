@@ -8,7 +8,7 @@ namespace LangevinRigid
         public WindSourceId AddGusts(GustsDesc desc)
         {
             WindSourceId source;
-            Leave(Native.lr_world_add_gusts(EnterChange(), &desc, &source), "lr_world_add_gusts");
+            LeaveNew(Native.lr_world_add_gusts(EnterChange(), &desc, &source), "lr_world_add_gusts");
             return source;
         }
 
@@ -30,7 +30,7 @@ namespace LangevinRigid
         public WindSourceId AddVortex(VortexDesc desc)
         {
             WindSourceId source;
-            Leave(Native.lr_world_add_vortex(EnterChange(), &desc, &source), "lr_world_add_vortex");
+            LeaveNew(Native.lr_world_add_vortex(EnterChange(), &desc, &source), "lr_world_add_vortex");
             return source;
         }
 
@@ -52,7 +52,7 @@ namespace LangevinRigid
         public WindSourceId AddBlower(BlowerDesc desc)
         {
             WindSourceId source;
-            Leave(Native.lr_world_add_blower(EnterChange(), &desc, &source), "lr_world_add_blower");
+            LeaveNew(Native.lr_world_add_blower(EnterChange(), &desc, &source), "lr_world_add_blower");
             return source;
         }
 
@@ -74,7 +74,7 @@ namespace LangevinRigid
         public WindSourceId AddTurbulence(TurbulenceDesc desc)
         {
             WindSourceId source;
-            Leave(Native.lr_world_add_turbulence(EnterChange(), &desc, &source), "lr_world_add_turbulence");
+            LeaveNew(Native.lr_world_add_turbulence(EnterChange(), &desc, &source), "lr_world_add_turbulence");
             return source;
         }
 
@@ -96,7 +96,7 @@ namespace LangevinRigid
         public WindSourceId AddWindGrid(WindGridDesc desc)
         {
             WindSourceId source;
-            Leave(Native.lr_world_add_wind_grid(EnterChange(), &desc, &source), "lr_world_add_wind_grid");
+            LeaveNew(Native.lr_world_add_wind_grid(EnterChange(), &desc, &source), "lr_world_add_wind_grid");
             return source;
         }
 
@@ -118,7 +118,7 @@ namespace LangevinRigid
         public WindSourceId AddGroundWind(GroundWindDesc desc)
         {
             WindSourceId source;
-            Leave(Native.lr_world_add_ground_wind(EnterChange(), &desc, &source), "lr_world_add_ground_wind");
+            LeaveNew(Native.lr_world_add_ground_wind(EnterChange(), &desc, &source), "lr_world_add_ground_wind");
             return source;
         }
 
