@@ -334,6 +334,7 @@ public:
     float GetGravityZ() const { return ShimGravityZ; }
     const TArray<ULevel*>& GetLevels() const { return Levels; }
     bool HasBegunPlay() const { return bBegunPlay; }
+    bool IsPaused() const { return bShimPaused; }
     template <typename T> T* GetSubsystem() const {
         for (UWorldSubsystem* Subsystem : Subsystems) {
             if (T* Found = Cast<T>(Subsystem)) return Found;
@@ -353,6 +354,7 @@ public:
     void ShimEnd();
 
     float ShimGravityZ = -980.0f;
+    bool bShimPaused = false;
 
 private:
     TArray<ULevel*> Levels;

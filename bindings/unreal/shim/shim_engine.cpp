@@ -269,7 +269,8 @@ void UWorld::ShimBeginPlay() {
 void UWorld::ShimTick(float DeltaSeconds) {
     for (UWorldSubsystem* Subsystem : Subsystems) {
         auto* Tickable = Cast<UTickableWorldSubsystem>(Subsystem);
-        if (Tickable != nullptr && Tickable->IsTickable()) Tickable->Tick(DeltaSeconds);
+        if (Tickable != nullptr && Tickable->IsTickable() && (!bShimPaused || Tickable->IsTickableWhenPaused()))
+            Tickable->Tick(DeltaSeconds);
     }
 }
 

@@ -111,7 +111,10 @@ TStatId ULangevinWorldSubsystem::GetStatId() const {
 
 void ULangevinWorldSubsystem::Tick(float DeltaTime) {
     Super::Tick(DeltaTime);
-    if (World == nullptr || bPaused || DeltaTime <= 0.0f) return;
+    const bool bWasPaused = bGamePaused;
+    bGamePaused = GetWorld()->IsPaused();
+    if (bGamePaused && !bWasPaused) StandStill();
+    if (World == nullptr || bPaused || bGamePaused || DeltaTime <= 0.0f) return;
     const ULangevinSettings& Settings = *GetDefault<ULangevinSettings>();
     const float Frame = FMath::Min(DeltaTime, Settings.LongestFrame);
     double Ahead = 0.0, Moved = Frame;
@@ -180,8 +183,11 @@ void ULangevinWorldSubsystem::TellEvents() {
 
 void ULangevinWorldSubsystem::SetPaused(bool bInPaused) {
     bPaused = bInPaused;
-    if (!bPaused) return;
-    // As they are now, but still: the instances keep the movement of their last update.
+    if (bPaused) StandStill();
+}
+
+// Bodies as they are now, but still: the instances keep the movement of their last update.
+void ULangevinWorldSubsystem::StandStill() {
     const ULangevinSettings& Settings = *GetDefault<ULangevinSettings>();
     const bool bAhead = Settings.Stepping == ELangevinStepping::Fixed && Settings.bSmoothFixedSteps;
     for (FLangevinBatchCalls* Batch : Batches) Batch->WriteInstances(bAhead ? Due : 0.0, 0.0);

@@ -33,12 +33,13 @@ public:
     virtual void OnWorldBeginPlay(UWorld& InWorld) override;
     virtual void Tick(float DeltaTime) override;
     virtual TStatId GetStatId() const override;
+    virtual bool IsTickableWhenPaused() const override { return true; } // to stand still once
 
     /** Contacts, landings and ends of each step, at most Max Events of the project settings. */
     UPROPERTY(BlueprintAssignable, Category = "Langevin Rigid")
     FLangevinEvents OnEvents;
 
-    /** Pauses all bodies, but not the game. */
+    /** Pauses all bodies, but not the game. A paused game pauses them too. */
     UFUNCTION(BlueprintCallable, Category = "Langevin Rigid")
     void SetPaused(bool bInPaused);
 
@@ -113,6 +114,7 @@ protected:
 private:
     void Step(float Seconds);
     void TellEvents();
+    void StandStill();
     void OnLevelAdded(ULevel* Level, UWorld* InWorld);
     void OnLevelRemoved(ULevel* Level, UWorld* InWorld);
 
@@ -124,6 +126,7 @@ private:
     FVector Origin = FVector::ZeroVector;
     double Due = 0.0; // s of frame time that no fixed step has covered yet
     bool bPaused = false;
+    bool bGamePaused = false;
     bool bToldLost = false;
     FDelegateHandle LevelAdded;
     FDelegateHandle LevelRemoved;
