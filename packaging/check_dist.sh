@@ -79,7 +79,7 @@ use_blender_win() { python3 "$root/bindings/python/tests/extension_check.py" "$f
 use_npm() { # node by its README, then three.js and Vite in a browser
     need node npm
     echo '{"type": "module"}' >package.json
-    npm install --silent --no-audit --no-fund --offline "$file" && cp "$root/bindings/web/sample.mjs" . && node sample.mjs node_modules/langevin-rigid | tee out && grep -q '^10 s: mean height' out || return
+    npm install --silent --no-audit --no-fund --offline "$file" && node node_modules/langevin-rigid/examples/fall.mjs | tee out && grep -q '^10 s: mean height' out || return
     local chromium status=0
     chromium=$(command -v chromium) || { echo "SKIPPED: three.js: no chromium"; return 0; }
     node "$root/bindings/web/tests/three.mjs" "$chromium" "$file" "$PWD" || status=$?

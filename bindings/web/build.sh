@@ -18,6 +18,7 @@ mkdir -p "$package/src/generated" "$package/licenses"
 cd "$root/bindings/web"
 cp langevin_rigid.mjs langevin_rigid.d.mts langevin_rigid.d.ts package.json README.md "$package"
 cp src/*.mjs "$package/src"
+cp -R examples "$package"
 cp src/generated/* "$package/src/generated"
 cp "$wasm/bindings/web/native/langevin_rigid.wasm" "$package"
 # Licenses of linked code.

@@ -65,7 +65,7 @@ native() {
 step "native storm to compare with" native || finish
 export LR_PACKAGE=$package LR_LEAF=$work/leaf.lrb LR_NATIVE=$work/native.txt LR_SNAPSHOT=$work/storm.snapshot
 step "wrapper" node --expose-gc --test "$web/tests/wrapper.test.mjs"
-step "sample" node "$web/sample.mjs" "$package" "$work/leaf.lrb"
+step "sample" node "$package/examples/fall.mjs" "$work/leaf.lrb"
 
 if tsc=$(command -v tsc); then
     mkdir -p "$work/types" && cp "$web/tests/types.mts" "$work/types" && ln -sfn "$package" "$work/types/langevin-rigid"

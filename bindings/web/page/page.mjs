@@ -49,7 +49,7 @@ async function run() {
   }
 
   function control() {
-    element('panel').open = !matchMedia('(max-width: 600px)').matches; // a phone has little room
+    element('panel').open = !matchMedia('(max-width: 600px), (max-height: 420px)').matches; // a phone has little room
     for (const [key, { name }] of Object.entries(models)) element('model').add(new Option(name, key, false, key === settings.model));
     element('count').value = Math.log10(settings.count);
     for (const id of ['wind', 'gusts', 'direction']) {

@@ -2,7 +2,9 @@
 // The page in a real browser: node page.mjs chromium SITE DIRECTORY (for screenshots)
 import assert from 'node:assert/strict';
 import { writeFile } from 'node:fs/promises';
-import { join } from 'node:path';
+import { join, resolve } from 'node:path';
+import { setTimeout as sleep } from 'node:timers/promises';
+import { pathToFileURL } from 'node:url';
 
 import { Browser, pixels, serve } from './browser.mjs';
 
@@ -42,6 +44,7 @@ try {
   await later(30);
   assert.equal(await browser.evaluate("document.getElementById('panel').open"), false, 'on a narrow screen the panel is folded');
   await browser.evaluate("document.querySelector('#panel summary').click()");
+  assert.ok(await browser.evaluate("document.getElementById('panel').getBoundingClientRect().bottom <= innerHeight"), 'all of it can be scrolled to');
   await browser.until("document.getElementById('stats').textContent.includes('fps')");
   assert.match(await browser.evaluate("document.getElementById('stats').textContent"), /ms a step\n.*of 1,000 in the air\nWebAssembly SIMD/);
 
@@ -103,6 +106,11 @@ try {
   }
   assert.deepEqual(browser.errors, []);
   console.log(`frames: ${await storm('frames')}, ${(await storm('stepMs')).toFixed(2)} ms a step of 1,585 bodies`);
+
+  // Opened as a file it says what to do.
+  await browser.send('Page.navigate', { url: pathToFileURL(join(resolve(site), 'index.html')).href });
+  for (let i = 0; i < 100 && !(await browser.evaluate("document.getElementById('problem')?.textContent")); ++i) await sleep(100);
+  assert.match(await browser.evaluate("document.getElementById('problem').innerText"), /http\.server/);
 } catch (error) {
   console.error(`errors of the page: ${browser.errors.join('\n') || 'none'}`);
   throw error;

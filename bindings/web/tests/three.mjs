@@ -3,7 +3,7 @@
 // Needs a registry of npm packages; exit code 77 without one.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
-import { cp, mkdir, rm, writeFile } from 'node:fs/promises';
+import { mkdir, rm, writeFile } from 'node:fs/promises';
 import { join, resolve } from 'node:path';
 
 import { Browser, pixels, serve } from './browser.mjs';
@@ -12,7 +12,6 @@ const [program, packed, directory] = [process.argv[2], ...process.argv.slice(3).
 const work = join(directory, 'three');
 await rm(work, { recursive: true, force: true });
 await mkdir(work, { recursive: true });
-await cp(new URL('../examples/three', import.meta.url), work, { recursive: true });
 
 function npm(...words) {
   const { status, stdout, stderr } = spawnSync('npm', words, { cwd: work, encoding: 'utf8' });
@@ -20,7 +19,9 @@ function npm(...words) {
 }
 const tarball = npm('pack', '--silent', packed);
 assert.ok(tarball.good, tarball.text);
-const installed = npm('install', '--no-audit', '--no-fund', join(work, tarball.text.trim().split('\n').at(-1)));
+const file = tarball.text.trim().split('\n').at(-1);
+assert.equal(spawnSync('tar', ['xf', file, '--strip-components=3', 'package/examples/three'], { cwd: work }).status, 0, 'the package has the example');
+const installed = npm('install', '--no-audit', '--no-fund', join(work, file));
 if (!installed.good) {
   console.log(`no packages from a registry:\n${installed.text}`);
   process.exit(/E(NOTFOUND|CONNREFUSED|AI_AGAIN|TIMEDOUT|NETUNREACH)|40[34]/.test(installed.text) ? 77 : 1);

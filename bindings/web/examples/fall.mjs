@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The first falling leaves, in node: node sample.mjs [folder of the package] [leaf.lrb]
+// The first falling leaves, in node: node fall.mjs [leaf.lrb]
 import { pathToFileURL } from 'node:url';
+import { load, LR } from 'langevin-rigid';
 
-const [folder = '.', file] = process.argv.slice(2);
-const { load, LR } = await import(`${pathToFileURL(folder)}/langevin_rigid.mjs`);
-
+const [, , file] = process.argv;
 const lr = await load();
 // The shape: an asset that lr_bake made from a mesh, or without a file an ellipsoid of 8 cm x 2 cm x 0.1 mm.
 const leaf = file ? await lr.fetchAsset(pathToFileURL(file)) : lr.createEllipsoid({ semiAxes: [0.04, 0.01, 0.00005], density: 800 });
