@@ -148,7 +148,7 @@ const scene_plan scene_plans[scene_plan_count] = {
      .initially = {{1.0f, 30.0f, 0.3f, 0.2f, 900.0f, 1.0f, 4.0f, 0.0f, 0.0f}},
      .camera = {{0.0f, 0.10f, 0.0f}, 2.6f, 0.2f, 0.40f}},
     {.name = "flight",
-     .title = "winged seeds, curled leaves and darts",
+     .title = "seeds, curled leaves and darts",
      .kinds = {{.asset = "samara",
                 .look = look_leaf,
                 .share = 0.48f,

@@ -63,9 +63,15 @@ def car():
     assert flying[-1] == 0 and high[-1] < 0.1, "they lie again"
 
 
+def fountain():
+    _, high, far = zip(*numbers("fountain"))
+    assert all(1.5 < h < 4 for h in high), "the jet carries petals up"
+    assert all(0.1 < b - a < 0.5 for a, b in zip(far, far[1:])), "the water carries them away, 0.25 m in 2.5 s"
+
+
 def texts():
     sources = {path.name: path.read_text(encoding="utf-8") for path in (ROOT / "samples/small").glob("*.cpp")}
-    assert sorted(sources) == ["car.cpp", "coin.cpp", "confetti.cpp", "dart.cpp", "leaves.cpp"]
+    assert sorted(sources) == ["car.cpp", "coin.cpp", "confetti.cpp", "dart.cpp", "fountain.cpp", "leaves.cpp"]
     for name, text in sources.items():
         lines = text.splitlines()
         assert len(lines) <= 20 and max(map(len, lines)) <= 120, f"{name} is too large"
@@ -201,3 +207,4 @@ dart()
 confetti()
 coin()
 car()
+fountain()
