@@ -92,5 +92,26 @@ rules() {
 if command -v mcs >/dev/null && command -v mono >/dev/null; then check "Unreal: Build.cs finds its libraries" rules; else echo "SKIPPED: Unreal's Build.cs: mono-mcs is not installed"; fi
 finish unreal
 
+# Addresses of the project, where the publisher gives them.
+addresses() {
+    local file
+    mkdir "$work/unity_json" "$work/npm_json" && cp "$unity/package.json" "$work/unity_json/" && cp bindings/web/package.json "$work/npm_json/" &&
+        cp "$plugin/LangevinRigid.uplugin" "$work/" || return
+    for file in "$work"/{unity_json,npm_json}/package.json "$work/LangevinRigid.uplugin"; do
+        ! LR_HOME=example.org packaging/addresses.py "$file" 2>/dev/null || return
+        LR_HOME=https://example.org/leaves/ LR_REPOSITORY=https://example.org/leaves.git packaging/addresses.py "$file" || return
+    done
+    python3 - "$work" <<'PY'
+import json, sys
+unity, npm, unreal = (json.load(open(f"{sys.argv[1]}/{name}")) for name in ("unity_json/package.json", "npm_json/package.json", "LangevinRigid.uplugin"))
+guide = "https://example.org/leaves/docs/docs/guide"
+assert unity["documentationUrl"] == f"{guide}/engines.html#unity" and unity["author"]["url"] == "https://example.org/leaves"
+assert unity["changelogUrl"].endswith("/docs/CHANGELOG.html") and unity["licensesUrl"].endswith("/docs/LICENSE.html")
+assert npm["homepage"] == f"{guide}/languages.html#web" and npm["repository"] == {"type": "git", "url": "https://example.org/leaves.git"}
+assert unreal["DocsURL"] == f"{guide}/engines.html#unreal-engine" and unreal["CreatedByURL"] == unreal["SupportURL"] == "https://example.org/leaves"
+PY
+}
+check "Addresses of the project are written, and none that is no address" addresses
+
 echo "engines: $passed passed, $failed failed"
 [ "$failed" -eq 0 ]

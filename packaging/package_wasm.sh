@@ -12,6 +12,7 @@ bindings/web/build.sh
 rm -rf "$stage"
 mkdir -p "$stage"
 cp -R build/web/package "$stage/package"
+packaging/addresses.py "$stage/package/package.json"
 packaging/write_archive.sh "$stage" package "$out/langevin-rigid-$version.tgz"
 # The package for this machine bakes the page's leaves.
 native=$PWD/build/packaging/linux-x64/stage/langevin_rigid-$version-linux-x64

@@ -7,6 +7,7 @@
 #       macos source wasm                   library for macOS; sources for consoles and phones; npm's tarball and a page
 #       engines                             for Unity, Unreal and Godot, with the libraries of the platforms made before
 #   scripts/package.sh all [--out DIR]           all of them and the documentation, into dist, as it can be published
+# LR_HOME and LR_REPOSITORY, addresses of the published folder and of the sources, go into the packages that have a field for them.
 # scripts/setup.sh test package windows arm64 macos installs the tools and fetches the sources of dependencies once.
 # The same commit gives the same bytes. docs/maintainers/releases.md
 set -euo pipefail
@@ -19,7 +20,7 @@ while [ $# -gt 0 ]; do
     case $1 in
     --out) out=${2:?--out DIR}; shift ;;
     all) wanted=(source linux-x64 windows-x64 linux-arm64 macos engines wasm) all=true ;;
-    -h | --help) sed -n '4,11s/^# \{0,1\}//p' "scripts/package.sh"; exit 0 ;;
+    -h | --help) sed -n '4,12s/^# \{0,1\}//p' "scripts/package.sh"; exit 0 ;;
     *) wanted+=("$1") ;;
     esac
     shift

@@ -27,6 +27,7 @@ import scene
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parents[1] / "packaging"))
+import addresses  # noqa: E402
 from bundle_libraries import PackageError, built_prefix, copy_elf, licence_of  # noqa: E402
 
 SOURCE = HERE / "com.langevin.rigid"
@@ -248,6 +249,7 @@ def build(prefixes, out):
         put_native(prefix, package, licences)
     write_notices(licences, package)
     put_sample(prefixes, package)
+    addresses.write(package / "package.json")
     metas.write(package)
     faults = check(package)
     if faults:
@@ -282,7 +284,7 @@ def main():
         print(f"package: {package} is good")
         if arguments.tgz:
             print(f"package: {write_tgz(package, arguments.out)}")
-    except (PackageError, OSError, subprocess.CalledProcessError) as error:
+    except (PackageError, OSError, ValueError, subprocess.CalledProcessError) as error:
         sys.exit(f"package: {error}")
 
 

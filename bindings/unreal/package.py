@@ -16,6 +16,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parents[1] / "packaging")]
+import addresses  # noqa: E402
 import native_file  # noqa: E402
 from bundle_libraries import PackageError, built_prefix, copy_elf, licence_of  # noqa: E402
 
@@ -139,6 +140,10 @@ def main() -> None:
         file = plugin / "LangevinRigid.uplugin"
         text = file.read_text()
         file.write_text(text.replace('\t"FriendlyName"', f'\t"EngineVersion": "{arguments.engine}",\n\t"FriendlyName"', 1))
+    try:
+        addresses.write(plugin / "LangevinRigid.uplugin")
+    except ValueError as error:
+        fail(str(error))
     write_leaf(plugin)
     licence = HERE.parents[1] / "LICENSE"
     if licence.is_file():
