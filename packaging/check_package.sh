@@ -199,6 +199,11 @@ wrong_usage() { local status=0; bake mesh || status=$?; [ "$status" -eq 2 ]; } #
 check "lr_bake ends wrong usage with 2" wrong_usage
 refuses() { ! bake mesh no_such.obj -o x.lrb --density 350 2>refused.txt && grep -q 101 refused.txt && [ ! -e x.lrb ]; }
 check "lr_bake reports a numbered fault" refuses
+lines_of_pages() ( # each as it is, in a folder with the package's `bin` and `assets`
+    mkdir lines && cd lines && ln -s "$prefix"/{bin,assets} . && sed -n 's/^    \(lr_\(bake\|drop\) .*\|bin\/lr_.*\)$/\1/p' "$root"/docs/guide/{tutorial,recipes}.md >all &&
+        [ "$(wc -l <all)" -ge 9 ] && PATH=$prefix/bin:$PATH bash -ex all
+)
+[ "$platform" != linux-x64 ] || check "the lines of tutorial and recipes" lines_of_pages
 for page in engines languages; do check "the page of $page" test -s "$prefix/docs/guide/$page.md"; done
 held=$(cat "$root/packaging/hello.hash")
 if [ "$platform" = linux-x64 ]; then

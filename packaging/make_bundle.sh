@@ -51,7 +51,7 @@ else
     bake dart dart --density 1850 --center-of-mass 0.0396,0,0
     bake paper_plane paper_plane_surface --sheet --thickness 0.0001 --areal-density 0.08 --mass-from assets/paper_plane_layers.obj
 fi
-for mesh in leaf leaf_maple petal confetti samara curled_leaf dart paper_plane; do cp "assets/$mesh.obj" "$stage/assets/"; done
+for mesh in leaf leaf_maple petal confetti samara curled_leaf dart paper_plane{,_surface,_layers}; do cp "assets/$mesh.obj" "$stage/assets/"; done
 cp assets/README.md "$stage/assets/"
 
 # C#'s sources. Other bindings are packages of their own: Python's below, engines' by packaging/package_engines.sh, the web's by package_wasm.sh.
