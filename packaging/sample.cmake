@@ -12,7 +12,7 @@ if(NOT MSVC) # the static library is for GCC and clang
     target_link_libraries(hello_static PRIVATE langevin_rigid::static)
     set_target_properties(hello_static PROPERTIES C_STANDARD 99)
 endif()
-foreach(name leaves dart confetti coin car) # docs/guide/tutorial.md explains them
+foreach(name leaves dart confetti coin car fountain) # docs/guide/tutorial.md and recipes.md explain them
     add_executable(${name} ${name}.cpp)
     target_compile_features(${name} PRIVATE cxx_std_17)
     target_link_libraries(${name} PRIVATE langevin_rigid::langevin_rigid)
