@@ -27,7 +27,7 @@ float sun_seen(vec3 at, float slack) {
     float turn = 6.2832 * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
     float search = max(0.016 * per_metre, 3.0 * texel), sum = 0.0, blockers = 0.0;
     for (int i = 0; i < 12; ++i) {
-        float a = turn + 2.39996 * float(i), r = sqrt((float(i) + 0.5) / 12.0);
+        float a = turn + 2.39996 * float(i), r = sqrt(float(i) / 12.0); // the first at the point itself
         float z = textureLod(depth_map, p.xy + search * r * vec2(cos(a), sin(a)), 0.0).r;
         if (z < p.z) { sum += z; blockers += 1.0; }
     }
