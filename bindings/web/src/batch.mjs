@@ -3,7 +3,7 @@
 import { LR, structs } from './generated/api.mjs';
 import { BatchPlain } from './generated/plain.mjs';
 import { Asset } from './asset.mjs';
-import { three } from './heap.mjs';
+import { three, whole } from './heap.mjs';
 
 const arrayTypes = { f32: Float32Array, u32: Uint32Array, big: BigUint64Array };
 const floats = [7, 8, 12, 12, 16, 16]; // per body, by LR.TRANSFORM_*
@@ -48,7 +48,8 @@ export class Batch extends BatchPlain {
   /** Creates bodies and returns their ids. descs: an array of objects, or for many bodies an object of arrays with `count`. */
   createBodies(descs) {
     return this.#host.scratch((scratch) => {
-      const count = Array.isArray(descs) ? descs.length : descs.count;
+      const count = Array.isArray(descs) ? descs.length : descs?.count;
+      if (typeof descs !== 'object' || count === undefined) throw new TypeError('createBodies needs an array of objects, or an object of arrays with a count');
       const at = Array.isArray(descs) ? scratch.structs('lr_body_desc', descs) : this.#manyDescs(scratch, descs);
       const out = scratch.bytes(8 * count);
       this.#world.create('lr_body_create', this.handle, at, count, out);
@@ -61,7 +62,7 @@ export class Batch extends BatchPlain {
   }
 
   #manyDescs(scratch, { count, ...arrays }) {
-    if (!Number.isInteger(count) || count < 0) throw new RangeError(`count must be a whole number, not ${count}`);
+    whole(count, 'count');
     const { size, fields } = structs.lr_body_desc;
     const first = scratch.struct('lr_body_desc');
     const at = scratch.bytes(size * count);
@@ -84,7 +85,7 @@ export class Batch extends BatchPlain {
   /** Spawns bodies from the emitter now. */
   emit(count) {
     return this.#host.scratch((scratch) => {
-      const out = scratch.bytes(8 * count);
+      const out = scratch.bytes(8 * whole(count, 'count'));
       this.#world.create('lr_batch_spawn', this.handle, count, out);
       return this.#host.heap.array(BigUint64Array, out, count).slice();
     });
@@ -93,7 +94,7 @@ export class Batch extends BatchPlain {
   /** Spawns bodies at rest, evenly in a box and turned at random, without an emitter. */
   spawnBox(low, high, count) {
     return this.#host.scratch((scratch) => {
-      const out = scratch.bytes(8 * count);
+      const out = scratch.bytes(8 * whole(count, 'count'));
       const corners = [three(low, 'low'), three(high, 'high')].map((corner) => scratch.copy(Float32Array, corner));
       this.#world.create('lr_batch_spawn_box', this.handle, ...corners, count, out);
       return this.#host.heap.array(BigUint64Array, out, count).slice();
@@ -206,7 +207,7 @@ export class TransformBuffer {
     this.#heap = host.heap;
     this.format = format;
     this.floatsPerBody = floats[format];
-    this.capacity = capacity ?? batch.view().capacity;
+    this.capacity = whole(capacity ?? batch.view().capacity, 'capacity');
     this.count = 0;
     this.#address = this.#heap.allocate(4 * this.floatsPerBody * this.capacity);
     if (this.#address === 0) throw host.error('malloc', LR.ERROR_OUT_OF_MEMORY);

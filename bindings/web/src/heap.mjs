@@ -179,6 +179,18 @@ export class Scratch {
   }
 }
 
+/** The argument `name`, a count: WebAssembly would make other numbers of fractions, signs and strings. */
+export function whole(value, name) {
+  if (!Number.isInteger(value) || value < 0 || value >= 2 ** 32) throw new RangeError(`${name} must be a whole number from 0 to ${2 ** 32 - 1}, not ${value}`);
+  return value;
+}
+
+/** The argument `name`, an array of objects. */
+export function list(values, name) {
+  if (!Array.isArray(values)) throw new TypeError(`${name} must be an array, not ${values === null ? 'null' : typeof values}`);
+  return values;
+}
+
 /** The argument `name`, a vector. */
 export function three(values, name) {
   if (values?.length !== 3) throw new RangeError(`${name} must have 3 elements, not ${values?.length}`);

@@ -3,7 +3,7 @@
 import { Batch } from './batch.mjs';
 import { LR, structs } from './generated/api.mjs';
 import { WorldPlain } from './generated/plain.mjs';
-import { three } from './heap.mjs';
+import { list, three, whole } from './heap.mjs';
 
 const leaked = new FinalizationRegistry(end);
 
@@ -146,7 +146,7 @@ export class World extends WorldPlain {
   // Information and time.
 
   step(dt, substeps = 2) {
-    this.call('lr_world_step', dt, substeps);
+    this.call('lr_world_step', dt, whole(substeps, 'substeps'));
   }
 
   setGravity(gravity) {
@@ -328,7 +328,7 @@ export class World extends WorldPlain {
   }
 
   addForces(forces) {
-    this.#host.scratch((scratch) => this.call('lr_body_add_force', scratch.structs('lr_body_force', forces), forces.length));
+    this.#host.scratch((scratch) => this.call('lr_body_add_force', scratch.structs('lr_body_force', list(forces, 'forces')), forces.length));
   }
 
   setBodyContact(a, b, enabled) {
@@ -349,7 +349,7 @@ export class World extends WorldPlain {
 
   createColliders(descs) {
     return this.#host.scratch((scratch) => {
-      const out = scratch.bytes(8 * descs.length);
+      const out = scratch.bytes(8 * list(descs, 'descs').length);
       const plain = descs.map(({ vertices = null, indices = null, heights = null, ...desc }) => ({
         ...desc,
         ...(vertices && { vertexCount: desc.vertexCount ?? vertices.length / 3, vertices: scratch.copy(Float32Array, vertices) }),
@@ -361,7 +361,7 @@ export class World extends WorldPlain {
     });
   }
 
-  createCollider(desc) {
+  createCollider(desc = {}) {
     return this.createColliders([desc])[0];
   }
 
@@ -370,7 +370,7 @@ export class World extends WorldPlain {
   }
 
   moveColliders(motions) {
-    this.#host.scratch((scratch) => this.call('lr_collider_move', scratch.structs('lr_collider_motion', motions), motions.length));
+    this.#host.scratch((scratch) => this.call('lr_collider_move', scratch.structs('lr_collider_motion', list(motions, 'motions')), motions.length));
   }
 
   colliderIsValid(id) {
@@ -385,7 +385,7 @@ export class World extends WorldPlain {
   // Events and queries.
 
   setEvents(capacity, kinds = LR.EVENTS_ALL) {
-    this.call('lr_world_set_events', capacity, capacity === 0 ? 0 : kinds);
+    this.call('lr_world_set_events', whole(capacity, 'capacity'), capacity === 0 ? 0 : kinds);
   }
 
   /** The events of the last step. */
@@ -399,7 +399,7 @@ export class World extends WorldPlain {
   rayCast(rays) {
     const { size } = structs.lr_ray_hit;
     return this.#host.scratch((scratch) => {
-      const hits = scratch.bytes(size * rays.length);
+      const hits = scratch.bytes(size * list(rays, 'rays').length);
       this.call('lr_world_ray_cast', scratch.structs('lr_ray', rays.map(withBatch)), rays.length, hits);
       return rays.map((_, i) => {
         const hit = this.#host.heap.read('lr_ray_hit', hits + size * i);

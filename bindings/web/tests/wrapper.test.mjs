@@ -169,6 +169,17 @@ test('errors name function, status and reason; wrong values are refused', () => 
   assert.throws(() => world.bodyState(body), refused('STALE_BODY'));
   assert.throws(() => world.destroyBodies([body]), refused('STALE_BODY'));
   assert.throws(() => batch.createBodies({ count: 101 }), refused('CAPACITY'));
+  assert.throws(() => batch.createBodies(), /needs an array of objects/);
+  for (const wrong of [-1, 1.5, '5', NaN, undefined, 2 ** 32]) {
+    assert.throws(() => batch.createBodies({ count: wrong }), /createBodies needs|count must be a whole number/, String(wrong));
+    assert.throws(() => batch.emit(wrong), /count must be a whole number/, String(wrong));
+    assert.throws(() => batch.spawnBox([0, 0, 0], [1, 1, 1], wrong), /count must be a whole number/, String(wrong));
+    assert.throws(() => world.setEvents(wrong), /capacity must be a whole number/, String(wrong));
+    if (wrong === undefined) continue;
+    assert.throws(() => world.step(1 / 60, wrong), /substeps must be a whole number/, String(wrong));
+    assert.throws(() => batch.createTransforms(LR.TRANSFORM_4X4_ROW_MAJOR, wrong), /capacity must be a whole number/, String(wrong));
+  }
+  for (const call of ['createColliders', 'moveColliders', 'addForces', 'rayCast']) assert.throws(() => world[call]({}), /must be an array, not object/, call);
   assert.throws(() => batch.createBodies({ count: 2, position: [0] }), /6 elements, not 1/);
   assert.throws(() => batch.createBodies({ count: 1, speed: [0] }), /no speed/);
   assert.ok(world.batchIsValid(batch));
