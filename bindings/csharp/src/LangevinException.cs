@@ -38,9 +38,12 @@ namespace LangevinRigid
         private static string Text(Status status, string function, string detail, IReadOnlyList<AssetFault> faults)
         {
             var text = new StringBuilder();
-            text.Append(function).Append(": ").Append(LangevinLibrary.TextOf(status));
+            string reason = LangevinLibrary.TextOf(status), said = detail ?? string.Empty;
+            text.Append(function).Append(": ").Append(reason);
             text.Append(" (").Append(status).Append(", ").Append((int)status).Append(')');
-            if (!string.IsNullOrEmpty(detail)) text.Append(": ").Append(detail);
+            // The library's message begins with the function, and often says no more than the status.
+            if (said.StartsWith(function + ": ", StringComparison.Ordinal)) said = said.Substring(function.Length + 2);
+            if (said.Length != 0 && said != reason) text.Append(": ").Append(said);
             if (status == Status.StructSize) text.Append(". Was each struct made by its Create()?");
             if (faults != null)
                 foreach (AssetFault fault in faults) text.Append(Environment.NewLine).Append("  ").Append(fault);

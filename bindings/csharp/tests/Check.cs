@@ -47,7 +47,8 @@ static class Check
     {
         LangevinException e = Throws<LangevinException>(action, expected.ToString());
         Equal(expected, e.Status, e.Message);
-        True(e.Message.Contains(e.Function) && e.Function.StartsWith("lr_"), "the message names the function: " + e.Message);
+        True(e.Message.StartsWith(e.Function + ": ") && e.Function.StartsWith("lr_") && e.Message.LastIndexOf(e.Function + ":") == 0,
+            "the message names the function, once: " + e.Message);
         return e;
     }
 }
