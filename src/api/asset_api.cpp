@@ -6,6 +6,7 @@
 #include "asset/closed_forms/ellipsoid_formulas.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <vector>
 
 namespace lr::api {
@@ -31,7 +32,7 @@ lr_status status_of(const Faults& faults) {
     return LR_OK;
 }
 
-// Runs `make` if `given` and `out` are not null. The reason of a refusal is the first error in the faults.
+// Runs `make` if `given` and `out` are not null. The reason of a refusal is the first error in the faults: where, what, and the remedy.
 template <class Make> lr_status make_asset(const char* function, const void* given, lr_asset** out, const Make& make) {
     const FloatMode mode;
     if (out) *out = nullptr;
@@ -39,7 +40,13 @@ template <class Make> lr_status make_asset(const char* function, const void* giv
     const lr_status status = given && out ? guarded([&] { return make(*out, faults); }) : LR_ERROR_NULL_ARGUMENT;
     const auto first =
         std::find_if(faults.begin(), faults.end(), [](const Fault& f) { return f.severity == Severity::error; });
-    return note_refusal(function, {status, first != faults.end() ? first->what.c_str() : nullptr});
+    char why[last_error_bytes];
+    if (first != faults.end()) {
+        const char* const colon = first->where.empty() ? "" : ": ";
+        std::snprintf(why, sizeof why, "%s%s%s %s", first->where.c_str(), colon, first->what.c_str(),
+                      first->remedy.c_str());
+    }
+    return note_refusal(function, {status, first != faults.end() ? why : nullptr});
 }
 
 lr_status load(const void* bytes, uint64_t size, lr_asset*& out, Faults& faults) {
@@ -74,21 +81,21 @@ lr_status create(const lr_ellipsoid_desc& d, lr_asset*& out, Faults& faults) {
     return finish(std::move(data), d.intensity, {}, out, faults);
 }
 
-bool possible(const lr_rigid_desc& d) {
-    if (d.reserved != 0 || !in_range(d.mass, 1e-18, 1e12) || !in_range(d.volume, 1e-21, 1e12) ||
-        !in_range(d.fluid_density, 1e-3, 1e6) || !in_range(d.fluid_viscosity, 1e-9, 1e3) ||
-        !in_range(d.intensity, 0.0, 10.0))
-        return false;
-    for (double extent : d.extents)
-        if (!in_range(extent, 1e-8, 1e4)) return false;
-    return true;
+bool possible(const lr_rigid_desc& d, Faults& faults) {
+    const auto good = [&](double value, double low, double high, const char* name) {
+        return shape::in_range(value, low, high, name, faults);
+    };
+    return d.reserved == 0 && good(d.mass, 1e-18, 1e12, "mass") && good(d.volume, 1e-21, 1e12, "volume") &&
+           good(d.fluid_density, 1e-3, 1e6, "fluid_density") && good(d.fluid_viscosity, 1e-9, 1e3, "fluid_viscosity") &&
+           good(d.intensity, 0.0, 10.0, "intensity") &&
+           std::all_of(d.extents, d.extents + 3, [&](double e) { return good(e, 1e-8, 1e4, "extents"); });
 }
 
 lr_status create(const lr_rigid_desc& d, lr_asset*& out, Faults& faults) {
     if (!finite(d.mass, d.volume, d.fluid_density, d.fluid_viscosity, d.intensity, d.inertia, d.added_mass,
                 d.center_of_buoyancy, d.extents))
         return LR_ERROR_NOT_FINITE;
-    if (!possible(d)) return LR_ERROR_INVALID_ARGUMENT;
+    if (!possible(d, faults)) return LR_ERROR_INVALID_ARGUMENT;
     AssetData data;
     if (d.aerodynamics)
         if (const lr_status status = read_loads(d.aerodynamics, data.aerodynamics); status != LR_OK) return status;

@@ -93,6 +93,24 @@ TEST_CASE("a file and its bytes at any alignment are the same asset") {
     CHECK(info_of(make(d)).format_version == 0);
 }
 
+TEST_CASE("a refused ellipsoid or rigid body names the field and its range") {
+    lr_asset* asset = nullptr;
+    lr_ellipsoid_desc e = ellipsoid(0.04, 0.01, 0.0005, 0.0);
+    CHECK(lr_asset_create_ellipsoid(&e, &asset) == LR_ERROR_INVALID_ARGUMENT);
+    CHECK(std::string(lr_last_error()) == "lr_asset_create_ellipsoid: density: The value 0 is outside its range. "
+                                          "Give a value from 0.001 to 1000000.");
+    e = ellipsoid(0.04, -1.0, 0.0005, 800.0);
+    CHECK(lr_asset_create_ellipsoid(&e, &asset) == LR_ERROR_INVALID_ARGUMENT);
+    CHECK(std::strstr(lr_last_error(), "semi-axis B: The value -1 ") != nullptr);
+    lr_rigid_desc r = initialised(lr_rigid_desc_init);
+    r.mass = 1.0, r.volume = 1.0, r.extents[0] = r.extents[1] = 1.0;
+    CHECK(lr_asset_create_rigid(&r, &asset) == LR_ERROR_INVALID_ARGUMENT);
+    CHECK(std::strstr(lr_last_error(), "extents: The value 0 ") != nullptr);
+    r.volume = 0.0;
+    CHECK(lr_asset_create_rigid(&r, &asset) == LR_ERROR_INVALID_ARGUMENT);
+    CHECK(std::strstr(lr_last_error(), "volume: The value 0 ") != nullptr);
+}
+
 TEST_CASE("paths that lead nowhere") {
     lr_asset* asset = nullptr;
     CHECK(lr_asset_load_file(LR_FIXTURES "/no_such_file.lrb", &asset) == LR_ERROR_FILE_NOT_FOUND);

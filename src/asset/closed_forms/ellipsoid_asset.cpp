@@ -10,7 +10,6 @@
 #include <numbers>
 
 namespace lr::shape {
-namespace {
 
 bool in_range(double value, double low, double high, const char* name, Faults& faults) {
     if (value >= low && value <= high) return true; // false for NaN
@@ -19,6 +18,8 @@ bool in_range(double value, double low, double high, const char* name, Faults& f
                       "Give a value from " + shortest(low) + " to " + shortest(high) + "."});
     return false;
 }
+
+namespace {
 
 // An icosahedron, each face split once into four: 42 points on the unit sphere.
 HullData ellipsoid_hull(const std::array<double, 3>& axes, const std::array<double, 3>& origin) {

@@ -24,6 +24,9 @@ BodyScales body_scales(double largest_extent, double smallest_extent, double vol
 // m/s, sqrt(|density ratio - 1| g b), paper Eq. 1; at least 1e-6.
 double speed_scale(double density, double fluid_density, double thickness);
 
+// Whether low <= value <= high; if not, a numbered fault that names the field.
+bool in_range(double value, double low, double high, const char* name, Faults& faults);
+
 struct EllipsoidSpec {
     std::array<double, 3> semi_axes{};      // m
     double density = 0.0;                   // kg/m^3
