@@ -124,8 +124,10 @@ class Batch(BatchPlain):
 
     @staticmethod
     def _stride(out: NDArray[Any], floats: int) -> int:
-        if out.dtype != np.float32 or not out.flags.writeable:
-            raise TypeError(f"out: expected a writable float32 array, not {out.dtype}")
+        if not isinstance(out, np.ndarray) or out.dtype != np.float32:
+            raise TypeError(f"out: expected a float32 array, not {getattr(out, 'dtype', type(out).__name__)}")
+        if not out.flags.writeable:
+            raise ValueError("out: the array is read-only")
         inner = 4
         for size, step in zip(out.shape[:0:-1], out.strides[:0:-1]):
             if size != 1 and step != inner and len(out):
@@ -203,12 +205,18 @@ class Batch(BatchPlain):
 
     def set_body_contact(self, other: "Batch", enabled: bool = True) -> None:
         """Switches contact with the bodies of another batch, or among those of this batch."""
-        self._change("lr_batch_set_body_contact", other.id, int(enabled))
+        self._change("lr_batch_set_body_contact", self._beside(other), int(enabled))
 
     def body_contact(self, other: "Batch") -> bool:
         enabled = ctypes.c_int32()
-        self._ask("lr_batch_get_body_contact", other.id, ctypes.byref(enabled))
+        self._ask("lr_batch_get_body_contact", self._beside(other), ctypes.byref(enabled))
         return bool(enabled.value)
+
+    def _beside(self, other: "Batch") -> int:
+        """The other batch's handle. Handles of another world would name a batch of this one."""
+        if other.world is not self.world:
+            raise ValueError("other: a batch of another world")
+        return other.id
 
     # # Emitter and rules.
 

@@ -157,6 +157,8 @@ class ContactMixin:
                        mode: int = MoveMode.TO, linear_velocity: Any = (0, 0, 0), angular_velocity: Any = (0, 0, 0)) -> None:
         """Moves many colliders: each argument is a single value, or an array with a value for each collider."""
         count = len(colliders)
+        if any(collider.world is not self for collider in colliders):
+            raise ValueError("colliders: one is of another world")
         motions = elements(native.lr_collider_motion, count)
         motions["mode"] = int(mode)
         motions["collider"] = [collider.id for collider in colliders]

@@ -11,22 +11,30 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 
+def rows_of(values: Any, width: int, kind: Any, name: str) -> "NDArray[Any]":
+    """An array of shape (n, width), from that or from a flat one."""
+    array = np.ascontiguousarray(values, kind)
+    if array.size % width or array.ndim > 1 and array.shape[-1] != width:
+        raise ValueError(f"{name}: shape {array.shape}, but expected (n, {width})")
+    return array.reshape(-1, width)
+
+
 class Mesh:
     """points: (n, 3). counts: corners of each face. indices: the corners' points, face after face. uvs: (corners, 2) or None."""
 
     def __init__(self, points: Any, counts: Any, indices: Any, uvs: Any = None) -> None:
-        self.points = np.ascontiguousarray(points, np.float64).reshape(-1, 3)
+        self.points = rows_of(points, 3, np.float64, "points")
         self.counts = np.ascontiguousarray(counts, np.int32)
         self.indices = np.ascontiguousarray(indices, np.int32)
         self.uvs: Optional[NDArray[Any]] = None if uvs is None else np.ascontiguousarray(uvs, np.float64).reshape(-1, 2)
         if self.indices.size != self.counts.sum():
             raise ValueError(f"{self.indices.size} corners, but the faces have {self.counts.sum()}")
         if self.indices.size and not 0 <= self.indices.min() <= self.indices.max() < len(self.points):
-            raise ValueError("a corner has no point")
+            raise ValueError(f"indices are from {self.indices.min()} to {self.indices.max()}, but there are {len(self.points)} points")
 
     @classmethod
     def from_triangles(cls, vertices: Any, triangles: Any) -> "Mesh":
-        triangles = np.asarray(triangles, np.int64).reshape(-1, 3)
+        triangles = rows_of(triangles, 3, np.int64, "triangles")
         return cls(vertices, np.full(len(triangles), 3), triangles.ravel())
 
     @classmethod

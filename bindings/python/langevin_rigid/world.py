@@ -218,6 +218,8 @@ class World(WorldPlain, AirMixin, ContactMixin, QueryMixin):
     @takes("lr_batch_desc", "asset", "capacity")
     def create_batch(self, asset: "Asset", capacity: int, **options: "Unpack[BatchOptions]") -> Batch:
         """Creates a batch with room for `capacity` bodies of an asset."""
+        if not hasattr(asset, "_as_parameter_"):
+            raise TypeError(f"asset: expected an Asset, not {type(asset).__name__}; Asset.load reads a file")
         keep: List[Any] = []
         desc = make(native.lr_batch_desc, {**options, "asset": asset, "capacity": capacity}, keep)
         out = ctypes.c_uint32()

@@ -22,6 +22,8 @@ parser.add_argument("--asset", help="made by lr_bake from a mesh in its x-y plan
 parser.add_argument("--tilts", type=int, default=6)
 parser.add_argument("--seconds", type=float, default=2.0)
 options = parser.parse_args()
+if options.tilts < 1 or options.seconds <= 0:
+    parser.error("--tilts must be at least 1 and --seconds greater than 0")
 
 sheet = lr.Asset.load(options.asset) if options.asset else lr.Asset.ellipsoid(semi_axes=(0.05, 0.05, 0.00005), density=800)
 tilts = np.radians(np.linspace(10, 80, options.tilts))

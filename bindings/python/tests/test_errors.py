@@ -93,6 +93,28 @@ class Statuses(WorldCase):
             lr.World(worker_count=-1)
         with self.assertRaises(lr.InvalidArgumentError):
             lr.World(worker_count=65)
+        with self.assertRaisesRegex(TypeError, "asset: expected an Asset, not str"):
+            self.world.create_batch("leaf.lrb", 10)
+        with self.assertRaisesRegex(lr.InvalidArgumentError, "density: The value 0 .* Give a value from"):
+            lr.Asset.ellipsoid(semi_axes=(1, 1, 1))
+
+    def test_things_of_another_world_are_refused(self):  # their handles would name things of this one
+        with lr.World() as other:
+            theirs, ball = other.create_batch(thin_leaf(), 1), other.add_sphere((0, 0, 0), 1)
+            with self.assertRaisesRegex(ValueError, "another world"):
+                self.batch.set_body_contact(theirs)
+            with self.assertRaisesRegex(ValueError, "another world"):
+                self.batch.body_contact(theirs)
+            with self.assertRaisesRegex(ValueError, "another world"):
+                self.world.move_colliders([ball], (0, 0, 0))
+
+    def test_arrays_of_a_wrong_shape_are_named(self):
+        with self.assertRaisesRegex(ValueError, r"points: shape \(3, 2\), but expected \(n, 3\)"):
+            lr.bake_triangles(np.zeros((3, 2)), [[0, 1, 2]], WORK / "flat.lrb")
+        with self.assertRaisesRegex(ValueError, r"triangles: shape \(1, 4\)"):
+            lr.bake_triangles(np.eye(3), [[0, 1, 2, 0]], WORK / "flat.lrb")
+        with self.assertRaisesRegex(ValueError, "indices are from 0 to 5, but there are 3 points"):
+            lr.bake_triangles(np.eye(3), [[0, 1, 5]], WORK / "flat.lrb")
 
     def test_faults_of_a_damaged_asset_have_number_and_remedy(self):
         with self.assertRaises(lr.AssetError) as caught:

@@ -156,8 +156,10 @@ class Transforms(WorldCase):
                 self.batch.transforms(out=np.zeros((2, 4, 4), np.float32), first=wrong)
         read_only = np.zeros((64, 16), np.float32)
         read_only.flags.writeable = False
-        with self.assertRaises(TypeError):
+        with self.assertRaisesRegex(ValueError, "read-only"):
             self.batch.transforms(out=read_only)
+        with self.assertRaisesRegex(TypeError, "not list"):
+            self.batch.transforms(out=[0.0])
 
 
 class Bodies(WorldCase):
