@@ -59,6 +59,18 @@ check_clang() {
     cmake --build clang -j "$jobs" >clang.log 2>&1 || { tail -n 40 clang.log; return 1; }
     cmake --install clang >clang.log
     "$root/tests/installed_package/check.sh" "$work/prefix" "$work/outside"
+    # Projects of C alone, in both ways of the README.
+    local way use
+    for way in found added; do
+        use='find_package(langevin_rigid CONFIG REQUIRED)'
+        [ $way = found ] || use="add_subdirectory($kit langevin_rigid)"
+        mkdir "$way"
+        printf '%s\n' 'cmake_minimum_required(VERSION 3.16)' 'project(game LANGUAGES C)' "$use" "add_executable(hello $kit/samples/hello.c)" \
+            'target_link_libraries(hello PRIVATE langevin_rigid::static)' >"$way/CMakeLists.txt"
+        { cmake -S "$way" -B "$way-build" -G Ninja "-DCMAKE_CXX_COMPILER=$clang" "-DCMAKE_C_COMPILER=${clang/++/}" "-DCMAKE_PREFIX_PATH=$work/prefix" &&
+            cmake --build "$way-build" -j "$jobs"; } >clang.log 2>&1 || { tail -n 40 clang.log; return 1; }
+        same_hash "$way-build/hello"
+    done
     diff <(nm -D --defined-only prefix/lib/liblangevin_rigid.so | awk '$2 == "T" { print $3 }' | sort) <(sort "$root/tests/api/exports.txt")
     echo "clang, CMake: held hash, installed and used"
 }

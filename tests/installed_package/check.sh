@@ -39,6 +39,12 @@ check() {
             if readelf -d "$work/$name/$program" | grep -E "NEEDED.*($alien)"; then return 1; fi
         done
     fi
+    if [ $baker = OFF ]; then # says why
+        mkdir -p "$work/none"
+        printf 'cmake_minimum_required(VERSION 3.16)\nproject(none C)\nfind_package(langevin_rigid CONFIG REQUIRED COMPONENTS baker)\n' > "$work/none/CMakeLists.txt"
+        if cmake -S "$work/none" -B "$work/none/build" -DCMAKE_PREFIX_PATH="$at" > "$work/none.log" 2>&1; then return 1; fi
+        tr -s ' \n' ' ' < "$work/none.log" | grep -q 'only component is `baker`, and it is not here' || { cat "$work/none.log"; return 1; }
+    fi
     if [ $baker = ON ]; then
         "$work/$name/importer"
         by_pkg_config "$name/importer_by_pkg_config" "$here/importer.cpp" langevin_rigid_baker langevin_rigid
