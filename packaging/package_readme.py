@@ -47,6 +47,7 @@ def read_me(options) -> str:
              ("lib/cmake, lib/pkgconfig", "for CMake and pkg-config; the folder may be moved anywhere"),
              (f"bin/lr_bake{exe}", "makes assets from meshes and leaf textures"),
              (f"bin/lr_drop{exe}", "drops an asset: how fast and in which manner it falls, with a picture"),
+             (f"bin/lr_replay{exe}", "replays a recording of a world's calls (`lr_world_record_start`) and compares every bit"),
              ("assets", "baked meshes (.lrb) and their sources (.obj)"),
              ("samples", "the first falling bodies in C; leaves, a dart, confetti, a coin and a car in twenty lines of C++ each"),
              ("bindings/csharp", "the API in C#: `docs/guide/languages.md`. Engines, Python, Blender and the web have packages of their own"),
