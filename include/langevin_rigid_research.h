@@ -34,7 +34,8 @@ typedef struct lr_aerodynamics {
     double lift[3];        /* m^2, positive where the body is thinner along j than along i */
     double spin_lift[3];   /* m^3 */
     double lift_moment[3]; /* ignored since 0.3 */
-    /* Couple -rho (spin_drag_k |w| + spin_drag_stream_k s + spin_drag_stokes_k nu) w_k. All >= 0. */
+    /* Couple -rho (spin_drag_k |w| + spin_drag_stream_k s + spin_drag_layer_k (nu (s + |w| d/2))^(1/2)
+     * + spin_drag_stokes_k nu) w_k. All >= 0. In |w| each axis counts by its spin_drag. */
     double spin_drag[3];           /* m^5 */
     double spin_drag_stream[3];    /* m^4 */
     double spin_drag_stokes[3];    /* m^3 */
@@ -74,6 +75,7 @@ typedef struct lr_aerodynamics {
     double shedding_noise;       /* >= 0: of r by the fluctuations */
     double shedding_moment;      /* m^3 */
     double shedding_rate_moment; /* m^3 */
+    double spin_drag_layer[3];   /* m^(7/2), boundary layer: see spin_drag */
 } lr_aerodynamics;
 
 /* Sets the axes to the body's, `length`, `wake_length` and `wake_lag` to 1 and everything else to 0: no loads. */
@@ -177,7 +179,7 @@ LR_API lr_status lr_body_get_loads(const lr_world* world, lr_body body, lr_body_
 /* Initial values, as in langevin_rigid.h. */
 /* clang-format off */
 #define LR_AERODYNAMICS_INIT {sizeof(lr_aerodynamics), 0, {1, 0, 0, 0, 1, 0, 0, 0, 1}, {0}, {0}, {0}, {0}, {0}, {0}, \
-    {0}, {0}, {0}, {0}, 0, 1, 0, {0}, 0, {0}, {0}, {0}, {0}, {0}, {0}, 0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0}
+    {0}, {0}, {0}, {0}, 0, 1, 0, {0}, 0, {0}, {0}, {0}, {0}, {0}, {0}, 0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, {0}}
 #define LR_RIGID_DESC_INIT {sizeof(lr_rigid_desc), 0, 0, 0, {0}, {0}, {0}, 1.2, 1.5e-5, {0}, 1, 0}
 #define LR_TURBULENCE_TABLE_INIT {sizeof(lr_turbulence_table), 0, 0, 0, 0, 0, 0, 6.5f, 0, 0}
 #define LR_BODY_LOADS_INIT {sizeof(lr_body_loads), 0, {0}, {0}, {0}, {0}, {0}, {0}, {0}}

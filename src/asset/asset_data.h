@@ -45,9 +45,10 @@ struct AerodynamicData {
     // Lift rho Gamma x v_r, Gamma_k = spin_lift_k w_k - lift_k v_i v_j/s.
     std::array<double, 3> lift{};      // m^2, positive if j is the thinner direction
     std::array<double, 3> spin_lift{}; // m^3
-    // Spin drag -rho [spin_drag_k |w| + spin_drag_stream_k s + spin_drag_stokes_k nu] w_k.
+    // Spin drag -rho [spin_drag_k |w| + spin_drag_stream_k s + spin_drag_layer_k sqrt(nu (s + |w| d/2)) + spin_drag_stokes_k nu] w_k.
     std::array<double, 3> spin_drag{};        // m^5
     std::array<double, 3> spin_drag_stream{}; // m^4
+    std::array<double, 3> spin_drag_layer{};  // m^(7/2)
     std::array<double, 3> spin_drag_stokes{}; // m^3
     // A plate with its normal n along the largest broadside: docs/maintainers/physics.md, "Plates". One value for streams along each axis.
     std::array<double, 3> plate_lift{};    // m^2, slope of the attached normal force times area
@@ -84,6 +85,7 @@ struct AerodynamicData {
     X(spin_lift, -1e6, 1e6, 3.0)                                                                                       \
     X(spin_drag, 0.0, 1e6, 5.0)                                                                                        \
     X(spin_drag_stream, 0.0, 1e6, 4.0)                                                                                 \
+    X(spin_drag_layer, 0.0, 1e6, 3.5)                                                                                  \
     X(spin_drag_stokes, 0.0, 1e6, 3.0)                                                                                 \
     X(broadside, 0.0, 1.0, 0.0)                                                                                        \
     X(plate_lift, 0.0, 1e6, 2.0)                                                                                       \

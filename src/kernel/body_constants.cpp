@@ -255,6 +255,7 @@ bool make_aerodynamics(const AssetData& a, const AerodynamicData& data, const Ga
     scaled(loads.broadside, 1.0, out.broadside);
     scaled(loads.spin_drag, spin_drag / (d * d), out.spin_drag);
     scaled(loads.spin_drag_stream, spin_drag / d, out.spin_drag_stream);
+    scaled(loads.spin_drag_layer, spin_drag / std::sqrt(d), out.spin_drag_layer);
     scaled(loads.spin_drag_stokes, spin_drag, out.spin_drag_stokes);
     const double strongest = std::max({loads.spin_drag[0], loads.spin_drag[1], loads.spin_drag[2]});
     for (size_t k = 0; k < 3; ++k) {

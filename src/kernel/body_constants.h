@@ -40,7 +40,7 @@ enum class Integrator : int32_t { splitting, rk4 };
 template <class T> struct FluidLoadsOf {
     T drag[3], drag_blunt[3], drag_layer[3], drag_stokes[3];
     T lift[3], lift_layer[3], lift_stokes[3], spin_lift[3];
-    T spin_drag[3], spin_drag_stream[3], spin_drag_stokes[3];
+    T spin_drag[3], spin_drag_stream[3], spin_drag_layer[3], spin_drag_stokes[3];
     T plate_lift[2], plate_vortex[2], plate_drag, start_drag;
     T separated_shed, most_shed;  // of the added mass along the normal
     T streaming, steady_reynolds; // of a light plate's wake; below the second no momentum is shed

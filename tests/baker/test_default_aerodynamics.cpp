@@ -109,8 +109,29 @@ TEST_CASE("a sphere follows the standard drag curve within 8 %, from creep to th
         }
     for (size_t k = 0; k < 3; ++k) {
         CHECK(c.lift[k] == 0.0);
-        CHECK(c.spin_lift[k] == doctest::Approx(0.5 * 4.0 / 3.0 * pi * a * a * a));
+        // A Magnus force with C_L 0.8 times the rim's speed over the stream's.
+        CHECK(c.spin_lift[k] == doctest::Approx(0.5 * 0.8 * pi * a * a * a));
     }
+}
+
+// Couple C_M rho w^2 a^5/2, Re = w a^2/nu: creeping flow, then 6.45/Re^(1/2) + 32.1/Re (Sawatzki 1970). In a stream, Froessling's layer.
+TEST_CASE("friction slows a sphere that spins, at rest and in a stream") {
+    const double a = 0.02, nu = 1.5e-5;
+    const AerodynamicData c = default_aerodynamics(ellipsoid_geometry({a, a, a}));
+    const auto couple = [&](double w, double s) {
+        return w * (c.spin_drag[0] * w + c.spin_drag_stream[0] * s +
+                    c.spin_drag_layer[0] * std::sqrt(nu * (s + w * a)) + c.spin_drag_stokes[0] * nu);
+    };
+    for (double re = 0.1; re <= 2e4; re *= 1.3) {
+        CAPTURE(re);
+        const double w = re * nu / (a * a);
+        const double measured = std::max(16.0 * pi / re, 6.45 / std::sqrt(re) + 32.1 / re);
+        CHECK(couple(w, 0.0) == doctest::Approx(measured * 0.5 * w * w * std::pow(a, 5)).epsilon(0.36));
+    }
+    // The layer's friction and that of creeping flow.
+    const double s = 3.0, layer = 2.0 * a / (0.552 * std::sqrt(s * 2.0 * a / nu)), w = 0.1;
+    CHECK(couple(w, s) ==
+          doctest::Approx(w * nu * 8.0 * pi * (std::pow(a, 4) / (3.0 * layer) + a * a * a)).epsilon(0.01));
 }
 
 TEST_CASE("blunt and flat bodies have their measured drag in a steady stream") {

@@ -117,10 +117,12 @@ struct ReferenceLoads {
             const double turning =
                 k == n || !(at.plate_drag > 0.0) ? 1.0 : 1.0 - plate_share * (1.0 - streaming(light));
             circulation[k] = turning * at.spin_lift[k] * s3 * w[k] - at.lift[k] * s2 * v[i] * v[j] / s;
-            torque[k] = -density *
-                        (at.spin_drag[k] * s5 * whirl + at.spin_drag_stream[k] * s4 * s +
-                         at.spin_drag_stokes[k] * s3 * viscosity) *
-                        w[k];
+            torque[k] =
+                -density *
+                (at.spin_drag[k] * s5 * whirl + at.spin_drag_stream[k] * s4 * s +
+                 at.spin_drag_layer[k] * s3 * std::sqrt(scale * viscosity * (s + 0.5 * whirl * length * scale)) +
+                 at.spin_drag_stokes[k] * s3 * viscosity) *
+                w[k];
         }
         const auto moment = [&](size_t i) {
             return density * s3 * v[n] * v[n] *

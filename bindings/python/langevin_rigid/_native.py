@@ -916,6 +916,7 @@ class lr_aerodynamics(ctypes.Structure):
         ('shedding_noise', ctypes.c_double),
         ('shedding_moment', ctypes.c_double),
         ('shedding_rate_moment', ctypes.c_double),
+        ('spin_drag_layer', ctypes.c_double * 3),
     ]
 
 
@@ -1393,7 +1394,7 @@ FIELD_DOCS = {
         'lift': 'Lift rho G x v with G_k = spin_lift_k w_k - lift_k v_i v_j/s. m^2, positive where the body is thinner along j than along i',
         'spin_lift': 'm^3',
         'lift_moment': 'ignored since 0.3',
-        'spin_drag': 'Couple -rho (spin_drag_k |w| + spin_drag_stream_k s + spin_drag_stokes_k nu) w_k. All >= 0. m^5',
+        'spin_drag': 'Couple -rho (spin_drag_k |w| + spin_drag_stream_k s + spin_drag_layer_k (nu (s + |w| d/2))^(1/2) + spin_drag_stokes_k nu) w_k. All >= 0. In |w| each axis counts by its spin_drag. m^5',
         'spin_drag_stream': 'm^4',
         'spin_drag_stokes': 'm^3',
         'intensity': "velocity fluctuations in the body's own wake, per axis, over s. Above 0.4, gains included, it acts as 0.4: a stronger wake would feed itself",
@@ -1419,6 +1420,7 @@ FIELD_DOCS = {
         'shedding_noise': '>= 0: of r by the fluctuations',
         'shedding_moment': 'm^3',
         'shedding_rate_moment': 'm^3',
+        'spin_drag_layer': 'm^(7/2), boundary layer: see spin_drag',
     },
     'lr_rigid_desc': {
         'mass': 'kg, > 0',

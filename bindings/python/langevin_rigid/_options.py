@@ -280,6 +280,7 @@ class AerodynamicsOptions(TypedDict, total=False):
     shedding_noise: float
     shedding_moment: float
     shedding_rate_moment: float
+    spin_drag_layer: ArrayLike
 
 
 class RigidOptions(TypedDict, total=False):

@@ -405,7 +405,7 @@ class Aerodynamics(Record):
     lift: Lift rho G x v with G_k = spin_lift_k w_k - lift_k v_i v_j/s. m^2, positive where the body is thinner along j than along i
     spin_lift: m^3
     lift_moment: ignored since 0.3
-    spin_drag: Couple -rho (spin_drag_k |w| + spin_drag_stream_k s + spin_drag_stokes_k nu) w_k. All >= 0. m^5
+    spin_drag: Couple -rho (spin_drag_k |w| + spin_drag_stream_k s + spin_drag_layer_k (nu (s + |w| d/2))^(1/2) + spin_drag_stokes_k nu) w_k. All >= 0. In |w| each axis counts by its spin_drag. m^5
     spin_drag_stream: m^4
     spin_drag_stokes: m^3
     intensity: velocity fluctuations in the body's own wake, per axis, over s. Above 0.4, gains included, it acts as 0.4: a stronger wake would feed itself
@@ -431,8 +431,9 @@ class Aerodynamics(Record):
     shedding_noise: >= 0: of r by the fluctuations
     shedding_moment: m^3
     shedding_rate_moment: m^3
+    spin_drag_layer: m^(7/2), boundary layer: see spin_drag
     """
-    __slots__ = ('axes', 'drag', 'drag_blunt', 'drag_layer', 'drag_stokes', 'lift', 'spin_lift', 'lift_moment', 'spin_drag', 'spin_drag_stream', 'spin_drag_stokes', 'intensity', 'length', 'wake_reynolds', 'broadside', 'lift_stall', 'lift_moment_stalled', 'roll_damping', 'center', 'plate_lift', 'plate_vortex', 'plate_stall', 'plate_separated_shedding', 'plate_drag', 'start_drag', 'wake_length', 'wake_lag', 'wake_share', 'strouhal', 'shedding_growth', 'shedding_reynolds', 'shedding_noise', 'shedding_moment', 'shedding_rate_moment')
+    __slots__ = ('axes', 'drag', 'drag_blunt', 'drag_layer', 'drag_stokes', 'lift', 'spin_lift', 'lift_moment', 'spin_drag', 'spin_drag_stream', 'spin_drag_stokes', 'intensity', 'length', 'wake_reynolds', 'broadside', 'lift_stall', 'lift_moment_stalled', 'roll_damping', 'center', 'plate_lift', 'plate_vortex', 'plate_stall', 'plate_separated_shedding', 'plate_drag', 'start_drag', 'wake_length', 'wake_lag', 'wake_share', 'strouhal', 'shedding_growth', 'shedding_reynolds', 'shedding_noise', 'shedding_moment', 'shedding_rate_moment', 'spin_drag_layer')
     axes: NDArray[Any]
     drag: NDArray[Any]
     drag_blunt: NDArray[Any]
@@ -467,6 +468,7 @@ class Aerodynamics(Record):
     shedding_noise: float
     shedding_moment: float
     shedding_rate_moment: float
+    spin_drag_layer: NDArray[Any]
 
 
 class BodyLoads(Record):

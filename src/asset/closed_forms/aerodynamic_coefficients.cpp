@@ -24,11 +24,16 @@ constexpr double layer_pressure = 0.42, layer_separation = 0.414; // faces acros
 constexpr double turbulent_friction = 0.004;                      // of the surface along the stream
 constexpr double translation_lift = 1.2,
                  lift_span = 1.68; // C_T of a plate in two dimensions; falls with chord over span
-constexpr double magnus = 0.5;     // of the volume, about an axis of revolution
+// Magnus force about an axis of revolution, over the volume: of plates; of round bodies, C_L 0.8 times the rim's speed over the stream's, as of balls
+// with 0.09 + 0.6 of it (Sawicki, Hubbard and Stronge 2003).
+constexpr double magnus_plate = 0.5, magnus_round = 0.3;
 constexpr double strip_half = 4.0; // span over chord, less 1, half-way to a strip
 constexpr double disc_aspect = 4.0 / std::numbers::pi;
-constexpr double strip_stall = 0.09; // squared sine of 17.5 degrees
-constexpr double spin_friction = 0.008;
+constexpr double strip_stall = 0.09;                                 // squared sine of 17.5 degrees
+constexpr double spin_friction = 0.008, spin_friction_round = 0.002; // without the layer
+// Friction on a sphere that spins in a stream: by the analogy of momentum and heat its layer is d/(0.552 Re^(1/2)) thick (Froessling 1938), in creeping
+// flow d/6.
+constexpr double spin_layer = 0.552 / 6.0;
 
 // 0 for a flat face, 1 for a face as round as a sphere or rounder.
 double roundness(double bluntness) {
@@ -154,12 +159,13 @@ Circulation set_spin(const AerodynamicGeometry& g, size_t k, double span, double
     const double damping = plate.spin_stream_strip +
                            (plate.spin_stream - plate.spin_stream_strip) /
                                (1.0 + slenderness * slenderness / (plate.spin_stream_half * (1.0 + slenderness)));
-    out.spin_drag[k] = 0.5 * (moment * g.stroke3[k] + spin_friction * g.rub[k]);
+    const double friction = spin_friction + (spin_friction_round - spin_friction) * compact;
+    out.spin_drag[k] = 0.5 * (moment * g.stroke3[k] + friction * g.rub[k]);
     out.spin_drag_stream[k] = (damping * (1.0 - thick) + cross_flow * compact) * g.stroke2[k];
     // A rod or a round body has no edge for the stream to leave at, so its spin makes no circulation of this kind.
     return {thick * translation_lift * (g.area[j] - g.area[i]) * share(span, lift_span * chord),
             0.5 * plate.rotation * plan * chord * uneven * (1.0 - compact) * share(span, plate.rotation_span * chord) +
-                magnus * g.volume * (1.0 - uneven)};
+                (magnus_plate + (magnus_round - magnus_plate) * compact) * g.volume * (1.0 - uneven)};
 }
 } // namespace
 
@@ -179,6 +185,10 @@ AerodynamicData default_aerodynamics(const AerodynamicGeometry& g, const PlateCo
     const StokesResistance stokes = stokes_resistance({0.5 * g.extent[0], 0.5 * g.extent[1], 0.5 * g.extent[2]});
     out.drag_stokes = stokes.translation;
     out.spin_drag_stokes = stokes.rotation;
+    for (size_t k = 0; k < 3; ++k) {
+        const double across = std::sqrt(g.extent[(k + 1) % 3] * g.extent[(k + 2) % 3]);
+        out.spin_drag_layer[k] = spin_layer * compactness(g) * std::sqrt(across) * stokes.rotation[k];
+    }
     out.intensity = plate.intensity;
     out.length = plate.correlation * std::max({g.extent[0], g.extent[1], g.extent[2]});
     out.wake_reynolds = plate.wake_reynolds;

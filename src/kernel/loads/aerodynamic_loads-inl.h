@@ -160,6 +160,14 @@ HWY_INLINE void advance_wake(const StepInput& in, const A& c, const Held& held, 
     for (int i = 0; i < 4; ++i) q[i] = without_dust(scale * q[i]);
 }
 
+// Plates have no friction by spin: their batches save the square root.
+HWY_INLINE bool has_layer(const float (&layer)[3]) {
+    return layer[0] + layer[1] + layer[2] > 0.0f;
+}
+HWY_INLINE bool has_layer(const VF (&)[3]) {
+    return true; // differs from body to body
+}
+
 // Spin drag is -rate u along each axis.
 template <class A> HWY_INLINE Vec3 spin_drag_rate(const A& c, VF b, VF nu, VF s, Vec3 u) {
     const VF spin = hn::Sqrt(weighted(c.spin_weight, times(u, u)));
@@ -167,7 +175,15 @@ template <class A> HWY_INLINE Vec3 spin_drag_rate(const A& c, VF b, VF nu, VF s,
         return b * (constant(c.spin_drag[k]) * spin +
                     (constant(c.spin_drag_stream[k]) * s + constant(c.spin_drag_stokes[k]) * nu));
     };
-    return {along(0), along(1), along(2)};
+    const Vec3 rate{along(0), along(1), along(2)};
+    if constexpr (requires { c.spin_drag_layer; }) {
+        if (has_layer(c.spin_drag_layer)) {
+            const VF root = b * hn::Sqrt(nu * (constant(0.5f) * spin + s));
+            return rate + Vec3{root * constant(c.spin_drag_layer[0]), root * constant(c.spin_drag_layer[1]),
+                               root * constant(c.spin_drag_layer[2])};
+        }
+    }
+    return rate;
 }
 
 template <bool kFull, class A> HWY_INLINE Vec3 centre_velocity(const A& c, Twist t) {

@@ -91,6 +91,8 @@ namespace LangevinRigid
         public double SheddingMoment;
         /// <summary>m^3</summary>
         public double SheddingRateMoment;
+        /// <summary>m^(7/2), boundary layer: see spin_drag</summary>
+        public Double3 SpinDragLayer;
 
         /// <summary>A struct with its initial values and its size.</summary>
         public static Aerodynamics Create()

@@ -1146,6 +1146,8 @@ export interface Aerodynamics {
   sheddingMoment: number;
   /** m^3 */
   sheddingRateMoment: number;
+  /** 3 elements. m^(7/2), boundary layer: see spin_drag */
+  spinDragLayer: number[];
 }
 
 /**

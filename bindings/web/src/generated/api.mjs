@@ -679,7 +679,7 @@ export const structs = {
     ],
   },
   lr_aerodynamics: {
-    size: 616, init: 'lr_aerodynamics_init', sized: true,
+    size: 640, init: 'lr_aerodynamics_init', sized: true,
     fields: [
       ['axes', 8, 'f64', 9],
       ['drag', 80, 'f64', 3],
@@ -715,6 +715,7 @@ export const structs = {
       ['sheddingNoise', 592, 'f64', 0],
       ['sheddingMoment', 600, 'f64', 0],
       ['sheddingRateMoment', 608, 'f64', 0],
+      ['spinDragLayer', 616, 'f64', 3],
     ],
   },
   lr_rigid_desc: {
