@@ -40,7 +40,7 @@ template <class Make> lr_status make_asset(const char* function, const void* giv
     const lr_status status = given && out ? guarded([&] { return make(*out, faults); }) : LR_ERROR_NULL_ARGUMENT;
     const auto first =
         std::find_if(faults.begin(), faults.end(), [](const Fault& f) { return f.severity == Severity::error; });
-    char why[last_error_bytes];
+    char why[last_error_bytes - 32]; // the rest is for the name of the function
     if (first != faults.end()) {
         const char* const colon = first->where.empty() ? "" : ": ";
         std::snprintf(why, sizeof why, "%s%s%s %s", first->where.c_str(), colon, first->what.c_str(),
