@@ -140,18 +140,10 @@ private:
 // Of the values that a water callback is given for body i. A body that contact turns about its centre is asked for twice
 // at the same time and position, and its pose decides how much of each wave it is given.
 inline uint32_t given_surface(const lr_water_query& q, uint32_t i) {
+    const float given[] = {q.height[i],      q.normal[0][i],   q.normal[1][i], q.normal[2][i], q.velocity[0][i],
+                           q.velocity[1][i], q.velocity[2][i], q.rate[0][i],   q.rate[1][i],   q.rate[2][i]};
     Hash hash(0);
-    const auto add = [&](float value) {
-        uint32_t bits = 0;
-        std::memcpy(&bits, &value, sizeof bits);
-        hash.add(bits);
-    };
-    add(q.height[i]);
-    for (size_t k = 0; k < 3; ++k) {
-        add(q.normal[k][i]);
-        add(q.velocity[k][i]);
-        add(q.rate[k][i]);
-    }
+    hash.add(given, sizeof given);
     return static_cast<uint32_t>(hash.value());
 }
 
