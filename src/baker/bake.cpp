@@ -373,8 +373,7 @@ private:
         if (options_.stations == 1) return;
         StationOptions how;
         how.most = options_.stations;
-        // A body of solids and sheets counts as whichever is most of its surface.
-        how.thickness = is_sheet() || (mixed_ && 2 * solid_faces_ < mesh_.faces.size()) ? thickness_ : 0.0;
+        how.thickness = is_sheet() || (mixed_ && solid_faces_ < mesh_.faces.size()) ? thickness_ : 0.0;
         how.solid_faces = solid_faces_;
         how.volume = solid_.volume;
         how.hull_volume = hull_volume_;

@@ -9,9 +9,9 @@
 
 namespace lr::test {
 
-// With a coarse turbulence table and one station.
-inline bool bake_mesh(const baker::Mesh& mesh, AssetData& out, baker::BakeOptions options = {},
-                      Faults* told = nullptr) {
+// With a coarse turbulence table.
+inline bool bake_mesh(const baker::Mesh& mesh, AssetData& out, baker::BakeOptions options = {}, Faults* told = nullptr,
+                      uint32_t stations = 1) {
     std::vector<double> positions;
     std::vector<uint32_t> indices;
     for (const Eigen::Vector3d& v : mesh.vertices) positions.insert(positions.end(), v.data(), v.data() + 3);
@@ -19,7 +19,7 @@ inline bool bake_mesh(const baker::Mesh& mesh, AssetData& out, baker::BakeOption
     options.mesh_path = "mesh";
     options.mesh_arrays = baker::MeshArrays{positions, indices};
     options.cells = {8, 8, 8};
-    options.stations = 1;
+    options.stations = stations;
     Faults faults;
     const bool good = baker::bake(options, out, faults);
     for (const Fault& f : faults) INFO(f.what);

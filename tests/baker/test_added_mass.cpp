@@ -199,6 +199,13 @@ TEST_CASE("thin ellipsoids by latitude and longitude: a coarse polygon for a rim
     }
 }
 
+TEST_CASE("a ball of more faces than can be quartered is solved as it is" * doctest::skip(test::sanitized)) {
+    for (const int longitudes : {32, 33}) {
+        const AddedMass m = solve(test::latitude_longitude({1, 1, 1}, longitudes, 24));
+        CHECK(worst_error(m.value, lamb({1, 1, 1}), 1.0, 1e-3) < 0.006);
+    }
+}
+
 TEST_CASE("the same where the mesh is not aligned with the body") {
     const Eigen::Vector3d a(4, 2, 1);
     Mesh mesh = test::icosphere(3);

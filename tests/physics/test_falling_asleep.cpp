@@ -283,12 +283,16 @@ TEST_CASE("leaves fall asleep on stairs of closed boxes in one mesh") {
         add(0.1f * step, 0.9f, 0.03f * step, 0.03f * (step + 1.0f), 0.5f);
     }
     add(-3.0f, 5.0f, -0.5f, 0.0f, 3.0f);
-    const World world = make(world_desc());
-    add_collider(world, mesh_collider(stairs));
-    const lr_batch batch = add_batch(world, make(ellipsoid(0.03, 0.0005, 0.02, 400.0)), 60);
-    Random random(3);
-    for (int i = 0; i < 60; ++i)
-        add_body(world, batch, turned_anyhow(random, {0.09 * (i % 10), 0.4, 0.15 * (i / 10) - 0.375}));
-    steps(world, 480, 1.0f / 60.0f);
-    CHECK(view_of(world, batch).awake_count <= 3);
+    uint32_t awake = 0;
+    for (uint64_t seed = 1; seed <= 3; ++seed) {
+        const World world = make(world_desc());
+        add_collider(world, mesh_collider(stairs));
+        const lr_batch batch = add_batch(world, make(ellipsoid(0.03, 0.0005, 0.02, 400.0)), 60);
+        Random random(seed);
+        for (int i = 0; i < 60; ++i)
+            add_body(world, batch, turned_anyhow(random, {0.09 * (i % 10), 0.4, 0.15 * (i / 10) - 0.375}));
+        steps(world, 480, 1.0f / 60.0f);
+        awake += view_of(world, batch).awake_count;
+    }
+    CHECK(awake <= 9);
 }

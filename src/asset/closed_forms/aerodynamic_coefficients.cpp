@@ -154,11 +154,12 @@ Circulation set_spin(const AerodynamicGeometry& g, size_t k, double span, double
     // Extent along the flat side; of a body as thick as wide, the mean of both.
     const double chord = total > 0.0 ? (g.area[j] * g.extent[i] + g.area[i] * g.extent[j]) / total : 0.0;
     const double thick = 1.0 - std::max(sheetness(g, i), sheetness(g, j));
-    const double slenderness = chord > 0.0 ? std::max(0.0, span / chord - 1.0) : 0.0;
-    const double moment = by_slenderness(plate.spin_disc, plate.spin_strip, slenderness);
+    const auto over = [&](double width) { return width > 0.0 ? std::max(0.0, span / width - 1.0) : 0.0; };
+    const double moment = by_slenderness(plate.spin_disc, plate.spin_strip, over(chord));
+    // Not over the chord, by which a disc would be the slenderer the thicker it is.
+    const double slenderness = over(std::max(g.extent[i], g.extent[j]));
     const double damping = plate.spin_stream_strip +
-                           (plate.spin_stream - plate.spin_stream_strip) /
-                               (1.0 + slenderness * slenderness / (plate.spin_stream_half * (1.0 + slenderness)));
+                           (plate.spin_stream - plate.spin_stream_strip) / (1.0 + slenderness / plate.spin_stream_half);
     const double friction = spin_friction + (spin_friction_round - spin_friction) * compact;
     out.spin_drag[k] = 0.5 * (moment * g.stroke3[k] + friction * g.rub[k]);
     out.spin_drag_stream[k] = (damping * (1.0 - thick) + cross_flow * compact) * g.stroke2[k];

@@ -33,7 +33,7 @@ struct PlateCoefficients {
     double rotation = 1.121, rotation_span = 0.3327;         // C_R of a long strip; falls with chord over span
     double spin_disc = 0.8933, spin_strip = 2.5;             // C_M by span over chord
     double spin_stream = 1.192;                              // of stroke2
-    double spin_stream_strip = 0.15, spin_stream_half = 0.4; // by (span/chord - 1)^2/(span/chord)
+    double spin_stream_strip = 0.15, spin_stream_half = 0.5; // by span/chord - 1
     double start = 2.462;                                    // drag while the wake develops, over broadside drag
     double lag = 2.033, share = 0.7341;                      // of the wake's memory
     double strouhal = 0.159, growth = 0.3853, critical_reynolds = 96.35;

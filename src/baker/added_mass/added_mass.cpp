@@ -46,6 +46,8 @@ constexpr double good_estimate = 0.0025;
 constexpr std::size_t max_refined_panels = 5000;
 // Without patience: error estimate above which a coarser surface is solved instead, if finer panels would be too many.
 constexpr double poor_estimate = 0.05;
+// Least scale of rotation for that estimate: beside the inertia of a ball or a capsule a hundredth of the translation's does not matter.
+constexpr double poor_rotation = 0.2;
 // The error of a box with two triangles per side comes from the size of the panels, not from the strips.
 constexpr std::size_t min_refined_panels = 1000;
 constexpr double refined_turn = 0.1; // of the normal along an edge, radians
@@ -96,12 +98,12 @@ double clamp_to_positive(Matrix6& matrix) {
 }
 
 // Scale of each entry for a body of size one: the largest diagonal entry of its block. A round body has no added inertia, so the scale of rotation is
-// at least a hundredth of that of translation.
-Matrix6 entry_scale(const Matrix6& matrix) {
+// at least this share of that of translation.
+Matrix6 entry_scale(const Matrix6& matrix, double least_rotation = 0.01) {
     const double mass = std::max(matrix.diagonal().head<3>().maxCoeff(), 1e-300);
     Eigen::Matrix<double, 6, 1> scale;
     scale.head<3>().setConstant(std::sqrt(mass));
-    scale.tail<3>().setConstant(std::sqrt(std::max(matrix.diagonal().tail<3>().maxCoeff(), 0.01 * mass)));
+    scale.tail<3>().setConstant(std::sqrt(std::max(matrix.diagonal().tail<3>().maxCoeff(), least_rotation * mass)));
     return scale * scale.transpose();
 }
 
@@ -351,8 +353,8 @@ void scale_to_size(double size, AddedMass& m) {
     m.error = m.error.cwiseProduct(products).eval();
 }
 
-bool is_within(double share, const AddedMass& m) {
-    return (m.error.array() <= share * entry_scale(m.value).array()).all();
+bool is_within(double share, const AddedMass& m, double least_rotation = 0.01) {
+    return (m.error.array() <= share * entry_scale(m.value, least_rotation).array()).all();
 }
 
 // Refines where the surface is curved and at creases, to at most this many panels.
@@ -476,7 +478,7 @@ bool compute_added_mass(const Mesh& mesh, const Eigen::Vector3d& centre, AddedMa
             break;
         }
     }
-    const bool poor = good && !better && !options.patient && !is_within(poor_estimate, out);
+    const bool poor = good && !better && !options.patient && !is_within(poor_estimate, out, poor_rotation);
     if (poor)
         refuse_costly(faults);
     else

@@ -180,6 +180,7 @@ void bound(const Hull& hull, const Matrix6& displaced, const Eigen::Vector3d& ce
     if (!hull.is_flat) most.value += frozen(hull.filled, centre);
     between.value = 0.5 * (out.value + most.value);
     between.error = bound_of_energy(0.5 * (most.value - out.value));
+    make_positive(between.value, between.error, size_of(hull.mesh)); // a hull of few faces can be smaller than the body
     if (between.largest_share() < out.largest_share()) out = between;
 }
 } // namespace

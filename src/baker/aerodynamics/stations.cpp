@@ -41,6 +41,8 @@ constexpr double long_strip = 2.0;  // arms along the span fade from span/chord 
 constexpr double across_centre = 0.4, behind_centre = 0.6;
 constexpr double hiding = 0.36;         // share of the surface in the lee of the rest; a hemispherical bowl has 1/3
 constexpr double far_from_convex = 0.5; // volume over that of the hull
+// A solid beside sheets is a lump if its faces are tilted by more than this (mean squared sine), and look at each other less.
+constexpr double blocky = 0.2, self_facing = 0.005;
 // Hollow above which a body is a bowl, whose bottom counts, and not a tube, which falls across its axis.
 constexpr double deep = 0.45;
 constexpr double reynolds = 1e4;
@@ -373,6 +375,26 @@ std::vector<Grid> best_grids(const std::vector<std::vector<Choice>>& choices, co
     return best;
 }
 
+// One solid without hollows that is no plate: the cork of a shuttlecock, the stick of a toy propeller.
+bool is_block(Part solids, double size) {
+    find_open_sides(solids, size);
+    const PartMoments m = moments_of(solids);
+    double facing = 0.0;
+    for (const Facet& f : solids) facing += f.area * (1.0 - f.open);
+    return facing < self_facing * m.area && 1.0 - eigensystem(m.normals).values[2] > blocky;
+}
+
+// The lump, and all other faces: of a closed surface, or of the solids of a body with sheets.
+std::pair<Part, Part> split_solids(const Part& all, double size) {
+    Part solids, sheets;
+    for (const Facet& f : all) (f.sides < 2.0 ? solids : sheets).push_back(f);
+    if (solids.empty()) return {{}, std::move(sheets)};
+    std::pair<Part, Part> out = split_lump(solids, size);
+    if (!sheets.empty() && out.first.empty() && is_block(std::move(solids), size)) std::swap(out.first, out.second);
+    out.second.insert(out.second.end(), sheets.begin(), sheets.end());
+    return out;
+}
+
 // Share of the surface that other parts hide, as seen along the axes of the loads.
 double share_hidden(const Part& part, const AerodynamicData& loads) {
     double seen = 0.0, faces = 0.0;
@@ -402,7 +424,7 @@ Stations make_stations(const Mesh& mesh, const AerodynamicData& loads, const Vec
         size = std::max(size, high - low);
     }
     if (!(m.area > 0.0) || !(size > 0.0)) return out;
-    const bool sheet = options.thickness > 0.0;
+    const bool sheet = options.thickness > 0.0 && options.solid_faces == 0;
     if (!sheet && options.volume > thick * m.area * std::sqrt(m.area)) {
         if (options.volume < far_from_convex * options.hull_volume) out.fit = StationFit::hollow;
         return out;
@@ -424,7 +446,7 @@ Stations make_stations(const Mesh& mesh, const AerodynamicData& loads, const Vec
     find_open_sides(all, size);
 
     std::vector<Plan> plans;
-    auto [lump, rest] = sheet ? std::pair{Part{}, all} : split_lump(all, size);
+    auto [lump, rest] = split_solids(all, size);
     if (!lump.empty()) {
         plans.push_back(plan_of(std::move(lump), loads, size));
         plans.back().lump = true;
