@@ -161,7 +161,6 @@ Drawn resolve_overlap(const PlacedPair& pair) {
 struct CoreA {
     const PlacedPair& pair;
     Vector shift;
-    const BodyShape& shape() const { return pair.a->shape; }
     uint32_t face_towards(Vector d) const {
         const PairHull& a = *pair.a;
         return farthest(a.face_x, a.face_y, a.face_z, a.shape.face_count, d);
@@ -171,7 +170,6 @@ struct CoreA {
 };
 struct CoreB {
     const PlacedPair& pair;
-    const BodyShape& shape() const { return pair.b->shape; }
     uint32_t face_towards(Vector d) const {
         const PairHull& b = *pair.b;
         return farthest(b.face_x, b.face_y, b.face_z, b.shape.face_count, pair.to_b(d));
@@ -284,8 +282,8 @@ uint32_t contacts_of(const NearPair& near, Closest closest, PairContact (&out)[m
     const float smaller = std::min(a.core_reach, pair.ratio * b.core_reach);
     const Across across(n);
     Side on_a, on_b;
-    set_body_side(CoreA{pair, shift}, across, -n, left, on_a);
-    set_body_side(CoreB{pair}, across, n, left, on_b);
+    set_body_side(a.shape, CoreA{pair, shift}, across, -n, left, on_a);
+    set_body_side(b.shape, CoreB{pair}, across, n, left, on_b);
     Patch patch;
     lay_over(on_a, on_b, 1e-5f * smaller, patch);
     // Adds the nearest points, unless some place is about as deep.

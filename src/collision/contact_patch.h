@@ -57,11 +57,11 @@ private:
     }
 };
 
-// The side of a body's core towards the normal or its opposite: a face, or the ends of the part within `band` of the foremost point. Core: shape,
+// The side of a body's core towards the normal or its opposite: a face, or the ends of the part within `band` of the foremost point. Core:
 // face_towards(direction), face_normal(f), point(i).
 template <class Core>
-void set_body_side(const Core& core, const Across& across, Vector towards, float band, Side& side) {
-    const BodyShape& shape = core.shape();
+void set_body_side(const BodyShape& shape, const Core& core, const Across& across, Vector towards, float band,
+                   Side& side) {
     if (shape.face_count == 0) return;
     const uint32_t f = core.face_towards(towards);
     const Vector outward = core.face_normal(f);

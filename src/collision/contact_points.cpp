@@ -155,23 +155,6 @@ uint32_t ContactPoints::keep(Contact* out, bool loaded_first) {
 
 namespace {
 
-// Adapts a body's core to set_body_side().
-struct BodyCore {
-    const PlacedBody& body;
-    const BodyShape& shape() const { return *body.shape; }
-    uint32_t face_towards(Vector d) const {
-        const Vector own = rotate(inverse(body.at.rotation), d);
-        const ShapeFace* const faces = body.shape->faces;
-        const ShapeFace* const best =
-            std::max_element(faces, faces + body.shape->face_count, [&](const ShapeFace& a, const ShapeFace& b) {
-                return dot(a.normal, own) < dot(b.normal, own);
-            });
-        return static_cast<uint32_t>(best - faces);
-    }
-    Vector face_normal(uint32_t f) const { return body.face_normal(f); }
-    Vector point(uint32_t i) const { return body.point(i); }
-};
-
 void set_box_side(const PlacedCollider& box, const Across& across, Side& side) {
     uint32_t axis = 0;
     for (uint32_t i = 1; i < 3; ++i)
@@ -274,7 +257,7 @@ void add_patch(ContactPoints& set, const PlacedCollider& collider, const Separat
     const auto gap = static_cast<float>(along.distance) - rounding;
     const Across across(n);
     Side on_body, on_collider;
-    set_body_side(BodyCore{body}, across, -n, set.margin - (gap - body.radius), on_body);
+    set_body_side(*body.shape, body, across, -n, set.margin - (gap - body.radius), on_body);
     set_collider_side(collider, across, on_collider);
     Patch patch;
     lay_over(on_body, on_collider, 1e-5f * body.reach, patch);

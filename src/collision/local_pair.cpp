@@ -1,5 +1,7 @@
 #include "collision/local_pair.h"
 
+#include <algorithm>
+
 namespace lr {
 
 PlacedBody::PlacedBody(const BodyShape& body, float body_scale, const Pose& pose, float size)
@@ -35,6 +37,13 @@ Double3 PlacedBody::support(Double3 direction) const {
         return sum;
     }
     return to_double(point(farthest_point(x, y, z, count, to_float(direction))));
+}
+
+uint32_t PlacedBody::face_towards(Vector direction) const {
+    const Vector own = rotate(inverse(at.rotation), direction);
+    const ShapeFace* const faces = shape->faces;
+    const auto lower = [&](const ShapeFace& a, const ShapeFace& b) { return dot(a.normal, own) < dot(b.normal, own); };
+    return static_cast<uint32_t>(std::max_element(faces, faces + shape->face_count, lower) - faces);
 }
 
 PlacedCollider::PlacedCollider(const Geometry& geometry, Vector body_position) : origin(-to_double(body_position)) {

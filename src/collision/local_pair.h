@@ -24,6 +24,7 @@ struct PlacedBody {
 
     Vector point(uint32_t i) const { return {x[i], y[i], z[i]}; }
     Double3 support(Double3 direction) const;
+    uint32_t face_towards(Vector direction) const; // of bodies with corners
     Vector face_normal(uint32_t face) const { return rotate(at.rotation, shape->faces[face].normal); }
 };
 
