@@ -101,13 +101,6 @@ bool hits_rounded(const BodyShape& shape, float scale, const Ray& ray, double mo
     return false;
 }
 
-bool hits_hull(const BodyShape& shape, double scale, const Ray& ray, double most, RayHit& hit) {
-    const auto plane = [&](uint32_t f) {
-        return Plane{to_double(shape.faces[f].normal), scale * wide(shape.faces[f].offset)};
-    };
-    return hits_planes(shape.face_count, plane, ray, most, hit);
-}
-
 // Whether a ray comes within `radius` of the origin, and where first.
 bool reaches_sphere(Double3 from, Double3 direction, double radius, double most, double& first) {
     const Double3 across = cross(from, direction);
@@ -139,7 +132,12 @@ bool ray_hits_body(const BodyShape& shape, float scale, const Pose& at, const Ra
     else if (shape.radius > 0.0f || shape.face_count < 4)
         meets = hits_rounded(shape, scale, own, most - start, hit);
     else
-        meets = hits_hull(shape, size, own, most - start, hit);
+        meets = hits_planes(
+            shape.face_count,
+            [&](uint32_t f) {
+                return Plane{to_double(shape.faces[f].normal), size * wide(shape.faces[f].offset)};
+            },
+            own, most - start, hit);
     if (!meets) return false;
     hit.distance += start;
     hit.normal = rotate(to_double(at.rotation), hit.normal);
@@ -147,13 +145,6 @@ bool ray_hits_body(const BodyShape& shape, float scale, const Pose& at, const Ra
 }
 
 namespace {
-
-bool hits_plane(const Ray& ray, double most, RayHit& hit) {
-    if (ray.origin.y <= 0.0) return begins_inside(ray, hit);
-    if (!(ray.direction.y < 0.0)) return false;
-    hit = {-ray.origin.y / ray.direction.y, {0.0, 1.0, 0.0}};
-    return hit.distance <= most;
-}
 
 // The tube, then the spheres at its ends.
 bool hits_capsule(double radius, double half, const Ray& ray, double most, RayHit& hit) {
@@ -175,16 +166,6 @@ bool hits_capsule(double radius, double half, const Ray& ray, double most, RayHi
         any = hits_ellipsoid({0.0, end, 0.0}, {radius, radius, radius}, ray, before, hit) || any;
     }
     return any;
-}
-
-bool hits_box(const float (&size)[3], const Ray& ray, double most, RayHit& hit) {
-    const auto plane = [&](uint32_t i) { return Plane{along_axis(i / 2, i % 2 == 0 ? -1.0 : 1.0), wide(size[i / 2])}; };
-    return hits_planes(6, plane, ray, most, hit);
-}
-
-bool hits_hull(const HullGeometry& hull, const Ray& ray, double most, RayHit& hit) {
-    const auto plane = [&](uint32_t f) { return Plane{to_double(hull.normal(f)), wide(hull.offset(f))}; };
-    return hits_planes(hull.face_count, plane, ray, most, hit);
 }
 
 // The signs of three volumes (Pluecker coordinates) decide, so that no ray slips through the edge between two triangles.
@@ -301,17 +282,22 @@ bool ray_hits_part(const MeshGeometry& mesh, const ColliderPart& part, const Ray
 }
 
 bool ray_hits_collider(const Geometry& g, const SharedGeometry* shared, const Ray& ray, double most, RayHit& hit) {
+    const auto side = [&](uint32_t i) {
+        return Plane{along_axis(i / 2, i % 2 == 0 ? -1.0 : 1.0), wide(g.size[i / 2])};
+    };
+    const auto face = [&](uint32_t f) { return Plane{to_double(g.hull->normal(f)), wide(g.hull->offset(f))}; };
+    const auto ground = [](uint32_t) { return Plane{{0.0, 1.0, 0.0}, 0.0}; };
     switch (g.kind) {
     case ColliderKind::plane:
-        return hits_plane(ray, most, hit);
+        return hits_planes(1, ground, ray, most, hit);
     case ColliderKind::sphere:
         return hits_ellipsoid({}, wide(g.size[0]) * Double3{1.0, 1.0, 1.0}, ray, most, hit);
     case ColliderKind::capsule:
         return hits_capsule(wide(g.size[0]), wide(g.size[1]), ray, most, hit);
     case ColliderKind::box:
-        return hits_box(g.size, ray, most, hit);
+        return hits_planes(6, side, ray, most, hit);
     case ColliderKind::hull:
-        return hits_hull(*g.hull, ray, most, hit);
+        return hits_planes(g.hull->face_count, face, ray, most, hit);
     case ColliderKind::heightfield:
         return hits_heightfield(*g.heightfield, ray, most, hit);
     case ColliderKind::mesh:
