@@ -1,6 +1,5 @@
 #include "collision/mesh_floor.h"
 
-#include "base/float4.h"
 #include "collision/triangle_contact.h"
 
 #include <algorithm>
@@ -88,23 +87,6 @@ public:
             if (const float h = f->height(p); h < height && f->inside(p) >= seam_) height = h, best = f;
         return best;
     }
-    // The same for four places; -1: outside.
-    Int4 under(Float4 x, Float4 y, Float4 z) const {
-        const auto along = [&](Vector d) { return d.x * x + d.y * y + d.z * z; };
-        Float4 least = all(std::numeric_limits<float>::infinity());
-        Int4 best{-1, -1, -1, -1};
-        for (uint32_t k = 0; k < count_; ++k) {
-            const FloorFace& f = face_[k];
-            const Float4 h = f.lean * (along(f.normal) - f.offset);
-            Int4 better = h < least;
-            for (uint32_t e = 0; e < 3; ++e) better &= along(f.inward[e]) - f.edge[e] >= all(seam_);
-            if (!any(better)) continue;
-            const auto at = static_cast<int32_t>(k);
-            least = choose(better, h, least);
-            best = choose(better, Int4{at, at, at, at}, best);
-        }
-        return best;
-    }
 
 private:
     FloorFace face_[MeshFloor::most];
@@ -116,20 +98,11 @@ void add_points(ContactPoints& set, const FloorFaces& faces, bool even) {
     const PlacedBody& body = set.body;
     const BodyShape& shape = *body.shape;
     const uint32_t count = even ? shape.sample_count : shape.count;
-    float place[3][most_shape_samples + 3];
-    for (uint32_t i = 0; i < count + 3; ++i) {
-        const Vector core = i < shape.count ? body.point(i)
-                            : i < count     ? rotate(body.at.rotation, body.scale * shape.point(i))
-                                            : Vector{};
-        for (uint32_t k = 0; k < 3; ++k) place[k][i] = core[k];
-    }
-    Int4 under{};
     for (uint32_t i = 0; i < count; ++i) {
-        if (i % 4 == 0) under = faces.under(load(place[0] + i), load(place[1] + i), load(place[2] + i));
-        const int32_t index = under[i % 4];
-        if (index < 0) continue;
-        const Vector core{place[0][i], place[1][i], place[2][i]};
-        const FloorFace* const face = &faces.face(static_cast<uint32_t>(index));
+        const Vector core = i < shape.count ? body.point(i) : rotate(body.at.rotation, body.scale * shape.point(i));
+        float height;
+        const FloorFace* const face = faces.under(core, height);
+        if (!face) continue;
         const float gap = face->gap(core);
         if (gap - body.radius >= set.margin) continue;
         // Beside a ridge the slope's plane is no surface any more: triangles are tested instead.
