@@ -70,12 +70,6 @@ struct ShapeConstants {
     float reach;
 };
 
-// Marks the bodies of [begin, end) that can touch a collider within `dt`: near_bits by the grids, which depend on when these were built; near_ground
-// by planes and heightfields; 0: far. speed: m/s, allowance for speed gained in the step.
-inline constexpr uint32_t near_bits = 1, near_ground = 2;
-using NearCollidersFunction = void (*)(const NearColliders&, float reach, float dt, float speed, const BatchArrays&,
-                                       size_t begin, size_t end, uint32_t* near);
-
 inline constexpr size_t most_ground_points = 48;
 inline constexpr size_t contact_lanes = lane_block;
 inline constexpr uint32_t contact_slots = 16, manifold_slots = 4;
@@ -120,16 +114,17 @@ struct ContactBodies {
 };
 inline constexpr size_t pose_fields = field_scale;
 
-// Writes up to manifold_slots contacts of each body with the surface. Returns false and writes nothing if there are none. rough: receives 1 for a
-// body over slopes that differ too much, which needs the narrow phase.
-using GroundFunction = bool (*)(const ContactBodies&, const GroundSurface&, ContactSlots::Slot (&out)[manifold_slots],
-                                uint32_t* rough);
-// Solves for positions, then for velocities.
-using ContactFunction = void (*)(const ContactBodies&, ContactSlots&);
+// Marks of bodies near colliders: by the grids, which depend on when these were built; by planes and heightfields; 0: far.
+inline constexpr uint32_t near_bits = 1, near_ground = 2;
 
 struct ContactTarget {
-    NearCollidersFunction near;
-    GroundFunction ground;
-    ContactFunction resolve;
+    // Marks the bodies of [begin, end) that can touch a collider within `dt`. speed: m/s, allowance for speed gained in the step.
+    void (*near)(const NearColliders&, float reach, float dt, float speed, const BatchArrays&, size_t begin, size_t end,
+                 uint32_t* near);
+    // Writes up to manifold_slots contacts of each body with the surface. Returns false and writes nothing if there are none. rough: receives 1 for a
+    // body over slopes that differ too much, which needs the narrow phase.
+    bool (*ground)(const ContactBodies&, const GroundSurface&, ContactSlots::Slot (&out)[manifold_slots],
+                   uint32_t* rough);
+    void (*resolve)(const ContactBodies&, ContactSlots&); // solves for positions, then for velocities
 };
 } // namespace lr
