@@ -1,4 +1,4 @@
-// Steps blocks of bodies, and finds bodies that end. Compiled once for each instruction set.
+// Steps blocks of bodies, finds bodies that end, and the loads on one body. Compiled once for each instruction set.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernel/integrator/step.cpp"
 #include "hwy/foreach_target.h" // IWYU pragma: keep
@@ -7,8 +7,8 @@
 
 #include "hwy/highway.h"
 #include "kernel/integrator/step_bodies-inl.h"
-#include "kernel/loads/body_loads-inl.h"
-#include "langevin_rigid.h"
+#include "kernel/loads/station_loads-inl.h"
+#include "langevin_rigid_research.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace lr::HWY_NAMESPACE {
@@ -93,9 +93,53 @@ void step_range_rk4(const StepInput& in, const BatchArrays& a, size_t begin, siz
     for_variant(in, [&]<bool kFull, bool kAerodynamic>()
                         HWY_ATTR { step_bodies<kFull, kAerodynamic, Integrator::rk4>(in, a, begin, end); });
 }
-void loads_of_body(const StepInput& in, const BodyConstants& body, const BatchArrays& a, const float (&fluid)[3],
+// Next to Runge-Kutta, whose functions it shares.
+void loads_of_body(const StepInput& in, const BodyConstants& c, const BatchArrays& arrays, const float (&fluid)[3],
                    lr_body_loads& out) {
-    body_loads(in, body, a, fluid, out);
+    const auto& a = c.aerodynamics;
+    const auto put = [](Vec3 v, float* to) LR_LAMBDA { // all lanes are equal
+        to[0] = least_lane(v.x), to[1] = least_lane(v.y), to[2] = least_lane(v.z);
+    };
+    const Body b = load_body<true>(arrays, 0);
+    const VF scale = load1(arrays, field_scale, 0), length = scale * constant(c.length);
+    const VF mass = scale * scale * scale * constant(c.unit_mass);
+    Held held;
+    held.inverse_length = constant(1.0f) / length;
+    vary(in, load1(arrays.noise_seed, 0), held);
+    const VF nu = constant(a.viscosity) * held.inverse_length;
+    const Vec3 stream = broadcast(fluid) + b.gust - to_world(b.q, load3(arrays, field_vx, 0));
+    const Twist t{zero3() - to_body(b.q, stream), length * load3(arrays, field_wx, 0)};
+
+    const auto add = [&](const float* place, Vec3 force) LR_LAMBDA {
+        put(b.x + length * to_world(b.q, broadcast(place)), out.station_position + 3 * out.station_count);
+        put(mass * to_world(b.q, force), out.station_force + 3 * out.station_count);
+        ++out.station_count;
+    };
+    Twist sum;
+    out.station_count = 0;
+    if (c.stations.count == 0) {
+        VF shed;
+        sum = aerodynamic_loads(a, held, b, t, shed);
+        const Twist none{zero3(), zero3()};
+        sum += push_of_shed(held.inverse_length, none - moving_momentum<true, true>(c, shed, none, t), t);
+        add(a.arm, sum.v);
+    } else {
+        sum = {zero3(), columns(a.axes, shedding_couple(a, held, b.shedding, centre_velocity<true>(a, t)))};
+        for (uint32_t i = 0; i < c.stations.count; ++i) {
+            StationSet one;
+            one.station[0] = c.stations.station[i];
+            one.count = 1;
+            const Resistance k = station_resistance(one, a, held, nu, b.lag, t);
+            const Twist f = resisted(k, t) + push_of_shed(held.inverse_length, k.lost, t);
+            add(one.station[0].place, f.v);
+            sum += f;
+        }
+    }
+    put(stream, out.stream);
+    put(zero3() - to_world(b.q, columns(a.axes, b.lag)), out.wake);
+    put(to_world(b.q, columns(a.axes, Vec3{b.shedding[0], b.shedding[1], hn::Zero(DF())})), out.shedding);
+    put(mass * to_world(b.q, sum.v), out.force);
+    put(mass * length * to_world(b.q, sum.u), out.torque);
 }
 #endif
 } // namespace lr::HWY_NAMESPACE
