@@ -40,7 +40,6 @@ float BodyContactSolver::mass(const SolverBodyKind* kinds, uint32_t body) const 
 }
 
 uint32_t BodyContactSolver::group_of(const BodyContactScene& scene, const BodyContactPair& unit) const {
-    if (!scene.tile) return unit.b == BodyContactPair::nobody ? 1 : 0;
     const uint32_t a = scene.tile[unit.a];
     if (unit.b == BodyContactPair::nobody) return 2 * a + 1;
     const auto level = static_cast<uint32_t>(std::bit_width(a ^ scene.tile[unit.b]));
@@ -128,14 +127,13 @@ void BodyContactSolver::fill_blocks(const BodyContactScene& scene) {
 // The bodies of each tile, as runs of neighbours.
 bool BodyContactSolver::list_tiles(const BodyContactScene& scene) {
     const uint32_t tiles = 1u << tile_levels_;
-    const auto tile_of = [&](uint32_t body) { return scene.tile ? scene.tile[body] : 0; };
     if (!grow(*allocator_, first_run_, size_t{tiles} + 2)) return false;
     std::fill_n(first_run_.data(), tiles + 2, 0u);
     uint32_t count = 0;
     const auto each_run = [&](const auto& function) {
         for (uint32_t begin = 0, end; begin < body_count_; begin = end) {
-            for (end = begin + 1; end < body_count_ && tile_of(end) == tile_of(begin);) ++end;
-            function(tile_of(begin), Run{begin, end});
+            for (end = begin + 1; end < body_count_ && scene.tile[end] == scene.tile[begin];) ++end;
+            function(scene.tile[begin], Run{begin, end});
         }
     };
     each_run([&](uint32_t tile, Run) { ++count, ++first_run_[tile + 2]; });
@@ -146,7 +144,7 @@ bool BodyContactSolver::list_tiles(const BodyContactScene& scene) {
 }
 
 bool BodyContactSolver::lay_out(const BodyContactScene& scene) {
-    tile_levels_ = scene.tile ? scene.tile_levels : 0;
+    tile_levels_ = scene.tile_levels;
     const uint32_t tiles = 1u << tile_levels_;
     task_count_ = first_task(tile_levels_, tile_levels_ + 1);
     group_count_ = tiles + task_count_;

@@ -59,8 +59,8 @@ struct BodyContactScene {
     // In the same order on every machine. A body's units with fixed things are consecutive. solve() can swap the bodies of a unit.
     BodyContactPair* units;
     uint32_t unit_count;
-    const uint32_t* tile = nullptr; // by body; null: all are in one
-    uint32_t tile_levels = 0;       // tiles are below 2^tile_levels (contact_tiles.h)
+    const uint32_t* tile; // by body
+    uint32_t tile_levels; // tiles are below 2^tile_levels (contact_tiles.h)
 };
 
 class BodyContactSolver {

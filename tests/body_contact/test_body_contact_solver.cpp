@@ -54,7 +54,7 @@ struct Balls {
     std::vector<BodyContactPair> units;
     Allocator allocator;
     BodyContactSolver solver{allocator};
-    std::vector<uint32_t> tiles; // none: all are in one
+    std::vector<uint32_t> tiles; // by body; none yet: all are in one
     uint32_t levels = 0;
     uint32_t count;
     BodyConstants body = ball();
@@ -114,9 +114,9 @@ struct Balls {
         const SolverBodyKind kind{&body, 1.0f, 0.0f};
         const BodyContactRange range{0, 0, count};
         const FloatMode mode;
-        const BodyContactScene scene{
-            &kind, &range, 1, units.data(), static_cast<uint32_t>(units.size()), tiles.empty() ? nullptr : tiles.data(),
-            levels};
+        tiles.resize((count + 31) / 32 * 32);
+        const BodyContactScene scene{&kind,        &range, 1, units.data(), static_cast<uint32_t>(units.size()),
+                                     tiles.data(), levels};
         REQUIRE(solver.solve(*find_target(LR_SIMD_AUTO)->body_contact, h, gravity, scene, Workers(step_workers, mode)));
     }
     // N s, along the normal of a unit.
