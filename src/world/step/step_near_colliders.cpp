@@ -1,6 +1,5 @@
 #include "world/step/step_near_colliders.h"
 
-#include "base/bit_cast.h"
 #include "kernel/divergence.h"
 
 #include <algorithm>
@@ -40,19 +39,7 @@ void touch(const ContactRun& run, ContactGroup& group, const States& states, con
 // Bodies that were far throughout the step touch nothing any more.
 void leave(const ContactCache& book, uint32_t* floor, const NearContacts& near, uint32_t begin, uint32_t end) {
     if (!book.still_time) return;
-    // Quick test, since most of them have nothing to clear.
-    const auto blank = [&](uint32_t from, uint32_t to) {
-        uint32_t any = 0;
-        for (uint32_t i = from; i < to; ++i)
-            any |= bit_cast<uint32_t>(book.still_time[i]) | bit_cast<uint32_t>(book.stay[0][i]) | book.touching[0][i] |
-                   floor[i];
-        return any == 0;
-    };
     for (uint32_t i = begin; i < end; ++i) {
-        if (i % lane_block == 0 && i + lane_block <= end && blank(i, i + lane_block)) {
-            i += lane_block - 1;
-            continue;
-        }
         if (near.holds(i)) continue;
         floor[i] = 0; // it may come back from the other side
         if (book.touching[0][i] == touching_water) continue;
@@ -93,25 +80,6 @@ void step_group(const ContactRun& run, const StepInput& in, lr_batch batch, Stat
         touch(run, group, states, near, arrays, before, wet ? submerged : nullptr, first, i, in.faults);
     }
 }
-
-// Steps far bodies in copies. If some are in nearly every block, stepping the blocks in place would step near bodies twice.
-void step_far(const ContactRun& run, const StepInput& in, const BatchArrays& arrays, lr_batch batch,
-              const NearContacts& near, States& states, uint32_t begin, uint32_t end) {
-    uint32_t far[field_block];
-    for (uint32_t i = begin; i < end;) {
-        uint32_t count = 0;
-        for (; i < end && count < field_block; ++i)
-            if (!near.holds(i)) far[count++] = i;
-        if (count == 0) break;
-        const auto index = [&](uint32_t k) { return far[k]; };
-        states.take(arrays, count, index);
-        states.take_forces(in.external, index, true);
-        StepInput own = in;
-        states.lend_forces(own.external);
-        step_lanes(*run.target, run.surface, run.time, own, states.arrays(), batch, count, 0, states.padded);
-        states.put_back(arrays, index);
-    }
-}
 } // namespace
 
 void step_near_colliders(const ContactRun& run, const StepInput& in, const BatchArrays& arrays, lr_batch batch,
@@ -130,12 +98,9 @@ void step_near_colliders(const ContactRun& run, const StepInput& in, const Batch
         arrange(run.book, *run.step.colliders, near);
         States states;
         const auto index = [&](uint32_t i) { return near.index(i); };
-        // Copying costs about a quarter of a step.
-        const bool copies = 4 * near.count() > last - at;
-        if (copies) step_far(run, in, arrays, batch, near, states, at, std::min(last, live));
         states.take(arrays, near.count(), index);
         states.take_forces(in.external, index, true);
-        if (!copies) step_others(at, last, live, near.marks(), step);
+        step_others(at, last, live, near.marks(), step);
         for (uint32_t first = 0; first < near.count(); first += lanes) step_group(run, in, batch, states, near, first);
         states.put_back(arrays, index);
     }
