@@ -23,20 +23,19 @@ struct Vec {
     Number x, y, z;
 };
 HWY_INLINE Vec operator+(const Vec& a, const Vec& b) {
-    return {hw::Add(a.x, b.x), hw::Add(a.y, b.y), hw::Add(a.z, b.z)};
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
 HWY_INLINE Vec operator-(const Vec& a, const Vec& b) {
-    return {hw::Sub(a.x, b.x), hw::Sub(a.y, b.y), hw::Sub(a.z, b.z)};
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 HWY_INLINE Vec operator*(Number s, const Vec& a) {
-    return {hw::Mul(s, a.x), hw::Mul(s, a.y), hw::Mul(s, a.z)};
+    return {s * a.x, s * a.y, s * a.z};
 }
 HWY_INLINE Number dot(const Vec& a, const Vec& b) {
-    return hw::Add(hw::Add(hw::Mul(a.x, b.x), hw::Mul(a.y, b.y)), hw::Mul(a.z, b.z));
+    return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 HWY_INLINE Vec cross(const Vec& a, const Vec& b) {
-    return {hw::Sub(hw::Mul(a.y, b.z), hw::Mul(a.z, b.y)), hw::Sub(hw::Mul(a.z, b.x), hw::Mul(a.x, b.z)),
-            hw::Sub(hw::Mul(a.x, b.y), hw::Mul(a.y, b.x))};
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 struct Lanes {
@@ -78,7 +77,7 @@ HWY_INLINE Vec farthest(const SearchHull& hull, const Vec& d) {
     for (uint32_t i = 1; i < hull.count; ++i) {
         const Vec p = corner(i);
         const Number along = dot(p, d);
-        const Lanes::M better = hw::Gt(along, most);
+        const Lanes::M better = along > most;
         most = hw::IfThenElse(better, along, most);
         best = Lanes::choose(better, p, best);
     }
@@ -106,7 +105,7 @@ HWY_INLINE void nearest_of_hulls(const SearchHull& a, const SearchHull& b, Searc
                           hw::Load(d, block.ratio + at)};
     const Closest<Lanes> found = closest<Lanes>(support, load(block.start, at), hw::Load(d, block.enough + at),
                                                 hw::Load(d, block.near + at), hw::Load(d, block.tolerance + at));
-    store(hw::Div(Lanes::number(1.0f), found.distance) * found.v, block.normal, at);
+    store((Lanes::number(1.0f) / found.distance) * found.v, block.normal, at);
     store(found.on_a, block.on_a, at);
     hw::Store(found.distance, d, block.distance + at);
     const Number apart = Lanes::number(SearchBlock::apart), beyond = Lanes::number(SearchBlock::beyond);
@@ -127,24 +126,22 @@ struct Outline {
     HWY_INLINE void close(Number sense, Number slack) {
         for (uint32_t i = 0; i < count; ++i) {
             const uint32_t next = i + 1 < count ? i + 1 : 0;
-            const Number du = hw::Mul(sense, hw::Sub(u[next], u[i])), dv = hw::Mul(sense, hw::Sub(v[next], v[i]));
+            const Number du = sense * (u[next] - u[i]), dv = sense * (v[next] - v[i]);
             out_u[i] = dv;
             out_v[i] = hw::Neg(du);
-            const Number at = hw::Sub(hw::Mul(u[i], dv), hw::Mul(v[i], du));
-            most[i] = hw::Add(at, hw::Mul(slack, hw::Add(hw::Abs(du), hw::Abs(dv))));
+            const Number at = u[i] * dv - v[i] * du;
+            most[i] = at + slack * (hw::Abs(du) + hw::Abs(dv));
         }
     }
     HWY_INLINE Number beyond(uint32_t edge, Number at_u, Number at_v) const {
-        return hw::Sub(hw::Add(hw::Mul(out_u[edge], at_u), hw::Mul(out_v[edge], at_v)), most[edge]);
+        return out_u[edge] * at_u + out_v[edge] * at_v - most[edge];
     }
 };
 
 // A plane above the one normal to the contact.
 struct Height {
     Number level, slope_u, slope_v;
-    HWY_INLINE Number at(Number u, Number v) const {
-        return hw::Add(level, hw::Add(hw::Mul(slope_u, u), hw::Mul(slope_v, v)));
-    }
+    HWY_INLINE Number at(Number u, Number v) const { return level + (slope_u * u + slope_v * v); }
 };
 
 // Candidates for contacts: the ends of each edge's part within the other outline. Places outside have gaps that never count.
@@ -167,19 +164,19 @@ struct Places {
             Number begin = zero, end = one;
             Lanes::M outside = Lanes::none();
             for (uint32_t j = 0; j < within.count; ++j) {
-                const Number to = within.beyond(j, of.u[next], of.v[next]), sinks = hw::Sub(from[j], to);
-                const Number crossing = hw::Div(from[j], sinks);
-                const Lanes::M out_first = hw::Gt(from[j], zero), out_last = hw::Gt(to, zero);
+                const Number to = within.beyond(j, of.u[next], of.v[next]), sinks = from[j] - to;
+                const Number crossing = from[j] / sinks;
+                const Lanes::M out_first = from[j] > zero, out_last = to > zero;
                 begin = hw::IfThenElse(out_first, hw::Max(begin, crossing), begin);
                 end = hw::IfThenElse(out_last, hw::Min(end, crossing), end);
                 outside = Lanes::either(outside, Lanes::both(out_first, out_last));
                 from[j] = to;
             }
             outside = Lanes::either(outside, Lanes::inverse(begin <= end));
-            const Number du = hw::Sub(of.u[next], of.u[i]), dv = hw::Sub(of.v[next], of.v[i]);
+            const Number du = of.u[next] - of.u[i], dv = of.v[next] - of.v[i];
             for (const Number part : {begin, end}) {
-                const Number at_u = hw::Add(of.u[i], hw::Mul(part, du)), at_v = hw::Add(of.v[i], hw::Mul(part, dv));
-                const Number here = hw::Sub(upper.at(at_u, at_v), lower.at(at_u, at_v));
+                const Number at_u = of.u[i] + part * du, at_v = of.v[i] + part * dv;
+                const Number here = upper.at(at_u, at_v) - lower.at(at_u, at_v);
                 add(at_u, at_v, hw::IfThenElse(outside, never, here));
             }
         }
@@ -193,8 +190,8 @@ struct Places {
         Best out{u[0], v[0], gap[0], Lanes::none()};
         for (uint32_t i = 0; i < count; ++i) {
             const Number value = measure(u[i], v[i]);
-            const Lanes::M better = Lanes::both(hw::Lt(gap[i], limit), hw::Gt(value, least));
-            least = hw::IfThenElse(better, hw::Mul(Lanes::number(1.01f), value), least);
+            const Lanes::M better = Lanes::both(value > least, gap[i] < limit);
+            least = hw::IfThenElse(better, Lanes::number(1.01f) * value, least);
             out.u = hw::IfThenElse(better, u[i], out.u);
             out.v = hw::IfThenElse(better, v[i], out.v);
             out.gap = hw::IfThenElse(better, gap[i], out.gap);
@@ -208,90 +205,88 @@ HWY_INLINE void plate_manifold(const SearchHull& a, const SearchHull& b, SearchB
     const Tag d;
     const Number zero = Lanes::number(0.0f), one = Lanes::number(1.0f), ratio = hw::Load(d, block.ratio + at);
     const Number distance = hw::Load(d, block.distance + at), limit = hw::Load(d, block.enough + at);
-    const Number smaller = hw::Load(d, block.smaller + at), left = hw::Sub(limit, distance);
+    const Number smaller = hw::Load(d, block.smaller + at), left = limit - distance;
     const Vec n = load(block.normal, at), offset = load(block.offset, at), on_a = load(block.on_a, at);
     const Vec axis[3] = {load(block.axes, at), load(block.axes + 3, at), load(block.axes + 6, at)};
     // Two axes across the normal (Duff et al. 2017).
-    const Number sign = hw::IfThenElse(hw::Lt(n.z, zero), hw::Neg(one), one);
-    const Number f = hw::Neg(hw::Div(one, hw::Add(sign, n.z))), g = hw::Mul(hw::Mul(n.x, n.y), f);
-    const Vec across_u{hw::Add(one, hw::Mul(hw::Mul(sign, hw::Mul(n.x, n.x)), f)), hw::Mul(sign, g),
-                       hw::Neg(hw::Mul(sign, n.x))};
-    const Vec across_v{g, hw::Add(sign, hw::Mul(hw::Mul(n.y, n.y), f)), hw::Neg(n.y)};
+    const Number sign = hw::IfThenElse(n.z < zero, hw::Neg(one), one);
+    const Number f = hw::Neg(one / (sign + n.z)), g = n.x * n.y * f;
+    const Vec across_u{one + sign * (n.x * n.x) * f, sign * g, hw::Neg(sign * n.x)};
+    const Vec across_v{g, sign + n.y * n.y * f, hw::Neg(n.y)};
 
     const Number up_a = n.z, up_b = dot(axis[2], n);
     const Number edge_on = Lanes::number(plate_edge_on);
-    const Lanes::M faces = Lanes::both(hw::Gt(hw::Abs(up_a), edge_on), hw::Gt(hw::Abs(up_b), edge_on));
+    const Lanes::M faces = Lanes::both(hw::Abs(up_a) > edge_on, hw::Abs(up_b) > edge_on);
     const Lanes::M apart = hw::Eq(hw::Load(d, block.state + at), Lanes::number(SearchBlock::apart));
     const Lanes::M here = Lanes::both(faces, apart);
     if (!Lanes::any(here)) {
         hw::Store(Lanes::number(SearchBlock::no_manifold), d, block.count + at);
         return;
     }
-    const Height upper{zero, hw::Neg(hw::Div(across_u.z, up_a)), hw::Neg(hw::Div(across_v.z, up_a))};
-    Height lower{zero, hw::Neg(hw::Div(dot(axis[2], across_u), up_b)), hw::Neg(hw::Div(dot(axis[2], across_v), up_b))};
+    const Height upper{zero, hw::Neg(across_u.z / up_a), hw::Neg(across_v.z / up_a)};
+    Height lower{zero, hw::Neg(dot(axis[2], across_u) / up_b), hw::Neg(dot(axis[2], across_v) / up_b)};
     const Number offset_u = dot(across_u, offset), offset_v = dot(across_v, offset);
-    lower.level = hw::Sub(dot(n, offset), lower.at(offset_u, offset_v));
+    lower.level = dot(n, offset) - lower.at(offset_u, offset_v);
 
     Outline of_a, of_b;
     of_a.count = a.count;
     of_b.count = b.count;
     for (uint32_t i = 0; i < a.count; ++i) {
         const Number x = Lanes::number(a.ring_x[i]), y = Lanes::number(a.ring_y[i]);
-        of_a.u[i] = hw::Add(hw::Mul(x, across_u.x), hw::Mul(y, across_u.y));
-        of_a.v[i] = hw::Add(hw::Mul(x, across_v.x), hw::Mul(y, across_v.y));
+        of_a.u[i] = x * across_u.x + y * across_u.y;
+        of_a.v[i] = x * across_v.x + y * across_v.y;
     }
-    const Number ux = hw::Mul(ratio, dot(axis[0], across_u)), uy = hw::Mul(ratio, dot(axis[1], across_u));
-    const Number vx = hw::Mul(ratio, dot(axis[0], across_v)), vy = hw::Mul(ratio, dot(axis[1], across_v));
+    const Number ux = ratio * dot(axis[0], across_u), uy = ratio * dot(axis[1], across_u);
+    const Number vx = ratio * dot(axis[0], across_v), vy = ratio * dot(axis[1], across_v);
     for (uint32_t i = 0; i < b.count; ++i) {
         const Number x = Lanes::number(b.ring_x[i]), y = Lanes::number(b.ring_y[i]);
-        of_b.u[i] = hw::Add(offset_u, hw::Add(hw::Mul(x, ux), hw::Mul(y, uy)));
-        of_b.v[i] = hw::Add(offset_v, hw::Add(hw::Mul(x, vx), hw::Mul(y, vy)));
+        of_b.u[i] = offset_u + (x * ux + y * uy);
+        of_b.v[i] = offset_v + (x * vx + y * vy);
     }
-    const Number slack_out = hw::Mul(Lanes::number(1e-5f), smaller);
-    of_a.close(hw::IfThenElse(hw::Lt(up_a, zero), hw::Neg(one), one), slack_out);
-    of_b.close(hw::IfThenElse(hw::Lt(up_b, zero), hw::Neg(one), one), slack_out);
+    const Number slack_out = Lanes::number(1e-5f) * smaller;
+    of_a.close(hw::IfThenElse(up_a < zero, hw::Neg(one), one), slack_out);
+    of_b.close(hw::IfThenElse(up_b < zero, hw::Neg(one), one), slack_out);
     Places places;
     places.add_edges(of_a, of_b, upper, lower);
     places.add_edges(of_b, of_a, upper, lower);
 
     // The nearest points, unless a place is as deep.
-    const Number slack =
-        hw::Max(hw::Min(hw::Mul(Lanes::number(0.02f), left), hw::Mul(Lanes::number(2e-3f), smaller)), zero);
+    const Number slack = hw::Max(hw::Min(Lanes::number(0.02f) * left, Lanes::number(2e-3f) * smaller), zero);
     const Number most_gap = Lanes::number(1e29f);
     Number deepest = most_gap, sum_u = zero, sum_v = zero, inside = zero;
     const auto count_in = [&](Number u, Number v, Number gap) HWY_ATTR {
-        const Lanes::M in = hw::Lt(gap, most_gap);
+        const Lanes::M in = gap < most_gap;
         deepest = hw::Min(deepest, gap);
-        sum_u = hw::Add(sum_u, hw::IfThenElseZero(in, u));
-        sum_v = hw::Add(sum_v, hw::IfThenElseZero(in, v));
-        inside = hw::Add(inside, hw::IfThenElseZero(in, one));
+        sum_u = sum_u + hw::IfThenElseZero(in, u);
+        sum_v = sum_v + hw::IfThenElseZero(in, v);
+        inside = inside + hw::IfThenElseZero(in, one);
     };
     for (uint32_t i = 0; i < places.count; ++i) count_in(places.u[i], places.v[i], places.gap[i]);
     const Vec on_b = on_a - distance * n;
     const Number nearest_u = dot(across_u, on_b), nearest_v = dot(across_v, on_b);
-    const Lanes::M as_deep = hw::Le(deepest, hw::Add(distance, slack));
+    const Lanes::M as_deep = deepest <= distance + slack;
     const Number nearest = hw::IfThenElse(as_deep, Lanes::number(1e30f), distance);
     places.add(nearest_u, nearest_v, nearest);
     count_in(nearest_u, nearest_v, nearest);
 
-    const Number some = hw::Max(inside, one), mid_u = hw::Div(sum_u, some), mid_v = hw::Div(sum_v, some);
+    const Number some = hw::Max(inside, one), mid_u = sum_u / some, mid_v = sum_v / some;
     const auto squared = [](Number from_u, Number from_v) HWY_ATTR {
         return [from_u, from_v](Number u, Number v) HWY_ATTR {
-            const Number du = hw::Sub(u, from_u), dv = hw::Sub(v, from_v);
-            return hw::Add(hw::Mul(du, du), hw::Mul(dv, dv));
+            const Number du = u - from_u, dv = v - from_v;
+            return du * du + dv * dv;
         };
     };
-    const Number same = hw::Mul(Lanes::number(plate_same_place), smaller);
+    const Number same = Lanes::number(plate_same_place) * smaller;
     Places::Best best[4];
-    best[0] = places.best(hw::Neg(one), hw::Min(limit, hw::Add(deepest, slack)), squared(mid_u, mid_v));
-    best[1] = places.best(hw::Mul(same, same), limit, squared(best[0].u, best[0].v));
+    best[0] = places.best(hw::Neg(one), hw::Min(limit, deepest + slack), squared(mid_u, mid_v));
+    best[1] = places.best(same * same, limit, squared(best[0].u, best[0].v));
     best[1].found = Lanes::both(best[1].found, best[0].found);
-    const Number du = hw::Sub(best[1].u, best[0].u), dv = hw::Sub(best[1].v, best[0].v);
-    const Number least = hw::Mul(same, hw::Sqrt(hw::Add(hw::Mul(du, du), hw::Mul(dv, dv))));
+    const Number du = best[1].u - best[0].u, dv = best[1].v - best[0].v;
+    const Number least = same * hw::Sqrt(du * du + dv * dv);
     for (uint32_t k = 2; k < 4; ++k) {
         const Number side = k == 2 ? one : hw::Neg(one);
         best[k] = places.best(least, limit, [&](Number u, Number v) HWY_ATTR {
-            return hw::Mul(side, hw::Sub(hw::Mul(du, hw::Sub(v, best[0].v)), hw::Mul(dv, hw::Sub(u, best[0].u))));
+            return side * (du * (v - best[0].v) - dv * (u - best[0].u));
         });
         best[k].found = Lanes::both(best[k].found, best[1].found);
     }
@@ -307,7 +302,7 @@ HWY_INLINE void plate_manifold(const SearchHull& a, const SearchHull& b, SearchB
         const Number u = best[k].u, v = best[k].v;
         store(u * across_u + v * across_v + lower.at(u, v) * n, block.place + 3 * k, at);
         hw::Store(best[k].gap, d, block.place_gap[k] + at);
-        count = hw::Add(count, hw::IfThenElseZero(best[k].found, one));
+        count = count + hw::IfThenElseZero(best[k].found, one);
     }
     hw::Store(hw::IfThenElse(here, count, Lanes::number(SearchBlock::no_manifold)), d, block.count + at);
 }
@@ -327,12 +322,12 @@ struct Boxes {
         turns = number(at_turns), margin = number(at_margin);
         const Vec q = vector(at_q), q2 = Lanes::number(2.0f) * q;
         const Number w = number(at_q + 3), one = Lanes::number(1.0f);
-        const Number xx = hw::Mul(q2.x, q.x), yy = hw::Mul(q2.y, q.y), zz = hw::Mul(q2.z, q.z);
-        const Number xy = hw::Mul(q2.x, q.y), xz = hw::Mul(q2.x, q.z), yz = hw::Mul(q2.y, q.z);
-        const Number wx = hw::Mul(q2.x, w), wy = hw::Mul(q2.y, w), wz = hw::Mul(q2.z, w);
-        axis[0] = {hw::Sub(one, hw::Add(yy, zz)), hw::Add(xy, wz), hw::Sub(xz, wy)};
-        axis[1] = {hw::Sub(xy, wz), hw::Sub(one, hw::Add(xx, zz)), hw::Add(yz, wx)};
-        axis[2] = {hw::Add(xz, wy), hw::Sub(yz, wx), hw::Sub(one, hw::Add(xx, yy))};
+        const Number xx = q2.x * q.x, yy = q2.y * q.y, zz = q2.z * q.z;
+        const Number xy = q2.x * q.y, xz = q2.x * q.z, yz = q2.y * q.z;
+        const Number wx = q2.x * w, wy = q2.y * w, wz = q2.z * w;
+        axis[0] = {one - (yy + zz), xy + wz, xz - wy};
+        axis[1] = {xy - wz, one - (xx + zz), yz + wx};
+        axis[2] = {xz + wy, yz - wx, one - (xx + yy)};
     }
 };
 
@@ -340,8 +335,7 @@ struct Boxes {
 // near side.
 HWY_INLINE hw::Mask<Tag> apart(const Boxes& a, const Boxes& b) {
     const Vec shifted = a.shift - b.shift, way = b.middle - a.middle;
-    const Number within =
-        hw::Add(hw::Add(hw::Min(a.margin, b.margin), hw::Sqrt(dot(shifted, shifted))), hw::Add(a.turns, b.turns));
+    const Number within = hw::Min(a.margin, b.margin) + hw::Sqrt(dot(shifted, shifted)) + (a.turns + b.turns);
     const Number half_a[3] = {a.half.x, a.half.y, a.half.z}, half_b[3] = {b.half.x, b.half.y, b.half.z};
     Number along_a[3], turn[3][3], size[3][3];
     for (size_t i = 0; i < 3; ++i) {
@@ -349,15 +343,12 @@ HWY_INLINE hw::Mask<Tag> apart(const Boxes& a, const Boxes& b) {
         for (size_t k = 0; k < 3; ++k) turn[i][k] = dot(a.axis[i], b.axis[k]), size[i][k] = hw::Abs(turn[i][k]);
     }
     hw::Mask<Tag> out = Lanes::none();
-    const auto test = [&](Number distance, Number reach_a, Number reach_b) HWY_ATTR {
-        out = hw::Or(out, hw::Gt(hw::Abs(distance), hw::Add(within, hw::Add(reach_a, reach_b))));
-    };
+    const auto test = [&](Number distance, Number reach_a, Number reach_b)
+                          HWY_ATTR { out = hw::Or(out, hw::Abs(distance) > within + (reach_a + reach_b)); };
     for (size_t i = 0; i < 3; ++i) {
-        const Number of_b = hw::Add(hw::Add(hw::Mul(half_b[0], size[i][0]), hw::Mul(half_b[1], size[i][1])),
-                                    hw::Mul(half_b[2], size[i][2]));
+        const Number of_b = half_b[0] * size[i][0] + half_b[1] * size[i][1] + half_b[2] * size[i][2];
         test(along_a[i], half_a[i], of_b);
-        const Number of_a = hw::Add(hw::Add(hw::Mul(half_a[0], size[0][i]), hw::Mul(half_a[1], size[1][i])),
-                                    hw::Mul(half_a[2], size[2][i]));
+        const Number of_a = half_a[0] * size[0][i] + half_a[1] * size[1][i] + half_a[2] * size[2][i];
         test(dot(b.axis[i], way), of_a, half_b[i]);
     }
     if (hw::AllTrue(Tag(), out)) return out;
@@ -365,9 +356,8 @@ HWY_INLINE hw::Mask<Tag> apart(const Boxes& a, const Boxes& b) {
         const size_t j = (i + 1) % 3, l = (i + 2) % 3;
         for (size_t k = 0; k < 3; ++k) {
             const size_t m = (k + 1) % 3, n = (k + 2) % 3;
-            test(hw::Sub(hw::Mul(along_a[l], turn[j][k]), hw::Mul(along_a[j], turn[l][k])),
-                 hw::Add(hw::Mul(half_a[j], size[l][k]), hw::Mul(half_a[l], size[j][k])),
-                 hw::Add(hw::Mul(half_b[m], size[i][n]), hw::Mul(half_b[n], size[i][m])));
+            test(along_a[l] * turn[j][k] - along_a[j] * turn[l][k], half_a[j] * size[l][k] + half_a[l] * size[j][k],
+                 half_b[m] * size[i][n] + half_b[n] * size[i][m]);
         }
     }
     return out;
