@@ -178,7 +178,7 @@ void ContactGroup::touch_grounds(const ContactSubstep& substep) {
             Contact contacts[most_contacts];
             const uint32_t count =
                 find_contacts(*step_->shape, arrays_.field[field_scale][i], relative(pose, pose_of(i)), c.geometry,
-                              {0, 0}, margin_of(i, substep.h), contacts);
+                              margin_of(i, substep.h), contacts);
             for (uint32_t k = 0; k < count; ++k) add(i, grounds_[g], contacts[k], pose, motion);
         }
     }
@@ -306,8 +306,8 @@ void ContactGroup::touch_others(uint32_t i, const ContactSubstep& substep) {
             bool fast = false;
             const bool below = side_below(i, c, at, substep, fast) && !fast;
             add_all(candidate.slot, pose,
-                    find_contacts(*step_->shape, scale, relative(pose, below ? at : lifted), c.geometry, candidate.part,
-                                  margin, contacts, &from, below ? Vector{} : rotate(inverse(pose.rotation), up_[i])),
+                    find_contacts(*step_->shape, scale, relative(pose, below ? at : lifted), c.geometry, margin,
+                                  contacts, &from, below ? Vector{} : rotate(inverse(pose.rotation), up_[i])),
                     below ? Vector{} : lift_[i]);
             return;
         }

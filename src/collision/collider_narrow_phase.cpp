@@ -97,8 +97,8 @@ std::optional<FlatSide> flat_side(const Geometry& solid, Vector from, Vector to,
     return most > 0.0f ? std::optional(side) : std::nullopt;
 }
 
-uint32_t find_contacts(const BodyShape& shape, float scale, const Pose& at, const Geometry& collider, ColliderPart part,
-                       float margin, Contact* out, const Pose* began, Vector lift) {
+uint32_t find_contacts(const BodyShape& shape, float scale, const Pose& at, const Geometry& collider, float margin,
+                       Contact* out, const Pose* began, Vector lift) {
     const float far = scale * shape.reach + margin;
     if (distance_from(collider, at.position) > far) return 0;
     ContactPoints set(shape, scale, at, margin, began);
@@ -109,9 +109,6 @@ uint32_t find_contacts(const BodyShape& shape, float scale, const Pose& at, cons
         break;
     case ColliderKind::heightfield:
         add_heightfield(set, *collider.heightfield);
-        break;
-    case ColliderKind::mesh:
-        add_mesh(set, *collider.mesh, part);
         break;
     default: {
         if (add_flat_side(set, collider)) break;
@@ -326,32 +323,27 @@ bool sweeps(const Way& way) {
     return way.farthest > short_way * way.scale * way.shape.thickness;
 }
 
-MetTriangle sweep_mesh(const Way& way, const MeshGeometry& mesh, ColliderPart part, SkipTriangle skips,
-                       const void* context) {
-    MetTriangle least{1.0f, 0};
-    for (uint32_t i = part.first; i < part.first + part.count && i < mesh.triangle_count; ++i) {
-        const Triangle t = mesh_triangle(mesh, i);
-        if (!(dot(t.normal, t.normal) > 0.5f) || !near_triangle(way, t) || (skips && skips(context, t, i))) continue;
-        const float free = sweep_triangle(way, t);
-        if (free < least.free) least = {free, i};
-    }
-    return least;
-}
 } // namespace
 
 MetTriangle first_triangle(const BodyShape& shape, float scale, const Pose& from, const Pose& to,
                            const MeshGeometry& mesh, ColliderPart part, SkipTriangle skips, const void* context) {
     const Way way(shape, scale, from, to);
-    return sweeps(way) ? sweep_mesh(way, mesh, part, skips, context) : MetTriangle{1.0f, 0};
+    MetTriangle least{1.0f, 0};
+    if (!sweeps(way)) return least;
+    for (uint32_t i = part.first; i < part.first + part.count && i < mesh.triangle_count; ++i) {
+        const Triangle t = mesh_triangle(mesh, i);
+        if (!(dot(t.normal, t.normal) > 0.5f) || !near_triangle(way, t) || skips(context, t, i)) continue;
+        const float free = sweep_triangle(way, t);
+        if (free < least.free) least = {free, i};
+    }
+    return least;
 }
 
-float free_fraction(const BodyShape& shape, float scale, const Pose& from, const Pose& to, const Geometry& collider,
-                    ColliderPart part) {
+float free_fraction(const BodyShape& shape, float scale, const Pose& from, const Pose& to, const Geometry& collider) {
     if (collider.kind == ColliderKind::plane) return 1.0f; // solid below: contacts push out from any depth
     const Way way(shape, scale, from, to);
     if (!sweeps(way)) return 1.0f;
     if (collider.kind == ColliderKind::heightfield) return sweep_heightfield(way, *collider.heightfield);
-    if (collider.kind == ColliderKind::mesh) return sweep_mesh(way, *collider.mesh, part, nullptr, nullptr).free;
     const bool round = collider.kind == ColliderKind::sphere || collider.kind == ColliderKind::capsule;
     const float half_length = collider.kind == ColliderKind::capsule ? collider.size[1] : 0.0f;
     const bool near = round           ? near_axis(way, collider.size[0], half_length)

@@ -23,14 +23,15 @@ struct Contact {
 // up to a tenth of the reach and twice the depth farther. Writes at most most_contacts, those that hold the body best, and returns their number.
 // began: the pose at the beginning of the substep, to keep the body on its side of a thin thing. lift: away from what supports the body, collider frame;
 // zero: nothing. Overlapping cores do not part against it.
-uint32_t find_contacts(const BodyShape& shape, float scale, const Pose& at, const Geometry& collider, ColliderPart part,
-                       float margin, Contact* out, const Pose* began = nullptr, Vector lift = {});
+// Not for meshes.
+uint32_t find_contacts(const BodyShape& shape, float scale, const Pose& at, const Geometry& collider, float margin,
+                       Contact* out, const Pose* began = nullptr, Vector lift = {});
 
 // Swept test by conservative advancement: the fraction of the path, 0 to 1, up to which the pair stays apart, to a tenth of the body's thickness or a
 // hundredth of its reach. Never too large, may be too small. Position is linear, rotation the normalised linear quaternion. 1 for planes, and for
-// paths below a quarter of the thickness, on which nothing is jumped. If `from` overlaps, the core or a shrunk core keeps a part of its distance.
-float free_fraction(const BodyShape& shape, float scale, const Pose& from, const Pose& to, const Geometry& collider,
-                    ColliderPart part);
+// paths below a quarter of the thickness, on which nothing is jumped. If `from` overlaps, the core or a shrunk core keeps a part of its distance. Not
+// for meshes.
+float free_fraction(const BodyShape& shape, float scale, const Pose& from, const Pose& to, const Geometry& collider);
 
 // m: lower bound of the distance between p and the surface; not positive inside.
 float distance_from(const Geometry& g, Vector p);

@@ -70,7 +70,7 @@ bool find_side(const BodyShape& s, float scale, const Pose& met, const Geometry&
         add_mesh(contacts, *g.mesh, part, true); // as if it had no neighbours: only this triangle was met
         end += contacts.keep(stop.contacts);
     } else {
-        end += find_contacts(s, scale, met, g, part, near, stop.contacts);
+        end += find_contacts(s, scale, met, g, near, stop.contacts);
     }
     stop.count = 0;
     if (end == stop.contacts) return false;
@@ -197,7 +197,7 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
             const Pose first = relative(pose_at(c, begin), from), last = relative(pose_at(c, end), target);
             bool fast = false;
             if (side_below(i, c, target, substep, fast) && !fast) return 1.0f;
-            return free_fraction(*step_->shape, scale, first, last, c.geometry, candidate.part);
+            return free_fraction(*step_->shape, scale, first, last, c.geometry);
         };
         // A stopped body slides along the thing to the next one, then along both to a third.
         bool slid = false;

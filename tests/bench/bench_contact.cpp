@@ -62,9 +62,9 @@ void run(benchmark::State& state, ColliderKind kind, int what) {
     for (auto _ : state) {
         const Pose& pose = poses[i & 511];
         if (what < 3)
-            found += find_contacts(shape, 1.0f, pose, solid.geometry, solid.part, 1e-3f, out);
+            found += find_contacts(shape, 1.0f, pose, solid, 1e-3f, out);
         else
-            found += static_cast<double>(free_fraction(shape, 1.0f, pose, next[i & 511], solid.geometry, solid.part));
+            found += static_cast<double>(free_fraction(shape, 1.0f, pose, next[i & 511], solid));
         benchmark::DoNotOptimize(found);
         ++i;
     }

@@ -5,6 +5,7 @@
 #include "collision/collider_narrow_phase.h"
 #include "collision/convex_separation.h"
 #include "collision/local_pair.h"
+#include "collision/triangle_contact.h"
 #include "support/box_corners.h"
 #include "support/random.h"
 #include "support/vector.h"
@@ -146,6 +147,21 @@ struct Solid {
         return true;
     }
 };
+
+// Of a solid of any kind, meshes included.
+inline uint32_t find_contacts(const lr::BodyShape& shape, float scale, const lr::Pose& at, const Solid& solid,
+                              float margin, lr::Contact* out) {
+    if (!solid.geometry.mesh) return lr::find_contacts(shape, scale, at, solid.geometry, margin, out);
+    lr::ContactPoints set(shape, scale, at, margin);
+    lr::add_mesh(set, solid.mesh, solid.part);
+    return set.keep(out, true);
+}
+inline float free_fraction(const lr::BodyShape& shape, float scale, const lr::Pose& from, const lr::Pose& to,
+                           const Solid& solid) {
+    if (!solid.geometry.mesh) return lr::free_fraction(shape, scale, from, to, solid.geometry);
+    const auto none = [](const void*, const lr::Triangle&, uint32_t) { return false; };
+    return lr::first_triangle(shape, scale, from, to, solid.mesh, solid.part, none, nullptr).free;
+}
 
 // Solids of finite size, about `size` large. kind: sphere to hull, or a mesh of one triangle.
 inline void make_random(Solid& solid, lr::ColliderKind kind, float size, Random& random) {

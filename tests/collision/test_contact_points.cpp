@@ -14,7 +14,7 @@ struct Found {
     Contact contacts[most_contacts];
     uint32_t count;
     Found(const BodyShape& shape, float scale, const Pose& at, const test::Solid& solid, float margin) : contacts{} {
-        count = find_contacts(shape, scale, at, solid.geometry, solid.part, margin, contacts);
+        count = find_contacts(shape, scale, at, solid, margin, contacts);
         REQUIRE(count <= most_contacts);
         if (count != 0) REQUIRE(least() < margin);
         // Other rims of flat ellipsoids.
@@ -327,7 +327,7 @@ TEST_CASE("hostile pairs give finite contacts or none") {
         if (i % 17 == 0) q.w = nan;
         const BodyShape& shape = shapes[random.below(5)];
         Contact out[most_contacts];
-        const uint32_t count = find_contacts(shape, 1.0f, {p, q}, solid.geometry, solid.part, 1e-3f, out);
+        const uint32_t count = find_contacts(shape, 1.0f, {p, q}, solid, 1e-3f, out);
         REQUIRE(count <= most_contacts);
         for (uint32_t k = 0; k < count; ++k) {
             CHECK(std::abs(length(out[k].normal) - 1.0f) < 1e-4f);
@@ -335,7 +335,7 @@ TEST_CASE("hostile pairs give finite contacts or none") {
             CHECK(std::isfinite(length(out[k].arm)));
         }
         const Pose to{p + random.real(0.0, 0.3) * test::any_direction(random), test::any_rotation(random)};
-        const float fraction = free_fraction(shape, 1.0f, {p, q}, to, solid.geometry, solid.part);
+        const float fraction = free_fraction(shape, 1.0f, {p, q}, to, solid);
         CHECK(fraction >= 0.0f);
         CHECK(fraction <= 1.0f);
     }

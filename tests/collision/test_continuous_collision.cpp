@@ -52,7 +52,7 @@ TEST_CASE("no shot goes through a thin wall") {
                       test::any_rotation(random)};
             const Pose to{from.position + to_wall,
                           turned(from.rotation, test::any_direction(random), random.real(0.0, 0.7))};
-            const float fraction = free_fraction(shape, size, from, to, wall.geometry, wall.part);
+            const float fraction = free_fraction(shape, size, from, to, wall);
             REQUIRE(fraction >= 0.0f);
             REQUIRE(fraction <= 1.0f);
             const Pose at = between(from, to, fraction);
@@ -93,7 +93,7 @@ TEST_CASE("nothing is pushed through by trying again and again") {
                 // Contacts handle motions that are short relative to the thickness.
                 const Pose to{at.position + Vector{0.0f, 0.0f, -size * random.real(0.5, 5.0)},
                               turned(at.rotation, test::any_direction(random), random.real(0.0, 0.1))};
-                at = between(at, to, free_fraction(shape, 1.0f, at, to, wall.geometry, wall.part));
+                at = between(at, to, free_fraction(shape, 1.0f, at, to, wall));
             }
             CHECK(at.position.z > 0.0f);
         }
@@ -109,13 +109,13 @@ TEST_CASE("a free way is whole, and one along a wall") {
     const float over = 5e-5f + 1e-4f + 2e-5f;
     REQUIRE(std::abs(lowest_z(shape, {{0.0f, 0.0f, 0.0f}, flat})) < 1e-8);
     const Pose from{{0.0f, 0.0f, over}, flat}, to{{0.3f, 0.1f, over}, flat};
-    CHECK(free_fraction(shape, 1.0f, from, to, wall.geometry, wall.part) == 1.0f);
+    CHECK(free_fraction(shape, 1.0f, from, to, wall) == 1.0f);
     const Pose away{{0.3f, 0.1f, 0.3f}, flat};
-    CHECK(free_fraction(shape, 1.0f, from, away, wall.geometry, wall.part) == 1.0f);
-    CHECK(free_fraction(shape, 1.0f, away, {{0.9f, 0.1f, 0.2f}, flat}, wall.geometry, wall.part) == 1.0f);
+    CHECK(free_fraction(shape, 1.0f, from, away, wall) == 1.0f);
+    CHECK(free_fraction(shape, 1.0f, away, {{0.9f, 0.1f, 0.2f}, flat}, wall) == 1.0f);
     // Straight down: it stops within a tenth of its thickness.
     const Pose high{{0.0f, 0.0f, 0.1f}, flat}, under{{0.0f, 0.0f, -0.2f}, flat};
-    const float t = free_fraction(shape, 1.0f, high, under, wall.geometry, wall.part);
+    const float t = free_fraction(shape, 1.0f, high, under, wall);
     const float gap = 0.1f - 0.3f * t - 5e-5f - shape.radius;
     CHECK(gap > -1e-7f);
     CHECK(gap < 0.11f * shape.thickness);
@@ -145,7 +145,7 @@ TEST_CASE("until the end of the free way there is no overlap" * doctest::test_su
         };
         if (gap(from) <= 0.0) continue;
         ++checked;
-        const float fraction = free_fraction(shape, 1.0f, from, to, solid.geometry, solid.part);
+        const float fraction = free_fraction(shape, 1.0f, from, to, solid);
         for (uint32_t k = 1; k <= 20; ++k) {
             const double there = gap(between(from, to, fraction * static_cast<float>(k) / 20.0f));
             deepest = std::min(deepest, there / static_cast<double>(shape.thickness));
@@ -171,11 +171,11 @@ TEST_CASE("peaks of a heightfield are not jumped") {
     for (uint32_t i = 0; i < 2000; ++i) {
         const Pose from{{0.01f, random.real(0.05, 0.25), random.real(0.02, 0.18)}, test::any_rotation(random)};
         const Pose to{{0.3f, from.position.y, from.position.z}, test::any_rotation(random)};
-        const Pose at = between(from, to, free_fraction(shape, 1.0f, from, to, hill.geometry, hill.part));
+        const Pose at = between(from, to, free_fraction(shape, 1.0f, from, to, hill));
         CHECK(at.position.x < 0.1f);
         CHECK(at.position.x > 0.06f);
         const Pose above{{0.01f, 0.32f, from.position.z}, from.rotation}, over{{0.19f, 0.32f, 0.1f}, from.rotation};
-        CHECK(free_fraction(shape, 1.0f, above, over, hill.geometry, hill.part) == 1.0f);
+        CHECK(free_fraction(shape, 1.0f, above, over, hill) == 1.0f);
     }
 }
 
@@ -188,9 +188,7 @@ TEST_CASE("a long way over a heightfield looks at the cells about it alone, and 
     REQUIRE(field.make_field(side, side, 0.01f, heights));
     const BodyShape shape = test::leaf(0.05f, 1e-3f);
     const auto place = [&] { return random.real(-1.0, 0.01 * side + 1.0); };
-    const auto free = [&](const Pose& a, const Pose& b) {
-        return free_fraction(shape, 1.0f, a, b, field.geometry, field.part);
-    };
+    const auto free = [&](const Pose& a, const Pose& b) { return free_fraction(shape, 1.0f, a, b, field); };
     uint32_t met = 0, missed = 0;
     using Clock = std::chrono::steady_clock;
     Clock::duration at_once{}, in_pieces{};
