@@ -55,11 +55,10 @@ lr_status get_source(const lr_world* world, const char* name, lr_wind_source sou
     return query(world, name, args(source), get);
 }
 
-// field(world): the wind or the water.
 template <class Function, class Field>
-lr_status set_callback(lr_world* world, const char* function, Function callback, void* user, const Field& field) {
+lr_status set_callback(lr_world* world, const char* function, Function callback, void* user, Field lr_world::*field) {
     const auto set = [&](lr_world& w, uint32_t) {
-        field(w).set_callback(callback, user);
+        (w.*field).set_callback(callback, user);
         if (w.recorder) w.recorder->listen(w);
     };
     return change(world, function, args(callback ? 1u : 0u), set);
@@ -113,8 +112,7 @@ int32_t lr_wind_source_is_valid(const lr_world* world, lr_wind_source source) {
 }
 
 lr_status lr_world_set_wind_callback(lr_world* world, lr_wind_fn callback, void* user) {
-    return set_callback(
-        world, __func__, callback, user, [](lr_world & w) -> auto& { return w.wind; });
+    return set_callback(world, __func__, callback, user, &lr_world::wind);
 }
 
 lr_status lr_world_sample_wind(const lr_world* world, const float* positions, uint32_t count, float* velocities) {
@@ -154,10 +152,7 @@ lr_status lr_world_get_water(const lr_world* world, lr_water_desc* desc, int32_t
 }
 
 lr_status lr_world_set_water_callback(lr_world* world, lr_water_fn callback, void* user) {
-    const auto surface = [](lr_world & w) -> auto& {
-        return w.surface;
-    };
-    return set_callback(world, __func__, callback, user, surface);
+    return set_callback(world, __func__, callback, user, &lr_world::surface);
 }
 
 } // extern "C"
