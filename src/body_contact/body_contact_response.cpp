@@ -84,16 +84,8 @@ bool one_frame(const BodyContactFrame& a, const BodyContactFrame& b) {
 } // namespace
 
 void BodyContactStep::hold(uint32_t substep, Held which) {
-    const auto groups_of = [](const BodyContactBatch& member) { return (member.count + lanes - 1) / lanes; };
-    uint32_t groups = 0;
-    for (uint32_t m = 0; m < member_count_; ++m) groups += groups_of(buffers_->members[m]);
-    workers_.run(groups, 4, [&](uint32_t begin, uint32_t end) {
-        for (uint32_t at = begin; at < end; ++at) {
-            const BodyContactBatch* member = buffers_->members.data();
-            uint32_t group = at;
-            for (; group >= groups_of(*member); ++member) group -= groups_of(*member);
-            hold_group(*member, group * lanes, substep, which);
-        }
+    each_piece(lanes, 4, [&](const BodyContactBatch& member, uint32_t first, uint32_t) {
+        hold_group(member, first, substep, which);
     });
 }
 

@@ -73,22 +73,6 @@ Pose BodyContactStep::began(uint32_t body) const {
     return {{value(0), value(1), value(2)}, {value(3), value(4), value(5), value(6)}};
 }
 
-// Calls function(member, begin, end) for pieces of batches, cut at the common cuts.
-template <class Function> void BodyContactStep::each_cut(const Function& function) const {
-    uint32_t cuts = 0;
-    for (uint32_t m = 0; m < member_count_; ++m) cuts += cut_count(buffers_->members[m].item.batch->padded_awake());
-    workers_.run(cuts, 1, [&](uint32_t at, uint32_t) {
-        const BodyContactBatch* member = buffers_->members.data();
-        for (uint32_t here = 0;; ++member, at -= here) {
-            const uint32_t lanes = member->item.batch->padded_awake();
-            here = cut_count(lanes);
-            if (at >= here) continue;
-            function(*member, at * cut_bodies, std::min((at + 1) * cut_bodies, lanes));
-            return;
-        }
-    });
-}
-
 void BodyContactStep::move_cut(const BodyContactBatch& member, uint32_t begin, uint32_t end, uint32_t substep) const {
     Batch& batch = *member.item.batch;
     const BatchArrays& arrays = batch.arrays();
@@ -111,7 +95,7 @@ void BodyContactStep::move_alone(uint32_t substep) {
     if (field) world_->lap(world_->timings.body_contact);
     world_->wind.prepare(time_, items_[0].batch->pace.wind(world_->wind.uniform), substep, 1, world_->seed);
     if (field) world_->lap(world_->timings.wind);
-    each_cut([&](const BodyContactBatch& member, uint32_t begin, uint32_t end) {
+    each_piece(cut_bodies, 1, [&](const BodyContactBatch& member, uint32_t begin, uint32_t end) {
         move_awake(*member.item.batch, begin, end, [&] { move_sheltered(member, begin, end, substep); });
     });
 }
@@ -143,7 +127,7 @@ void BodyContactStep::run() {
             for (uint32_t place = begin; place < end; ++place) put_back(place, substep);
         });
     }
-    each_cut([&](const BodyContactBatch& member, uint32_t begin, uint32_t end) {
+    each_piece(cut_bodies, 1, [&](const BodyContactBatch& member, uint32_t begin, uint32_t end) {
         Batch& batch = *member.item.batch;
         rest_afloat(*world_, batch, begin, end);
         if (batch.lifecycle()) batch.lifecycle()->judge(world_->target->ended, batch.arrays(), begin, end);

@@ -12,6 +12,7 @@
 #include "world/schedule/step_chunks.h"
 #include "world/step/step_near_colliders.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 
@@ -120,7 +121,22 @@ private:
     float* before(uint32_t body, size_t field) const;
     bool wet(const BodyContactBatch& member, uint32_t body) const;
     Pose began(uint32_t body) const;
-    template <class Function> void each_cut(const Function& function) const;
+    // Calls function(member, begin, end) for pieces of batches, `length` lanes each; a thread takes `grain` of them.
+    template <class Function> void each_piece(uint32_t length, uint32_t grain, const Function& function) const {
+        const auto pieces_of = [&](const BodyContactBatch& member) {
+            return (whole_blocks(member.count) + length - 1) / length;
+        };
+        uint32_t pieces = 0;
+        for (uint32_t m = 0; m < member_count_; ++m) pieces += pieces_of(buffers_->members[m]);
+        workers_.run(pieces, grain, [&](uint32_t first, uint32_t past) {
+            for (uint32_t at = first; at < past; ++at) {
+                const BodyContactBatch* member = buffers_->members.data();
+                uint32_t piece = at;
+                for (; piece >= pieces_of(*member); ++member) piece -= pieces_of(*member);
+                function(*member, piece * length, std::min((piece + 1) * length, whole_blocks(member->count)));
+            }
+        });
+    }
 
     void move_alone(uint32_t substep);
     void move_cut(const BodyContactBatch& member, uint32_t begin, uint32_t end, uint32_t substep) const;
