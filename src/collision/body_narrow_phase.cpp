@@ -158,22 +158,19 @@ Drawn resolve_overlap(const PlacedPair& pair) {
 }
 
 // Adapts a core of the pair to set_body_side().
+uint32_t face_of(const PairHull& core, Vector towards) {
+    return farthest(core.face_x, core.face_y, core.face_z, core.shape.face_count, towards);
+}
 struct CoreA {
     const PlacedPair& pair;
     Vector shift;
-    uint32_t face_towards(Vector d) const {
-        const PairHull& a = *pair.a;
-        return farthest(a.face_x, a.face_y, a.face_z, a.shape.face_count, d);
-    }
+    uint32_t face_towards(Vector d) const { return face_of(*pair.a, d); }
     Vector face_normal(uint32_t f) const { return pair.a->face_normal(f); }
     Vector point(uint32_t i) const { return pair.a->point(i) + shift; }
 };
 struct CoreB {
     const PlacedPair& pair;
-    uint32_t face_towards(Vector d) const {
-        const PairHull& b = *pair.b;
-        return farthest(b.face_x, b.face_y, b.face_z, b.shape.face_count, pair.to_b(d));
-    }
+    uint32_t face_towards(Vector d) const { return face_of(*pair.b, pair.to_b(d)); }
     Vector face_normal(uint32_t f) const { return pair.turned(pair.b->face_normal(f)); }
     Vector point(uint32_t i) const { return pair.point_b(i); }
 };

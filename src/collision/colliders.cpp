@@ -4,7 +4,6 @@
 #include "base/handles.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstring>
 
