@@ -3,6 +3,7 @@
 #include "collision/triangle_contact.h"
 #include "kernel/divergence.h"
 
+#include <limits>
 #include <optional>
 
 namespace lr {
@@ -99,8 +100,10 @@ ContactGroup::ContactGroup(const ContactStep& step, const StepInput& in, const B
     }
 }
 
-// A slot for another contact: a free one, or that of the shallowest contact if this one is deeper; else none.
-uint32_t ContactGroup::place(uint32_t i, float gap) {
+// A slot for another contact: a free one. If there is none, the shallower of the two contacts that are most alike goes: had the shallowest gone, a
+// card on many tiles had contacts at its lower end only, and rocked. For a sleeping body the shallowest does go, since the deep ones keep bodies out of
+// each other. Returns contact_slots if the new one goes.
+uint32_t ContactGroup::place(uint32_t i, const SlotContact& c) {
     if (filled_[i] < contact_slots) {
         const uint32_t at = filled_[i]++;
         if (at == slots_.used) {
@@ -110,10 +113,23 @@ uint32_t ContactGroup::place(uint32_t i, float gap) {
         }
         return at;
     }
-    uint32_t shallowest = 0;
-    for (uint32_t k = 1; k < contact_slots; ++k)
-        if (slots_.slot[k].gap[i] > slots_.slot[shallowest].gap[i]) shallowest = k;
-    return gap < slots_.slot[shallowest].gap[i] ? shallowest : contact_slots;
+    const float reach = step_->shape->reach * arrays_.field[field_scale][i];
+    SlotContact all[contact_slots + 1];
+    for (uint32_t k = 0; k < contact_slots; ++k) all[k] = contact(i, k);
+    all[contact_slots] = c;
+    uint32_t out = contact_slots;
+    if (c.collider == a_body) {
+        for (uint32_t k = 0; k < contact_slots; ++k) out = all[k].gap > all[out].gap ? k : out;
+        return out;
+    }
+    float least = std::numeric_limits<float>::infinity();
+    for (uint32_t b = 1; b <= contact_slots; ++b)
+        for (uint32_t a = 0; a < b; ++a) {
+            const Vector apart = all[a].arm - all[b].arm, turned = reach * (all[a].normal - all[b].normal);
+            const float unlike = dot(apart, apart) + dot(turned, turned);
+            if (unlike < least) least = unlike, out = all[a].gap > all[b].gap ? a : b;
+        }
+    return out;
 }
 
 void ContactGroup::add(uint32_t i, uint32_t collider, const Contact& contact, const Pose& pose,
@@ -126,7 +142,7 @@ void ContactGroup::add(uint32_t i, uint32_t collider, const Contact& contact, co
 
 // Returns the slot, or contact_slots.
 uint32_t ContactGroup::put(uint32_t i, const SlotContact& c) {
-    const uint32_t at = place(i, c.gap);
+    const uint32_t at = place(i, c);
     if (at == contact_slots) return at;
     ContactSlots::Slot& s = slots_.slot[at];
     put_in(s.arm, 0, i, c.arm);

@@ -225,7 +225,7 @@ private:
     uint32_t put(uint32_t lane, const SlotContact& contact);
     void add(uint32_t lane, uint32_t collider, const Contact& contact, const Pose& pose, const SurfaceMotion& motion,
              Vector lifted = {});
-    uint32_t place(uint32_t lane, float gap);
+    uint32_t place(uint32_t lane, const SlotContact& contact);
     Pose pose_of(uint32_t lane) const { return pose_in(arrays_.field, lane); }
     float margin_of(uint32_t lane, float h) const;
 

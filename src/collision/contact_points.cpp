@@ -226,28 +226,34 @@ void add_rims_over(ContactPoints& set, const PlacedCollider& collider, const Sep
 }
 } // namespace
 
-Rims rims_of(const PlacedBody& body, Double3 normal) {
+Rims rims_of(const PlacedBody& body, Double3 normal, float fall) {
     if (body.count > 0) return {};
     Double3 axes[3];
-    double size[3], along[3];
-    uint32_t shortest = 0, longest = 0;
+    double along[3];
+    float size[3];
     for (uint32_t k = 0; k < 3; ++k) {
-        size[k] = length(to_double(body.axes[k]));
-        axes[k] = 1.0 / size[k] * to_double(body.axes[k]);
+        const double length_k = length(to_double(body.axes[k]));
+        size[k] = static_cast<float>(length_k);
+        axes[k] = 1.0 / length_k * to_double(body.axes[k]);
         along[k] = dot(normal, axes[k]);
-        if (size[k] < size[shortest]) shortest = k;
-        if (size[k] > size[longest]) longest = k;
     }
-    const double flat = 1.0 - size[shortest] / size[longest];
-    if (flat < 0.8) return {};
-    const uint32_t first = (shortest + 1) % 3, second = (shortest + 2) % 3;
-    const double a = along[first], b = along[second], tilt = 0.02 * flat * flat;
+    const Rocking rocking(size, fall);
+    const bool rocks[2] = {rocking.most[0] > 1.0f, rocking.most[1] > 1.0f};
+    if (!rocks[0] && !rocks[1]) return {};
+    const uint32_t shortest = rocking.shortest, first = (shortest + 1) % 3, second = (shortest + 2) % 3;
+    const double a = along[first], b = along[second];
     const auto point = [&](double by_a, double by_b) {
         return to_float(body.support(-(along[shortest] * axes[shortest] + by_a * axes[first] + by_b * axes[second])));
     };
-    return {7,
-            {point(a + tilt, b), point(a - tilt, b), point(a, b + tilt), point(a, b - tilt), point(-a, b), point(a, -b),
-             point(-a, -b)}};
+    const double tilt[2] = {static_cast<double>(rocking.tilt[0]), static_cast<double>(rocking.tilt[1])};
+    Rims rims{};
+    const auto add = [&](double by_a, double by_b) { rims.point[rims.count++] = point(by_a, by_b); };
+    if (rocks[0]) add(a + tilt[0], b), add(a - tilt[0], b);
+    if (rocks[1]) add(a, b + tilt[1]), add(a, b - tilt[1]);
+    if (rocks[0]) add(-a, b);
+    if (rocks[1]) add(a, -b);
+    if (rocks[0] && rocks[1]) add(-a, -b);
+    return rims;
 }
 
 void add_patch(ContactPoints& set, const PlacedCollider& collider, const Separation& along) {

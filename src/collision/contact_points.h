@@ -47,18 +47,18 @@ private:
     Contact found_[most_found]; // arms along the collider's axes
 };
 
-// The nearest point of a flat ellipsoid on a round collider or a floor jumps from rim to rim at the slightest tilt. So, as over ground, these points
-// are added: where it would touch if tilted a little, and those on the other rims. None for other bodies.
+// The nearest point of a rocking ellipsoid (kernel/contact/collider_contact.h) jumps from rim to rim at the slightest tilt. So, as over ground, these
+// points are added: where it would touch if tilted a little, and those on the other rims. None for other bodies. fall: m, in a substep.
 struct Rims {
     uint32_t count;
     Vector point[7];
 };
-Rims rims_of(const PlacedBody& body, Double3 normal);
+Rims rims_of(const PlacedBody& body, Double3 normal, float fall);
 // Adds rims near the collider. They count beyond the margin, since pushing out the nearest point, at this gap, can press them in. gap_of(point,
 // direction): returns the gap of a rim (m) and sets the normal there.
 template <class Gap> void add_rims(ContactPoints& set, Double3 normal, float gap, const Gap& gap_of) {
     const double wide = static_cast<double>(set.margin + 0.1f * set.body.reach + 2.0f * std::max(-gap, 0.0f));
-    const Rims rims = rims_of(set.body, normal);
+    const Rims rims = rims_of(set.body, normal, set.margin);
     for (uint32_t i = 0; i < rims.count; ++i) {
         Vector direction{};
         const double out = gap_of(rims.point[i], direction);

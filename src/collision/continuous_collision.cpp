@@ -266,6 +266,7 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
         // A body that rests stays pressed in, as over flat sides: only then do all points that bear it count, and it does not rock.
         const Vector out = target.position - pose_of(i).position;
         const bool rests = slid && length(out) < margin;
+        const bool stone = step_->shape->thickness > 0.5f * step_->shape->reach;
         lift_[i] = rests ? out : Vector{};
         if (!rests) {
             const Rotation& q = target.rotation;
@@ -278,6 +279,13 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
             const uint32_t slot = stops[n].candidate.slot;
             const Collider& c = step_->colliders->at(slot);
             const Pose ends = pose_at(c, end);
+            // Contacts of a pose that a rocking stone had earlier push it further. Thin bodies over edges of stairs need them.
+            Stop now{stops[n].candidate, 0, {}};
+            Side side;
+            if (rests && stone &&
+                find_side(*step_->shape, scale, relative(ends, target), c.geometry, now.candidate.part, margin, now,
+                          side))
+                stops[n] = now;
             const SurfaceMotion motion = motion_of(c, substep);
             for (uint32_t k = 0; k < stops[n].count; ++k) add(i, slot, stops[n].contacts[k], ends, motion, lift_[i]);
         }

@@ -42,6 +42,8 @@ namespace {
 
 constexpr uint32_t most_refinements = 3;
 constexpr double step_out = 1e-3; // share of the reach by which the body is moved beyond touching
+// Sine of 3 degrees: up and out of the joint of two tiles leads along their walls, and rounding must not decide on it.
+constexpr double along_side = 0.05;
 
 struct Search {
     const PlacedBody& body;
@@ -50,7 +52,9 @@ struct Search {
     Separation best{};
     bool any = false;
 
-    bool allowed(Double3 n) const { return dot(n, sides.front) > sides.least && dot(n, sides.up) > into_support; }
+    bool allowed(Double3 n) const {
+        return dot(n, sides.front) > sides.least - along_side && dot(n, sides.up) > into_support;
+    }
     void offer(Double3 n, double distance) {
         if (any && !(distance > best.distance)) return;
         any = true;

@@ -114,6 +114,8 @@ void add_triangle(ContactPoints& set, const Triangle& t, bool alone = false) {
         if (dot(side, side) > 0.0) along = separate(body, collider, enough, {side, 0.0, set.up});
     }
     if (!is_hidden(t, to_float(along.normal))) return add_manifold(set, collider, along);
+    // A body that was beside it, as over the upper edge of a wall between two tiles, is up to the neighbours: across the wall the way out is long.
+    if (!alone && !t.one_sided && set.before && dot(side, side) == 0.0) return;
     if (!alone) return add_over_triangle(set, t, collider, along.has_points, side);
     // Along the plane of its floor if all of the body is above it: an edge within a floor is no obstacle.
     const Separation flat = separate_from_side(set, t, collider, side);

@@ -266,6 +266,69 @@ TEST_CASE("a high heap of plates comes to rest within four seconds, and they do 
     }
 }
 
+// Where a substep turns a stone from rim to rim, its nearest point alone throws it further each time. Over a joint of two boxes too.
+TEST_CASE("stones that rock faster than a substep resolves come to rest") {
+    const Triangles sheet = fine_sheet(40, 0.05f, [](float, float) { return 0.0f; });
+    lr_collider_desc table = box_collider(1.0f, 0.1f, 1.0f), tile = box_collider(0.02f, 0.1f, 0.02f);
+    table.position[1] = -0.1f;
+    const Asset stone = make(ellipsoid(0.01, 0.007, 0.004, 2500.0));
+    for (const lr_collider_desc& ground : {collider_desc(LR_COLLIDER_PLANE), table, mesh_collider(sheet), tile})
+        for (const int rate : {30, 60}) {
+            CAPTURE(ground.kind);
+            CAPTURE(ground.size[0]);
+            CAPTURE(rate);
+            const World world = make(world_desc());
+            Random random(4);
+            const bool tiles = ground.size[0] == tile.size[0];
+            for (int k = 0; k < (tiles ? 400 : 1); ++k) {
+                lr_collider_desc d = ground;
+                if (tiles) put(d.position, Vec{0.04 * (k % 20), random.uniform(-0.1005, -0.1), 0.04 * (k / 20)});
+                add_collider(world, d);
+            }
+            const lr_batch batch = add_batch(world, stone, 100);
+            for (uint32_t i = 0; i < 100; ++i)
+                add_body(world, batch, turned_anyhow(random, {0.2 + 0.035 * (i % 10), 0.1, 0.2 + 0.035 * (i / 10)}));
+            steps(world, 6 * rate, 1.0f / static_cast<float>(rate));
+            CHECK(view_of(world, batch).awake_count <= 3);
+        }
+}
+
+// On many tiles the contacts that are kept must hold both ends of a body; and walls within the floor must not push it aside.
+TEST_CASE("cards, leaves and bricks lie still on tiles of uneven height, as boxes and as one mesh") {
+    const Asset card = make(rigid_box(0.06, 0.0004, 0.04, 400.0)), bent = twisted_leaf(),
+                block = make(rigid_box(0.012, 0.009, 0.007, 2500.0));
+    for (const Asset* asset : {&card, &bent, &block})
+        for (const bool one : {false, true}) {
+            CAPTURE(asset == &card);
+            CAPTURE(asset == &block);
+            CAPTURE(one);
+            const World world = make(world_desc());
+            Random random(4);
+            Triangles floor;
+            const float half = asset == &block ? 0.02f : 0.01f;
+            for (int k = 0; k < 1024; ++k) {
+                lr_collider_desc d = box_collider(half, 0.05f, half);
+                put(d.position, Vec{2.0 * wide(half) * (k % 32 - 16), random.uniform(-0.05 - 0.03 * wide(half), -0.05),
+                                    2.0 * wide(half) * (k / 32 - 16)});
+                if (!one) add_collider(world, d);
+                const Triangles box = closed_box(d.size[0], d.size[1], d.size[2]);
+                const auto first = static_cast<uint32_t>(floor.vertices.size() / 3);
+                for (size_t v = 0; v < box.vertices.size(); ++v)
+                    floor.vertices.push_back(box.vertices[v] + d.position[v % 3]);
+                for (const uint32_t index : box.indices) floor.indices.push_back(first + index);
+            }
+            if (one) add_collider(world, mesh_collider(floor));
+            const lr_batch batch = add_batch(world, *asset, 25);
+            for (int i = 0; i < 25; ++i)
+                add_body(world, batch, turned_anyhow(random, {0.08 * (i % 5) - 0.16, 0.06, 0.08 * (i / 5) - 0.16}));
+            steps(world, 240, 1.0f / 60.0f);
+            uint32_t awake = 0;
+            const lr_batch_view v = view_of(world, batch);
+            for (uint32_t i = 0; i < v.awake_count; ++i) awake += v.position[1][i] > -0.1f; // the others fell beside it
+            CHECK(awake <= 2);
+        }
+}
+
 // Leaves over edges of stairs, where a mesh is no floor, need their other rims as on the ground, and must lie as level as there.
 TEST_CASE("leaves fall asleep on stairs of closed boxes in one mesh") {
     Triangles stairs;

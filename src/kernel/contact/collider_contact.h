@@ -70,6 +70,30 @@ struct ShapeConstants {
     float reach;
 };
 
+// How an ellipsoid rocks on its broad side. With the radius of curvature R = a^2/c, c the shortest semi-axis, and the radius of gyration k it rocks
+// at w^2 = g (R - c)/(k^2 + c^2) about each of the others. Where w h is above 1, a substep would turn it from rim to rim and further with each: it
+// needs the points on its other rims.
+struct Rocking {
+    uint32_t shortest = 0; // axis
+    float longest = 0.0f;  // semi-axis
+    float most[2] = {};    // scale below which it rocks along the axes shortest + 1 and + 2
+    float tilt[2] = {};    // of the normal, for points around the nearest
+
+    // fall: g h^2
+    Rocking(const float (&a)[3], float fall) {
+        for (uint32_t k = 1; k < 3; ++k) shortest = a[k] < a[shortest] ? k : shortest;
+        for (const float axis : a) longest = axis > longest ? axis : longest;
+        const float c = a[shortest], flat = 1.0f - c / longest;
+        for (uint32_t k = 0; k < 2; ++k) {
+            const float b = a[(shortest + 1 + k) % 3], curved = b * b / c;
+            most[k] = fall * (curved - c) / (0.2f * (b * b + c * c) + c * c);
+            if (flat > 0.8f) most[k] = 1e30f;
+            tilt[k] = 0.02f * flat * flat;
+            if (tilt[k] * curved < 0.03f * longest) tilt[k] = 0.03f * longest / curved; // less counts as one point
+        }
+    }
+};
+
 inline constexpr size_t most_ground_points = 48;
 inline constexpr size_t contact_lanes = lane_block;
 inline constexpr uint32_t contact_slots = 16, manifold_slots = 4;

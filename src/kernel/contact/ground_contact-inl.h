@@ -147,14 +147,9 @@ private:
     VF inverse_[2][2][2]; // by cell; of its upper and its lower triangle
 };
 
-// Thick ellipsoids roll on a single point, but in a valley they rest on several.
-inline bool is_flat(const ShapeConstants& s) {
-    const float(&a)[3] = s.semi_axes;
-    const float most = HWY_MAX(a[0], HWY_MAX(a[1], a[2])), least = HWY_MIN(a[0], HWY_MIN(a[1], a[2]));
-    return least < 0.2f * most;
-}
-inline uint32_t ellipsoid_points(const ShapeConstants& s, const GroundSurface& g) {
-    return is_flat(s) ? 8 : g.grid.heights ? 5 : 1;
+// Thick ellipsoids roll on a single point, but in a valley they rest on several, and those that rock (Rocking) as flat ones do.
+inline uint32_t ellipsoid_points(const Rocking& rocking, const GroundSurface& g) {
+    return rocking.most[0] > 0.0f || rocking.most[1] > 0.0f ? 8 : g.grid.heights ? 5 : 1;
 }
 
 // A core point, m from the centre of mass in the surface's frame, and its gap.
@@ -166,8 +161,9 @@ struct GroundPoint {
 // A body's points, in the frame of the surface.
 class GroundPoints {
 public:
-    HWY_INLINE GroundPoints(const ContactBodies& b, const GroundSurface& g, size_t at, VF radius)
-        : shape_(b.shape), scale_(load1(b.arrays, field_scale, at)),
+    HWY_INLINE GroundPoints(const ContactBodies& b, const Rocking& rocking, const GroundSurface& g, size_t at,
+                            VF radius)
+        : shape_(b.shape), rocking_(rocking), scale_(load1(b.arrays, field_scale, at)),
           local_(lr::HWY_NAMESPACE::rows(g.axes, load3(b.arrays, field_x, at) - broadcast(g.position))),
           below_(g.grid, local_, radius) {
         const Quaternion q = load4(b.arrays, at);
@@ -181,19 +177,19 @@ public:
         const Vec3 p{constant(x), constant(y), constant(z)};
         return point(scaled_ * p, sample);
     }
-    // Points of an ellipsoid; the first is the nearest. The nearest point of a flat one jumps from rim to rim at the slightest tilt, so four more are
-    // contacts at a small tilt, and three are for mirrored normals. A thick one has four for slopes around it.
+    // Points of an ellipsoid; the first is the nearest. The nearest point of one that rocks jumps from rim to rim at the slightest tilt, so four more
+    // are contacts at a small tilt, and three are for mirrored normals. Others have four for slopes around them.
     HWY_INLINE GroundPoint of_ellipsoid(uint32_t k, GroundSample& sample) const {
         const ShapeConstants& s = shape_;
         const Vec3 axes = scale_ * broadcast(s.semi_axes), center = scale_ * broadcast(s.center);
-        const bool flat = is_flat(s);
-        const float(&a)[3] = s.semi_axes;
-        const float most = HWY_MAX(a[0], HWY_MAX(a[1], a[2])), least = HWY_MIN(a[0], HWY_MIN(a[1], a[2]));
+        const auto rocks_first = scale_ < constant(rocking_.most[0]),
+                   rocks_second = scale_ < constant(rocking_.most[1]);
+        const auto rocks = hn::Or(rocks_first, rocks_second);
         Vec3 from = turned_ * center;
-        if (k != 0 && !flat) { // within the reach, since no cells beyond are fetched
-            const VF beside = scale_ * constant((k & 1) != 0 ? most : -most);
+        if (k != 0 && k <= 4) { // within the reach, since no cells beyond are fetched
+            const VF beside = scale_ * constant((k & 1) != 0 ? rocking_.longest : -rocking_.longest);
             VF& along = k <= 2 ? from.x : from.z;
-            along += beside;
+            along += hn::IfThenZeroElse(rocks, beside);
         }
         GroundPoint p = point(from, sample);
         const auto support = [&](Vec3 n) LR_LAMBDA {
@@ -207,17 +203,17 @@ public:
         p = support(n);
         n = columns(turned_, normal(sample));
         p = support(n);
-        if (k == 0 || !flat) return p;
-        const float tilt = 0.02f * (1.0f - least / most) * (1.0f - least / most);
-        const int shortest = a[0] == least ? 0 : a[1] == least ? 1 : 2;
+        if (k == 0 || hn::AllFalse(DF(), rocks)) return p;
+        const uint32_t shortest = rocking_.shortest;
         VF* const along[3] = {&n.x, &n.y, &n.z};
         VF &first = *along[(shortest + 1) % 3], &second = *along[(shortest + 2) % 3];
         if (k <= 4) {
+            const float tilt = k <= 2 ? rocking_.tilt[0] : rocking_.tilt[1];
             VF& tilted = k <= 2 ? first : second;
-            tilted += constant((k & 1) != 0 ? tilt : -tilt);
+            tilted += hn::IfThenElseZero(k <= 2 ? rocks_first : rocks_second, constant((k & 1) != 0 ? tilt : -tilt));
         } else {
-            if (k != 6) first = -first;
-            if (k != 5) second = -second;
+            if (k != 6) first = hn::IfThenElse(rocks_first, -first, first);
+            if (k != 5) second = hn::IfThenElse(rocks_second, -second, second);
         }
         return support(n);
     }
@@ -313,6 +309,7 @@ private:
     }
 
     const ShapeConstants& shape_;
+    const Rocking& rocking_;
     VF scale_, radius_;
     Vec3 local_; // of the centre of mass
     Matrix turned_, scaled_;
@@ -341,7 +338,8 @@ bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::
     const DU du;
     const bool ellipsoid = b.shape.count == 0;
     const uint32_t points_there = g.grid.heights ? b.shape.sample_count : b.shape.count;
-    const uint32_t count = ellipsoid ? ellipsoid_points(b.shape, g) : points_there;
+    const Rocking rocking(b.shape.semi_axes, ellipsoid ? b.gravity * (b.h * b.h) : 0.0f);
+    const uint32_t count = ellipsoid ? ellipsoid_points(rocking, g) : points_there;
     bool any = false;
     const VF empty = constant(no_contact), zero = hn::Zero(DF()), one = constant(1.0f);
     GroundPoint points[most_ground_points];
@@ -356,7 +354,7 @@ bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::
         for (ContactSlots::Slot& s : out) store1(s.gap, at, empty);
         if (far_above(g, x, reach + (margin + margin))) continue;
 
-        const GroundPoints all(b, g, at, reach + margin);
+        const GroundPoints all(b, rocking, g, at, reach + margin);
         Vec3 deepest = zero3();
         VF least = empty, alike = one; // least cosine between the first point's normal and another's
         Vec3 first_normal = deepest;
