@@ -157,10 +157,10 @@ Drawn resolve_overlap(const PlacedPair& pair) {
     return best;
 }
 
-// Adapts a core of the pair to set_body_side().
 uint32_t face_of(const PairHull& core, Vector towards) {
     return farthest(core.face_x, core.face_y, core.face_z, core.shape.face_count, towards);
 }
+// Adapt the cores of the pair to set_body_side().
 struct CoreA {
     const PlacedPair& pair;
     Vector shift;
