@@ -246,12 +246,13 @@ double tip_speed_of_plates(double aspect) {
     const double slope = aspect / (2.0 + std::sqrt(4.0 + aspect * aspect));
     return std::pow(slope * (2.0 - std::pow(aspect / (aspect + 0.595), 0.76)), 2.0 / 3.0);
 }
+
 // A playing card let go from rest, its long side (body y) level, with a hand's tilt of up to 3 degrees: broadside, or held upright.
 std::vector<Start> let_go(uint32_t count, uint64_t seed, bool upright) {
     std::vector<Start> starts = released_anyhow(count, seed); // for their places
     Random random(seed + 1);
-    const Eigen::Quaterniond held = upright ? Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitX(), up())
-                                            : Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), up());
+    const Vector3d above = upright ? Vector3d::UnitX() : Vector3d::UnitZ();
+    const auto held = Eigen::Quaterniond::FromTwoVectors(above, up());
     for (Start& s : starts) {
         const Vector3d axis = random.orientation() * Vector3d::UnitX();
         s.orientation = Eigen::AngleAxisd(random.real(-3.0, 3.0) * degree, axis) * held;
@@ -263,7 +264,12 @@ std::vector<Start> let_go(uint32_t count, uint64_t seed, bool upright) {
 double landing_distance(const std::vector<Track>& tracks, double height) {
     std::vector<double> distances;
     for (const Track& t : tracks) {
-        const Vector3d way = fallen(t, height).back().position - t.samples.front().position;
+        const std::span<const Sample> fall = fallen(t, height);
+        if (fall.empty()) { // not finite
+            distances.push_back(HUGE_VAL);
+            continue;
+        }
+        const Vector3d way = fall.back().position - fall.front().position;
         distances.push_back(std::hypot(way.x(), way.z()));
     }
     std::nth_element(distances.begin(), distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2),
