@@ -158,7 +158,7 @@ RowResult run_galilean(const Context& context) {
     RowResult result;
     const Asset leaf = paper_leaf();
     Random random(3);
-    std::vector<Start> still(64);
+    std::vector<Start> still(1024); // of 64 four decide the quantile, and three can be on the edge between two motions
     for (Start& s : still) {
         s.orientation = random.orientation();
         for (int i = 0; i < 3; ++i) s.spin[i] = random.real(-5.0, 5.0);
