@@ -26,6 +26,12 @@ inline void apply(Mesh& mesh, const Eigen::Matrix3d& linear, const Eigen::Vector
     for (Eigen::Vector3d& v : mesh.vertices) v = linear * v + shift;
 }
 
+inline void append(Mesh& to, const Mesh& from) {
+    const auto shift = static_cast<uint32_t>(to.vertices.size());
+    to.vertices.insert(to.vertices.end(), from.vertices.begin(), from.vertices.end());
+    for (const Face& f : from.faces) to.faces.push_back({f[0] + shift, f[1] + shift, f[2] + shift});
+}
+
 inline Eigen::Matrix3d some_rotation() {
     return Eigen::AngleAxisd(0.7, Eigen::Vector3d(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
 }

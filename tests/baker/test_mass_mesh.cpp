@@ -37,15 +37,11 @@ struct Arrays {
 Mesh strip(double length) {
     return shapes::patch(6, 3, [=](double u, double v) { return Eigen::Vector3d(length * u, 0.05 * (v - 0.5), 0.0); });
 }
-void append(Mesh& to, const Mesh& from) {
-    const auto shift = static_cast<uint32_t>(to.vertices.size());
-    to.vertices.insert(to.vertices.end(), from.vertices.begin(), from.vertices.end());
-    for (const Face& f : from.faces) to.faces.push_back({f[0] + shift, f[1] + shift, f[2] + shift});
-}
+
 Mesh strip_layers() {
     Mesh all = strip(0.12), flap = strip(0.04);
     for (Face& f : flap.faces) std::swap(f[1], f[2]);
-    append(all, flap);
+    shapes::append(all, flap);
     return all;
 }
 
@@ -146,12 +142,12 @@ TEST_CASE("mass mesh: of bodies of solids and sheets, and itself of parts that c
     Mesh body = shapes::box({0.3, 0.1, 0.1}, {3, 1, 1});
     Mesh fin = strip(0.1);
     shapes::apply(fin, Eigen::Matrix3d::Identity(), {-0.05, 0.0, 0.3});
-    append(body, fin);
+    shapes::append(body, fin);
     Mesh weight = shapes::box({0.2, 0.02, 0.02}, {2, 1, 1});
-    append(weight, shapes::box({0.02, 0.2, 0.02}, {1, 2, 1}));
+    shapes::append(weight, shapes::box({0.02, 0.2, 0.02}, {1, 2, 1}));
     Mesh foil = strip(0.1);
     shapes::apply(foil, Eigen::Matrix3d::Identity(), {-0.05, 0.0, -0.1});
-    append(weight, foil);
+    shapes::append(weight, foil);
     BakeOptions options;
     options.mesh_path = "body";
     options.density = 2000.0;

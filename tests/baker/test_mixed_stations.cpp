@@ -13,12 +13,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-void append(baker::Mesh& to, const baker::Mesh& mesh) {
-    const auto first = static_cast<uint32_t>(to.vertices.size());
-    to.vertices.insert(to.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
-    for (const baker::Face& f : mesh.faces) to.faces.push_back({f[0] + first, f[1] + first, f[2] + first});
-}
-
 // A toy propeller: two twisted blades of paper on top of a stick of `rings` rings.
 baker::Mesh propeller(int rings) {
     baker::Mesh out = patch(12, rings, [](double u, double v) {

@@ -44,7 +44,7 @@ def confetti():
     sinks = (high[-5] - high[-1]) / (seconds[-1] - seconds[-5])
     assert 0.3 < sinks < 1.2, f"paper of 80 g/m^2 turns on its way down, not at {sinks} m/s"
     # Each piece turns about its length and drifts at some 0.4 m/s to a side of its own. The blast throws single pieces a metre aside at once.
-    assert wide[-1] - wide[0] > 0.8 and 2 < wide[-1] < 6, "it spreads while it turns"
+    assert wide[-1] - wide[0] > 1.0 and 2 < wide[-1] < 6, "it spreads while it turns"
 
 
 def coin():

@@ -46,7 +46,9 @@ constexpr double good_estimate = 0.0025;
 constexpr std::size_t max_refined_panels = 5000;
 // Without patience: error estimate above which a coarser surface is solved instead, if finer panels would be too many.
 constexpr double poor_estimate = 0.05;
-// Least scale of rotation for that estimate: beside the inertia of a ball or a capsule a hundredth of the translation's does not matter.
+// Least scale of rotation, over that of translation: a round body has no added inertia.
+constexpr double least_rotation = 0.01;
+// The same for the poor estimate: beside the inertia of a ball or a capsule a hundredth of the translation's does not matter.
 constexpr double poor_rotation = 0.2;
 // The error of a box with two triangles per side comes from the size of the panels, not from the strips.
 constexpr std::size_t min_refined_panels = 1000;
@@ -97,13 +99,12 @@ double clamp_to_positive(Matrix6& matrix) {
     return -lowest;
 }
 
-// Scale of each entry for a body of size one: the largest diagonal entry of its block. A round body has no added inertia, so the scale of rotation is
-// at least this share of that of translation.
-Matrix6 entry_scale(const Matrix6& matrix, double least_rotation = 0.01) {
+// Scale of each entry for a body of size one: the largest diagonal entry of its block, that of rotation at least this share of that of translation.
+Matrix6 entry_scale(const Matrix6& matrix, double least = least_rotation) {
     const double mass = std::max(matrix.diagonal().head<3>().maxCoeff(), 1e-300);
     Eigen::Matrix<double, 6, 1> scale;
     scale.head<3>().setConstant(std::sqrt(mass));
-    scale.tail<3>().setConstant(std::sqrt(std::max(matrix.diagonal().tail<3>().maxCoeff(), least_rotation * mass)));
+    scale.tail<3>().setConstant(std::sqrt(std::max(matrix.diagonal().tail<3>().maxCoeff(), least * mass)));
     return scale * scale.transpose();
 }
 
@@ -353,8 +354,8 @@ void scale_to_size(double size, AddedMass& m) {
     m.error = m.error.cwiseProduct(products).eval();
 }
 
-bool is_within(double share, const AddedMass& m, double least_rotation = 0.01) {
-    return (m.error.array() <= share * entry_scale(m.value, least_rotation).array()).all();
+bool is_within(double share, const AddedMass& m, double least = least_rotation) {
+    return (m.error.array() <= share * entry_scale(m.value, least).array()).all();
 }
 
 // Refines where the surface is curved and at creases, to at most this many panels.

@@ -272,9 +272,8 @@ double landing_distance(const std::vector<Track>& tracks, double height) {
         const Vector3d way = fall.back().position - fall.front().position;
         distances.push_back(std::hypot(way.x(), way.z()));
     }
-    std::nth_element(distances.begin(), distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2),
-                     distances.end());
-    return distances[distances.size() / 2];
+    std::sort(distances.begin(), distances.end());
+    return quantile(distances, 0.5);
 }
 } // namespace
 
