@@ -26,7 +26,8 @@ struct WayContact;
 // The sleeping bodies that a batch's bodies can touch: of its partners, and its own if it is paired with itself.
 class SleepingNeighbours final : public SleepingContacts {
 public:
-    SleepingNeighbours(const lr_world& world, uint32_t slot);
+    // nearer: share of the reach by which all gaps are taken to be smaller than they are.
+    SleepingNeighbours(const lr_world& world, uint32_t slot, float nearer = 0.0f);
     bool any() const { return any_; }
     uint32_t touched_by(uint32_t noise_seed, float scale, const Pose& from, const Pose& to, float margin,
                         SleepingTouch (&out)[most_sleeping]) const override;
@@ -34,6 +35,7 @@ public:
 private:
     const lr_world* world_;
     uint32_t slot_; // of the batch
+    float nearer_;
     bool any_ = false;
 };
 

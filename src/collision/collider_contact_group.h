@@ -178,7 +178,7 @@ public:
     struct Asleep {
         uint32_t batch, index;
     };
-    static constexpr uint32_t a_body = UINT32_MAX - 1;
+    static constexpr uint32_t a_body = sleeping_body;
     Asleep at_rest(uint32_t lane, uint32_t k) const { return at_rest_[k][lane]; }
     // Calls function(sleeping body, contact, whether they touched) for contacts with sleeping bodies in the last substep.
     template <class Function> void visit_asleep(uint32_t lane, Function&& function) const {

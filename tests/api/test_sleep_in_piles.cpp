@@ -166,6 +166,34 @@ TEST_CASE("a hit wakes what is hit, and not what is far") {
     CHECK(state_of(t.world, shot).position[0] < state_of(t.world, t.above).position[0]);
 }
 
+// A tilted plate's box is mostly empty.
+TEST_CASE("a fast body that passes within a sleeping one's box does not wake it") {
+    const World world = make(world_desc());
+    const lr_batch plates = add_batch(world, unloaded(), make(rigid_box(0.2, 0.002, 0.2, 300.0)), 1),
+                   balls = add_batch(world, unloaded(), make(rigid_box(0.01, 0.01, 0.01, 300.0)), 1);
+    for (const lr_batch b : {plates, balls}) set_contact(world, b, resting_contact());
+    set_pair(world, plates, balls);
+    for (const bool hits : {false, true}) {
+        CAPTURE(hits);
+        lr_body_desc d = at_rest_at({0.0, 0.0, 0.0});
+        d.orientation[0] = std::sin(0.3926991f), d.orientation[3] = std::cos(0.3926991f); // 45 degrees about x
+        const lr_body plate = add_body(world, plates, d);
+        REQUIRE(lr_body_set_sleep(world.get(), &plate, 1, LR_SLEEP_ASLEEP) == LR_OK);
+        // Along x, 7 cm off the plate's plane in a corner of its box, or through it.
+        d = at_rest_at({-0.3, hits ? 0.05 : -0.05, -0.05});
+        d.linear_velocity[0] = 3.0f;
+        const lr_body ball = add_body(world, balls, d);
+        bool woke = false;
+        for (int n = 0; n < 8; ++n) {
+            steps(world, 1, frame, 2);
+            woke = woke || !rests(world, plate);
+        }
+        CHECK(woke == hits);
+        const lr_body both[] = {plate, ball};
+        REQUIRE(lr_body_destroy(world.get(), both, 2) == LR_OK);
+    }
+}
+
 TEST_CASE("a body at rest takes the momentum of what hits it") {
     const World world = make(world_desc());
     const Asset box = make(vacuum_box(0.1, 0.1, 0.1, 300.0));

@@ -226,12 +226,13 @@ TEST_CASE("a high heap of plates comes to rest within four seconds, and they do 
           doctest::test_suite("long-exact")) {
     constexpr uint32_t across = 3, landing = 220;
     struct Heap {
-        uint32_t plates, seed, substeps, most_awake;
+        uint32_t plates, seed, substeps;
     };
     // In denser heaps sweeps end before they converge. With a start of the velocities that does not balance 1,085 of the first 1,200 are awake, with
-    // a warm start of the path by all of its former impulses 558 of the last, which swing (contact.md, 13).
-    for (const auto [plates, seed, substeps, most_awake] :
-         {Heap{1000, 2, 2, 50}, Heap{1000, 3, 2, 50}, Heap{1200, 3, 2, 300}, Heap{1200, 1, 4, 200}}) {
+    // a warm start of the path by all of its former impulses 558 of the last, which swing (contact.md, 13). Pushed out of sleeping plates at once, and
+    // waking all whose boxes they fall through, 174 and 137 of the same.
+    for (const auto [plates, seed, substeps] :
+         {Heap{1000, 2, 2}, Heap{1000, 3, 2}, Heap{1200, 3, 2}, Heap{1200, 1, 4}}) {
         CAPTURE(plates);
         CAPTURE(seed);
         CAPTURE(substeps);
@@ -258,12 +259,35 @@ TEST_CASE("a high heap of plates comes to rest within four seconds, and they do 
         const HeapState state = heap_state(world.get(), batch);
         const HeapQuality quality = heap_quality(plate_half, state.poses);
         MESSAGE(state.awake << " awake, " << quality.share_deep << " deep, mean height " << quality.height_mean);
-        CHECK(state.awake <= most_awake);
+        CHECK(state.awake <= plates / 100);
         CHECK(quality.share_deep < 0.06);
-        // More than 0.018 when plates of 7 x 4 cm did not turn about their length, and landed closer.
-        CHECK(quality.height_mean > 0.0175);
+        CHECK(quality.height_mean > 0.018);
         // Four substeps leave fewer overlaps, and more air.
         CHECK(quality.height_mean < (substeps == 2 ? 0.026 : 0.028) * plates / 1000.0);
+    }
+}
+
+// In a heap it would be thrown into the next sleeping body, and through it.
+TEST_CASE("a body that crosses a sleeping one is not thrown out of it") {
+    for (const uint32_t substeps : {1u, 2u, 4u}) {
+        const World world = make(world_desc());
+        const lr_batch batch = add_batch(world, plate(), 2);
+        lr_batch_contact c = contact_desc(0.5f, 0.0f);
+        c.flags = 0;
+        set_contact(world, batch, c);
+        set_pair(world, batch, batch);
+        lr_body_desc d = at_rest_at({0.0, 0.05, 0.0});
+        d.orientation[0] = std::sqrt(0.5f), d.orientation[3] = std::sqrt(0.5f); // level
+        const lr_body asleep = add_body(world, batch, d);
+        REQUIRE(lr_body_set_sleep(world.get(), &asleep, 1, LR_SLEEP_ASLEEP) == LR_OK);
+        d.orientation[0] = 0.6f, d.orientation[3] = 0.8f; // 16 degrees off
+        add_body(world, batch, d);
+        const std::vector<Pose> before = heap_state(world.get(), batch).poses;
+        steps(world, 1, 1.0f / 60.0f, substeps);
+        const double moved = largest_movement(plate_half, before, heap_state(world.get(), batch).poses);
+        CAPTURE(substeps);
+        // A fiftieth of the reach in a substep, and the fall.
+        CHECK(moved < substeps * 0.02 * 0.0405 + 0.5 * 9.81 / 3600.0);
     }
 }
 

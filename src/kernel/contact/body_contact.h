@@ -47,6 +47,7 @@ struct PairBlock {
         alignas(64) LaneRow along[2]; // from the middle, along the tangents, over a's d s
         LaneRow inverse;              // 1 over the gain of normal velocity by a unit impulse; 0: no contact
         LaneRow target;               // least normal velocity or displacement
+        LaneRow push;                 // as in Row; only where b is immovable
         LaneRow pressed;              // normal impulse over a's mass unit
         LaneRow change, search;       // of the impulse: its change in the last sweep, and its search direction
     };

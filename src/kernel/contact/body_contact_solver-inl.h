@@ -153,24 +153,6 @@ HWY_INLINE void set_gaps(const PairState& s, VF h, const PairBlock& block, PairB
     store1(c.bounce, at, part * (to - from) + from);
 }
 
-// Of an overlap at its beginning a substep undoes at most this share of the reach: bodies that lie in each other must not be thrown apart.
-constexpr float pair_push = 0.02f, collider_push = 0.5f;
-// Of an overlap between bodies, beyond the slop, a substep undoes this share. With more, pairs of a heap that contradict each other would
-// oscillate.
-constexpr float undone = 0.3f;
-
-// How far the path projection may let a contact's gap close, m; negative: how far it must open.
-HWY_INLINE VF push_out(const PairState& s, const PairBlock& block, const PairBlock::Place& c, size_t at) {
-    const VF zero = hn::Zero(DF()), gap = load1(c.gap, at), before = load1(c.before, at);
-    const auto solid = load1(block.solid, at) > zero;
-    const VF overlap = hn::Min(before + s.slop, zero), most = constant(pair_push) * s.reach;
-    const VF stays = hn::Min(constant(1.0f - undone) * overlap, overlap + most);
-    // Colliders: as in the solver of single bodies.
-    const VF gained = gap - hn::Min(before, zero);
-    const VF out = hn::Max(gap, hn::Min(constant(-collider_push) * s.reach + gained, zero));
-    return hn::IfThenElse(solid, out, gap - stays);
-}
-
 // Starts a unit from normal impulses and from friction `drag`, which it reduces to the friction limits. Returns the unit's impulses.
 HWY_INLINE Reduced started(PairBlock& block, size_t at, const VF* pressed, Vec3 drag) {
     const VF zero = hn::Zero(DF()), one = constant(1.0f);
@@ -217,8 +199,11 @@ void body_contact_way(const BodyContactInput& in, PairBlock& block) {
         for (uint32_t k = 0; k < block.used; ++k) {
             PairBlock::Place& c = block.place[k];
             set_gaps(s, constant(in.h), block, c, at);
-            store1(block.row[k].target, at,
-                   dot(press_direction(block.row[k], at), way.press) - push_out(s, block, c, at));
+            const VF gap = load1(c.gap, at), began = load1(c.before, at);
+            const auto solid = load1(block.solid, at) > hn::Zero(DF());
+            const VF out = push_out(gap, began, s.slop, s.reach, solid);
+            store1(block.row[k].target, at, dot(press_direction(block.row[k], at), way.press) - out);
+            store1(block.row[k].push, at, pushed(gap, began, out, solid));
             guess[k] = load1(c.start, at);
         }
         const Vec3 drag = frame * load3(block.start_drag, at);
@@ -289,8 +274,9 @@ template <bool kFull, bool kPair> HWY_INLINE bool sweep(const BodyContactInput& 
             Row r;
             r.inverse = load1(row.inverse, at);
             r.target = load1(row.target, at);
+            if constexpr (!kPair) r.push = load1(row.push, at);
             r.pressed = followed(row.pressed, row.search, row.change, at, part);
-            const VF more = press(r, dot(direction, seen.press), dust, constant(1.0f));
+            const VF more = press<!kPair>(r, dot(direction, seen.press), dust, constant(1.0f));
             const Vec3 along = more * direction;
             seen.press += symmetric(block.press_press, at, along);
             impulse.press += along;
@@ -502,6 +488,7 @@ void body_contact_velocity(const BodyContactInput& in, PairBlock& block) {
             // If one of the bodies touches anything, open contacts can close within a substep, but not faster.
             const VF closing = -(hn::Max(load1(c.gap, at), zero) * inverse_h);
             store1(row.target, at, drift.x + hn::IfThenElse(touches, away, closing));
+            store1(row.push, at, hn::Zero(DF()));
             const VF bounces = hn::IfThenElseZero(touches, away);
             store1(c.bounce, at, bounces);
             bouncing = bouncing || !hn::AllTrue(DF(), hn::Eq(bounces, zero));

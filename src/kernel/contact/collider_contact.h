@@ -99,6 +99,8 @@ inline constexpr size_t contact_lanes = lane_block;
 inline constexpr uint32_t contact_slots = 16, manifold_slots = 4;
 inline constexpr float no_contact = 1e30f; // m, gap of an empty slot
 
+inline constexpr uint32_t sleeping_body = UINT32_MAX - 1; // in place of a collider's slot
+
 using LaneRow = float[contact_lanes];
 
 // Contacts of contact_lanes bodies. A body's contacts need not be in successive slots.
@@ -112,7 +114,7 @@ struct ContactSlots {
         LaneRow lag[3];             // m, displacement of the collider's point less h times `surface`
         LaneRow friction, restitution;
         LaneRow impulse;                  // out: normal impulse over the mass unit, m/s; negative: no contact
-        uint32_t collider[contact_lanes]; // slot of the collider
+        uint32_t collider[contact_lanes]; // slot of the collider, or sleeping_body
     } slot[contact_slots];
 };
 

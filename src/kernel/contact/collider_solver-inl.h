@@ -24,6 +24,7 @@ struct Row {
     VF hold[3];             // inverse of the 2x2 tangential response, upper triangle
     VF least;               // 1 over the larger tangential response
     VF target;              // least normal velocity, or displacement
+    VF push;                // part of the target that undoes an older overlap with a sleeping body
     VF surface[2];          // of the surface along the tangents: velocity, or displacement
     VF friction;
     VF pressed, dragged[2]; // normal and friction impulses so far
@@ -57,13 +58,24 @@ template <bool kFull, class C> HWY_INLINE float most_turned(const C& c) {
                    HWY_MAX(size(m[16]) + m[18] + size(m[19]), size(m[17]) + size(m[19]) + m[20]));
 }
 
-// Updates the normal impulse of a slot; returns its change.
-HWY_INLINE VF press(Row& r, VF normal, VF dust, VF relaxed = constant(1.3f)) {
+// Times the impulse that undoes an overlap of one body alone: more does not push it out of a sleeping body, though it still keeps it from going deeper.
+// Without this limit a body between sleeping ones that leave it no room is pushed out of one into the next, to and fro.
+constexpr float most_push = 4.0f;
+
+// Updates the normal impulse of a slot; returns its change. kPushes: some row may have a `push`.
+template <bool kPushes = true> HWY_INLINE VF press(Row& r, VF normal, VF dust, VF relaxed = constant(1.3f)) {
     const VF wanted = (r.target - normal) * r.inverse;
-    const auto change = [&](VF by) { return hn::Max(r.pressed + by, hn::Zero(DF())) - r.pressed; };
+    const auto change = [&](VF part) {
+        VF to = r.pressed + part * wanted;
+        if constexpr (kPushes) {
+            const VF push = r.push * r.inverse;
+            to = hn::Max(r.pressed + part * (wanted - push), hn::Min(to, constant(most_push) * push));
+        }
+        return hn::Max(to, hn::Zero(DF())) - r.pressed;
+    };
     // Decided for each lane, and before relaxation: a change below the dust is then dropped in all later sweeps too.
-    const auto counts = hn::Abs(change(wanted)) > dust * r.inverse;
-    const VF counted = hn::IfThenElseZero(counts, change(relaxed * wanted));
+    const auto counts = hn::Abs(change(constant(1.0f))) > dust * r.inverse;
+    const VF counted = hn::IfThenElseZero(counts, change(relaxed));
     r.pressed += counted;
     return counted;
 }
@@ -180,6 +192,35 @@ HWY_INLINE VF small_part(Vec3 u, VF inverse) {
     return hn::Min(half / hn::Max(large, half), constant(1.0f));
 }
 
+// Of an overlap at its beginning a substep undoes at most this share of the reach. Bodies that lie in each other, asleep or awake, must not be thrown
+// apart.
+constexpr float pair_push = 0.02f, collider_push = 0.5f;
+// Of an overlap between awake bodies, beyond the slop, a substep undoes this share. With more, pairs of a heap that contradict each other would
+// oscillate. A body alone among sleeping ones gets out at once, or it would fall asleep before.
+constexpr float undone = 0.3f, undone_alone = 1.0f;
+
+// How far the path projection may let a contact's gap close, m; negative: how far it must open. gap, before: at the end of the substep and at its
+// beginning. share: of older overlap between bodies.
+HWY_INLINE VF push_out(VF gap, VF before, VF slop, VF reach, hn::Mask<DF> solid, float share = undone) {
+    const VF zero = hn::Zero(DF());
+    const VF overlap = hn::Min(before + slop, zero), most = constant(pair_push) * reach;
+    const VF stays = hn::Min(constant(1.0f - share) * overlap, overlap + most);
+    // Deep overlap with a collider, as when it was placed on a body, is undone over several substeps.
+    const VF gained = gap - hn::Min(before, zero);
+    const VF out = hn::Max(gap, hn::Min(constant(-collider_push) * reach + gained, zero));
+    return hn::IfThenElse(solid, out, gap - stays);
+}
+
+// The part of push_out() that undoes older overlap, 0 for colliders.
+HWY_INLINE VF pushed(VF gap, VF before, VF out, hn::Mask<DF> solid) {
+    return hn::IfThenElseZero(hn::AndNot(solid, before < hn::Zero(DF())), gap - before - out);
+}
+
+HWY_INLINE hn::Mask<DF> solid_lanes(const ContactSlots::Slot& s, size_t at) {
+    const DU lanes;
+    return hn::RebindMask(DF(), hn::Ne(hn::LoadU(lanes, s.collider + at), hn::Set(lanes, sleeping_body)));
+}
+
 // A vector of bodies from `at` on, between the stages of the solver.
 struct Solved {
     Row rows[contact_slots];
@@ -250,10 +291,10 @@ struct Solved {
             // Gap at the beginning, and the approach speed when it closed, interpolated between both ends.
             const Vec3 moved = x - x0 + to_world(q, arm) - to_world(q0, arm);
             before[k] = gap[k] + dot(normal, path - moved);
-            // Deep overlap at the beginning, as when a collider was placed on a body, is undone over several substeps.
-            const VF gained = gap[k] - hn::Min(before[k], zero);
-            const VF push = hn::Max(gap[k], hn::Min(constant(-0.5f) * reach + gained, zero));
+            const auto solid = solid_lanes(s, at);
+            const VF push = push_out(gap[k], before[k], slop, reach, solid, undone_alone);
             r.target = product(r.along[0], way) - push;
+            r.push = pushed(gap[k], before[k], push, solid);
             left[k] = gap[k] - push;
             const Twist end{load3(b.arrays, field_vx, at), length * load3(b.arrays, field_wx, at)};
             const VF carried = dot(normal, surface);
@@ -337,6 +378,7 @@ struct Solved {
             // While some point touches, an open contact may close within the substep but no faster, or the body would rock from side to side.
             const VF closing = -(hn::Max(gap[k], zero) * inverse_h);
             r.target = dot(r.along[0].v, surface) + hn::IfThenElse(touches, back_off, closing);
+            r.push = zero;
             set_surface(r, surface);
             const VF kept = hn::IfThenElseZero(touches, guess);
             r.pressed = kept * r.pressed;

@@ -127,7 +127,8 @@ bool SleepingBodies::consistent(const State& s, double birth) {
     return in_range(birth, -(static_cast<double>(most_age) + slack), s.clock + slack);
 }
 
-SleepingNeighbours::SleepingNeighbours(const lr_world& world, uint32_t slot) : world_(&world), slot_(slot) {
+SleepingNeighbours::SleepingNeighbours(const lr_world& world, uint32_t slot, float nearer)
+    : world_(&world), slot_(slot), nearer_(nearer) {
     world.pairs.visit_partners(slot, [&](uint32_t other) {
         const Batch& batch = *world.batches[other].batch;
         any_ = any_ || batch.awake() < batch.count();
@@ -138,8 +139,10 @@ uint32_t SleepingNeighbours::touched_by(uint32_t noise_seed, float scale, const 
                                         float margin, SleepingTouch (&out)[most_sleeping]) const {
     const Batch& own = *world_->batches[slot_].batch;
     const PairBody moving = pair_body(own.pair_hull(), scale, from, to);
-    const float within = margin + moving.way();
-    const Box box = grown(bounds(own.pair_hull(), scale, from), within);
+    // Between its ends a turning body reaches out of their boxes by at most r (1 - cos(a/2)) <= (2 r sin(a/2))^2/(4 r).
+    const float bulge = 0.25f * moving.turns * moving.turns / moving.reach();
+    const Box box =
+        grown(around(bounds(own.pair_hull(), scale, from), bounds(own.pair_hull(), scale, to)), margin + bulge);
     Neighbours near;
     world_->pairs.visit_partners(slot_, [&](uint32_t other) {
         const Batch& batch = *world_->batches[other].batch;
@@ -157,16 +160,23 @@ uint32_t SleepingNeighbours::touched_by(uint32_t noise_seed, float scale, const 
         out[n].count = count;
         for (uint32_t k = 0; k < count; ++k) {
             out[n].contact[k] = contacts[k].begin;
-            out[n].contact[k].gap = contacts[k].end;
+            out[n].contact[k].gap = contacts[k].end - nearer_ * moving.reach();
         }
     };
+    PlacedBox boxes[most_sleeping + 1]; // the body's own is the last
+    uint32_t met[most_sleeping];
     for (uint32_t n = 0; n < near.count; ++n) {
         const Neighbour& one = near.found[n];
         const Batch& batch = *world_->batches[one.batch].batch;
         const Pose pose = pose_of(batch.arrays(), one.index);
         others[n] = {&batch.pair_hull(), batch.arrays().field[field_scale][one.index], pose, pose, {}, 0.0f};
-        pairs.find(moving, others[n], margin, 0.0f, n, found);
+        boxes[n] = placed_box(others[n], margin);
+        met[n] = n;
+        out[n].count = 0;
     }
+    boxes[near.count] = placed_box(moving, margin);
+    const uint32_t met_count = world_->target->near_boxes(boxes, near.count, met, near.count);
+    for (uint32_t k = 0; k < met_count; ++k) pairs.find(moving, others[met[k]], margin, 0.0f, met[k], found);
     pairs.finish(found);
     uint32_t count = 0;
     for (uint32_t n = 0; n < near.count; ++n) {

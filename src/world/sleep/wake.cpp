@@ -17,31 +17,32 @@ constexpr auto most = static_cast<uint32_t>(field_block);
 // A body wakes if it gains this share of gravity in spite of its contacts. That is above the static lock's limit, or it would lie still again.
 constexpr float going = 0.05f;
 
+// Share of the reach: a sleeping body stays though the sleeping ones below it have sunk by so little. Falls by less would wake the bodies above, one
+// after another, for as long as a heap is high.
+constexpr float sagged = 0.005f;
+
 constexpr uint32_t grain = 256; // bodies
 // Times still_speed: the speed of a fall by a tenth of the reach. Slower bodies, as in a settling heap, wake only bodies that they touch.
-constexpr float hits = 100.0f;
+constexpr float hits = 100.0f, near_path = 0.005f; // share of the reach
 
 // The first cut that has sleeping bodies.
 uint32_t first_cut(const Batch& batch) {
     return batch.awake() / cut_bodies * cut_bodies;
 }
 
-void note_ahead(lr_world& world, uint32_t slot, uint32_t i, float dt, float still) {
-    const Batch& batch = *world.batches[slot].batch;
+// Notes the sleeping bodies that a fast body will touch in this step if it goes on as it moves.
+void note_ahead(lr_world& world, const SleepingNeighbours& neighbours, const Batch& batch, uint32_t i, float dt,
+                float still) {
     const BatchArrays& a = batch.arrays();
     const float scale = a.field[field_scale][i], reach = batch.asset().shape.reach * scale;
-    const Vector v = vector_in(a.field, field_vx, i);
-    const float turns = reach * length(vector_in(a.field, field_wx, i));
-    if (!(length(v) + turns > hits * still * std::sqrt(reach))) return;
-    const Pose pose = pose_of(a, i);
-    const Box box = bounds(batch.pair_hull(), scale, pose);
-    const Vector way = dt * rotate(pose.rotation, v), none{0.0f, 0.0f, 0.0f};
-    const Box around = grown({box.low + low_of(way, none), box.high + high_of(way, none)},
-                             std::min(dt * turns, 2.0f * reach) + 0.005f * reach);
-    world.pairs.visit_partners(slot, [&](uint32_t other) {
-        Batch& partner = *world.batches[other].batch;
-        partner.visit_sleeping(around, [&](uint32_t index) { partner.note_sleep(index); });
-    });
+    const Vector v = vector_in(a.field, field_vx, i), w = vector_in(a.field, field_wx, i);
+    if (!(length(v) + reach * length(w) > hits * still * std::sqrt(reach))) return;
+    const Pose from = pose_of(a, i);
+    const Vector half = 0.5f * dt * w, way = dt * (rotate(from.rotation, v) + 0.5f * dt * vector_of(world.gravity));
+    const Pose to{from.position + way, normalised(from.rotation * Rotation{half.x, half.y, half.z, 1.0f})};
+    SleepingTouch touches[most_sleeping];
+    const uint32_t count = neighbours.touched_by(a.noise_seed[i], scale, from, to, near_path * reach, touches);
+    for (uint32_t n = 0; n < count; ++n) world.batches[touches[n].batch].batch->note_sleep(touches[n].index);
 }
 } // namespace
 
@@ -135,7 +136,7 @@ void WakeByFlow::try_bodies(const StepItem& item, const uint32_t* index, uint32_
         tried[tried_count++] = index[i];
     }
     if (tried_count == 0) return;
-    const SleepingNeighbours neighbours(*world_, unpack(item.handle).index);
+    const SleepingNeighbours neighbours(*world_, unpack(item.handle).index, sagged);
     bool moves[most];
     take_substep(item, neighbours, tried, tried_count, nullptr, moves);
     // The open wind would move them; those in shelter take a second trial in weaker wind.
@@ -212,10 +213,11 @@ void wake_before_hit(lr_world& world, float dt, const FloatMode& mode) {
     const float still = still_speed(length(vector_of(world.gravity)));
     bool any = false;
     world.each_batch([&](const Batch& batch, uint32_t slot) {
-        if (batch.awake() == 0 || !SleepingNeighbours(world, slot).any()) return;
+        const SleepingNeighbours neighbours(world, slot);
+        if (batch.awake() == 0 || !neighbours.any()) return;
         any = true;
         workers.run(batch.awake(), grain, [&](uint32_t begin, uint32_t end) {
-            for (uint32_t i = begin; i < end; ++i) note_ahead(world, slot, i, dt, still);
+            for (uint32_t i = begin; i < end; ++i) note_ahead(world, neighbours, batch, i, dt, still);
         });
     });
     world.each_batch([&](Batch& batch, uint32_t slot) {
