@@ -125,7 +125,7 @@ void BodyContactStep::hold_group(const BodyContactBatch& member, uint32_t first,
         if (std::count(body.now, body.now + most_touches, touching_body) != 0) {
             float least = 0.0f;
             for (uint32_t k = 0; k < group.contacts(i); ++k)
-                if (const SlotContact s = group.contact(i, k); s.collider == ContactGroup::a_body)
+                if (const SlotContact s = group.contact(i, k); s.collider == sleeping_body)
                     least = std::min(least, s.gap);
             body.place = place_in_heap(body, least, *member.run.step.shape, field[field_scale][i], fall * taken.h);
             body.speed = lasting_speed(body, v0, w0, v, w, fall);
@@ -149,7 +149,7 @@ void BodyContactStep::take_out(ContactGroup& group, uint32_t lane, uint32_t plac
     c.held_count[place] = count;
     for (uint32_t k = 0; k < count; ++k) {
         const SlotContact s = group.contact(lane, k);
-        const bool solid = s.collider != ContactGroup::a_body;
+        const bool solid = s.collider != sleeping_body;
         c.held[first + k] = {s.collider, solid ? ContactGroup::Asleep{} : group.at_rest(lane, k)};
         c.held_frames[first + k] = {s.normal, s.surface, s.lag, s.friction, s.restitution, solid};
         c.held_contacts[first + k] = {s.arm, {}, s.gap};
@@ -321,7 +321,7 @@ void BodyContactStep::put_back(uint32_t place, uint32_t substep) {
     bool bears = false; // a sleeping body may lie on it
     each_held(place, [&](uint32_t k, float impulse) {
         const uint32_t at = c.first_held[place] + k;
-        const bool asleep = c.held[at].collider == ContactGroup::a_body;
+        const bool asleep = c.held[at].collider == sleeping_body;
         bears |= asleep;
         if (!(impulse >= 0.0f)) return;
         touched.take(c.held[at].collider + 1, impulse);
@@ -335,7 +335,7 @@ void BodyContactStep::put_back(uint32_t place, uint32_t substep) {
                                        v0, w0, v, h, carried);
         each_held(place, [&](uint32_t k, float impulse) {
             const uint32_t at = c.first_held[place] + k;
-            if (c.held[at].collider == ContactGroup::a_body)
+            if (c.held[at].collider == sleeping_body)
                 leaves.tell(*world_, c.held[at].at_rest, impulse >= 0.0f, c.held_frames[at].normal,
                             c.held_contacts[at].gap);
         });

@@ -56,7 +56,7 @@ struct BodyContactBuffers {
 
     // A body's contact with a collider or a sleeping body.
     struct Held {
-        uint32_t collider; // slot, or ContactGroup::a_body
+        uint32_t collider; // slot, or sleeping_body
         ContactGroup::Asleep at_rest;
     };
     struct Moved {

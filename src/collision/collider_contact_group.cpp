@@ -118,7 +118,7 @@ uint32_t ContactGroup::place(uint32_t i, const SlotContact& c) {
     for (uint32_t k = 0; k < contact_slots; ++k) all[k] = contact(i, k);
     all[contact_slots] = c;
     uint32_t out = contact_slots;
-    if (c.collider == a_body) {
+    if (c.collider == sleeping_body) {
         for (uint32_t k = 0; k < contact_slots; ++k) out = all[k].gap > all[out].gap ? k : out;
         return out;
     }
@@ -349,7 +349,7 @@ void ContactGroup::touch_sleeping(uint32_t i, const ContactSubstep& substep) {
         for (uint32_t k = 0; k < touches[n].count; ++k) {
             const PairContact& c = touches[n].contact[k];
             const uint32_t at =
-                put(i, {c.arm_a, c.normal, {}, {}, c.gap, touches[n].friction, touches[n].restitution, a_body});
+                put(i, {c.arm_a, c.normal, {}, {}, c.gap, touches[n].friction, touches[n].restitution, sleeping_body});
             if (at != contact_slots) at_rest_[at][i] = {touches[n].batch, touches[n].index};
         }
 }

@@ -142,7 +142,7 @@ private:
     Touch touch_;
 };
 
-// Things that a body touches, strongest first: colliders by slot + 1, sleeping bodies by a_body + 1. The weakest are dropped.
+// Things that a body touches, strongest first: colliders by slot + 1, sleeping bodies by sleeping_body + 1. The weakest are dropped.
 struct TouchList {
     uint32_t id[4] = {};
     float strength[4] = {-1.0f, -1.0f, -1.0f, -1.0f};
@@ -174,16 +174,15 @@ public:
     SlotContact contact(uint32_t lane, uint32_t k) const { return contact_in(slots_.slot[k], lane); }
     void take_out(uint32_t lane);
 
-    // The sleeping body of a contact, whose collider is then `a_body`.
+    // The sleeping body of a contact, whose collider is then `sleeping_body`.
     struct Asleep {
         uint32_t batch, index;
     };
-    static constexpr uint32_t a_body = sleeping_body;
     Asleep at_rest(uint32_t lane, uint32_t k) const { return at_rest_[k][lane]; }
     // Calls function(sleeping body, contact, whether they touched) for contacts with sleeping bodies in the last substep.
     template <class Function> void visit_asleep(uint32_t lane, Function&& function) const {
         for (uint32_t k = 0; k < filled_[lane]; ++k)
-            if (slots_.slot[k].collider[lane] == a_body)
+            if (slots_.slot[k].collider[lane] == sleeping_body)
                 function(at_rest_[k][lane], contact(lane, k), slots_.slot[k].impulse[lane] >= 0.0f);
     }
 

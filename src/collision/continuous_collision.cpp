@@ -299,13 +299,14 @@ void ContactGroup::leave_floors(const ContactSubstep& substep) {
         const MeshFloor& floor = floor_[i];
         const float scale = arrays_.field[field_scale][i];
         float deepest = 0.0f;
-        uint32_t last = a_body;                      // stands for no solid so far
+        uint32_t last = sleeping_body;               // stands for no solid so far
         for (uint32_t k = 0; k <= filled_[i]; ++k) { // the solids that it touches, then its floor
             const bool touched = k < filled_[i];
             const uint32_t slot = touched ? slots_.slot[k].collider[i] : floor.slot;
             if (touched) deepest = std::max(deepest, -slots_.slot[k].gap[i]);
-            if (touched ? slot == last || slot == a_body || !has_flat_sides(step_->colliders->at(slot).geometry.kind)
-                        : floor.count == 0 || !(deepest > shallow * scale * step_->shape->reach))
+            if (touched
+                    ? slot == last || slot == sleeping_body || !has_flat_sides(step_->colliders->at(slot).geometry.kind)
+                    : floor.count == 0 || !(deepest > shallow * scale * step_->shape->reach))
                 continue;
             last = slot;
             const Collider& c = step_->colliders->at(slot);
@@ -327,7 +328,7 @@ void ContactGroup::stay_in_front(const ContactSubstep& substep) {
         const float deep = shallow * arrays_.field[field_scale][i] * step_->shape->reach;
         const auto presses = [&](const ContactSlots::Slot& slot) {
             const uint32_t c = slot.collider[i];
-            return slot.gap[i] < -deep || c == a_body || !is_ground(step_->colliders->at(c).geometry.kind);
+            return slot.gap[i] < -deep || c == sleeping_body || !is_ground(step_->colliders->at(c).geometry.kind);
         };
         if (!std::any_of(slots_.slot, slots_.slot + filled_[i], presses)) continue;
         near_[i].others = near_[i].finite; // contacts can have moved it far
