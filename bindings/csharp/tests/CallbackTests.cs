@@ -250,6 +250,8 @@ static unsafe class CallbackTests
     {
         public int Enqueued, Finished, Indices;
         public bool EnqueueThrows, FinishThrows, FinishTooEarly, Inline;
+        // Tasks that wait for this come late even where a step takes longer than any sleep.
+        public readonly ManualResetEvent StepsAreMade = new ManualResetEvent(false);
 
         public object Enqueue(JobTask task)
         {
@@ -269,7 +271,8 @@ static unsafe class CallbackTests
                 {
                     try
                     {
-                        if (FinishTooEarly) Thread.Sleep(5);
+                        if (FinishTooEarly && index == 0) StepsAreMade.WaitOne();
+                        else if (FinishTooEarly) Thread.Sleep(5);
                         task.Run(index, index + 1);
                         Interlocked.Increment(ref Indices);
                     }
@@ -360,7 +363,8 @@ static unsafe class CallbackTests
                 }
             }
             if (!jobs.FinishTooEarly) continue;
-            for (int i = 0; i < 400 && Volatile.Read(ref jobs.Refused) == 0; ++i) Thread.Sleep(5);
+            jobs.StepsAreMade.Set();
+            for (int i = 0; i < 4000 && Volatile.Read(ref jobs.Refused) == 0; ++i) Thread.Sleep(5);
             Check.True(Volatile.Read(ref jobs.Refused) > 0, "late tasks are refused");
         }
     }
