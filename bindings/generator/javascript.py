@@ -175,7 +175,8 @@ def plain_member(call, other):
         return (f"set{class_name(name)}({names[0]}) {{ {to}.set('{call['struct']}', {names[0]}, '{function}'{handle}); }}",
                 text + (" null undoes it." if null else ""), f"set{class_name(name)}({names[0]}: Input<api.{class_name(call['struct'])}>{null}): void;")
     types = ["boolean" if n == "enabled" else "number" if p["type"]["name"] != "u64" else "bigint | number" for n, p in zip(names, call["values"])]
-    given = [f"{n} ? 1 : 0" if t == "boolean" else f"BigInt({n})" if t.startswith("bigint") else n for n, t in zip(names, types)]
+    given = [f"{n} ? 1 : 0" if t == "boolean" else n if p["type"]["name"] == "f32" else f"{'whole' if t == 'number' else 'wholeWord'}({n}, '{n}')"
+             for n, t, p in zip(names, types, call["values"])]
     made = f"{to}.call('{function}'{handle}, {', '.join(given)});"
     if other and len(names) == 1:
         return f"set {camel(name)}({names[0]}) {{ {made} }}", "", None
@@ -185,7 +186,7 @@ def plain_member(call, other):
 
 
 def plain_javascript(model):
-    lines = [NOTICE]
+    lines = [NOTICE, "import { whole, wholeWord } from '../heap.mjs';", ""]
     for class_, calls in plain_calls(model):
         lines += [f"export class {class_} {{", *("  " + plain_member(*call)[0] for call in calls), "}", ""]
     return "\n".join(lines)

@@ -80,9 +80,7 @@ export class Heap {
 
   #writeScalar(type, address, value, field) {
     if (type === 'u64' || type === 'big') {
-      const word = typeof value === 'bigint' ? value : Number.isSafeInteger(value) ? BigInt(value) : -1n;
-      if (word < 0n || word > maxWord) throw new RangeError(`${field} must be a whole number from 0 to 2^64 - 1, not ${value}`);
-      this.view.setBigUint64(address, word, true);
+      this.view.setBigUint64(address, wholeWord(value, field), true);
       return;
     }
     if (typeof value !== 'number') throw new TypeError(`${field} must be a number, not ${value === null ? 'null' : typeof value}`);
@@ -179,10 +177,17 @@ export class Scratch {
   }
 }
 
-/** The argument `name`, a count: WebAssembly would make other numbers of fractions, signs and strings. */
+/** The argument `name`, of 32 bits: WebAssembly would make other numbers of fractions, signs and strings. */
 export function whole(value, name) {
   if (!Number.isInteger(value) || value < 0 || value >= 2 ** 32) throw new RangeError(`${name} must be a whole number from 0 to ${2 ** 32 - 1}, not ${value}`);
   return value;
+}
+
+/** The same of 64 bits, given as a number or a bigint. */
+export function wholeWord(value, name) {
+  const word = typeof value === 'bigint' ? value : Number.isSafeInteger(value) ? BigInt(value) : -1n;
+  if (word < 0n || word > maxWord) throw new RangeError(`${name} must be a whole number from 0 to 2^64 - 1, not ${value}`);
+  return word;
 }
 
 /** The argument `name`, an array of objects. */

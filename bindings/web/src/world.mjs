@@ -385,7 +385,7 @@ export class World extends WorldPlain {
   // Events and queries.
 
   setEvents(capacity, kinds = LR.EVENTS_ALL) {
-    this.call('lr_world_set_events', whole(capacity, 'capacity'), capacity === 0 ? 0 : kinds);
+    this.call('lr_world_set_events', whole(capacity, 'capacity'), capacity === 0 ? 0 : whole(kinds, 'kinds'));
   }
 
   /** The events of the last step. */

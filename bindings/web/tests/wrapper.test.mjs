@@ -176,6 +176,9 @@ test('errors name function, status and reason; wrong values are refused', () => 
     assert.throws(() => batch.spawnBox([0, 0, 0], [1, 1, 1], wrong), /count must be a whole number/, String(wrong));
     assert.throws(() => world.setEvents(wrong), /capacity must be a whole number/, String(wrong));
     if (wrong === undefined) continue;
+    assert.throws(() => batch.setRate(wrong), /divisor must be a whole number/, String(wrong));
+    assert.throws(() => (batch.divergencePolicy = wrong), /policy must be a whole number/, String(wrong));
+    if (wrong !== 2 ** 32) assert.throws(() => world.setBudget(wrong), /bodySubsteps must be a whole number/, String(wrong));
     assert.throws(() => world.step(1 / 60, wrong), /substeps must be a whole number/, String(wrong));
     assert.throws(() => batch.createTransforms(LR.TRANSFORM_4X4_ROW_MAJOR, wrong), /capacity must be a whole number/, String(wrong));
   }
