@@ -373,8 +373,7 @@ private:
         if (options_.stations == 1) return;
         StationOptions how;
         how.most = options_.stations;
-        how.thickness = is_sheet() || (mixed_ && solid_faces_ < mesh_.faces.size()) ? thickness_ : 0.0;
-        how.solid_faces = solid_faces_;
+        how.solid_faces = mixed_ || is_sheet() ? solid_faces_ : mesh_.faces.size();
         how.volume = solid_.volume;
         how.hull_volume = hull_volume_;
         how.length = solid_.extents.maxCoeff();

@@ -45,7 +45,7 @@ inline Made made(Mesh mesh, double thickness, const Vector3d* weight = nullptr, 
     out.loads = shape::default_aerodynamics(g);
     out.center = buoyancy + Vector3d(g.center[0], g.center[1], g.center[2]);
     StationOptions how;
-    how.thickness = thickness;
+    how.solid_faces = thickness > 0.0 ? 0 : mesh.faces.size();
     how.volume = body.volume;
     ConvexHull hull;
     Faults faults;

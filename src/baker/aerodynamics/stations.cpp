@@ -416,7 +416,7 @@ double share_hidden(const Part& part, const AerodynamicData& loads) {
 Stations make_stations(const Mesh& mesh, const AerodynamicData& loads, const Vector3d& center,
                        const StationOptions& options) {
     Stations out;
-    Part all = part_of(mesh, options.thickness > 0.0 ? 2.0 : 1.0, options.solid_faces);
+    Part all = part_of(mesh, 2.0, options.solid_faces);
     const PartMoments m = moments_of(all);
     double size = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -424,7 +424,7 @@ Stations make_stations(const Mesh& mesh, const AerodynamicData& loads, const Vec
         size = std::max(size, high - low);
     }
     if (!(m.area > 0.0) || !(size > 0.0)) return out;
-    const bool sheet = options.thickness > 0.0 && options.solid_faces == 0;
+    const bool sheet = options.solid_faces == 0;
     if (!sheet && options.volume > thick * m.area * std::sqrt(m.area)) {
         if (options.volume < far_from_convex * options.hull_volume) out.fit = StationFit::hollow;
         return out;

@@ -11,8 +11,7 @@
 namespace lr::baker {
 
 struct StationOptions {
-    double thickness = 0.0;      // m, of a sheet; 0: the mesh bounds a solid
-    std::size_t solid_faces = 0; // of a body of solids and sheets: the first faces bound solids
+    std::size_t solid_faces = 0; // so many of the first faces bound solids; the others are sheets
     double volume = 0.0;         // m^3, of the body
     double hull_volume = 0.0;    // m^3
     double length = 1.0;         // m, of the Reynolds number
