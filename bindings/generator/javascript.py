@@ -175,8 +175,8 @@ def plain_member(call, other):
         return (f"set{class_name(name)}({names[0]}) {{ {to}.set('{call['struct']}', {names[0]}, '{function}'{handle}); }}",
                 text + (" null undoes it." if null else ""), f"set{class_name(name)}({names[0]}: Input<api.{class_name(call['struct'])}>{null}): void;")
     types = ["boolean" if n == "enabled" else "number" if p["type"]["name"] != "u64" else "bigint | number" for n, p in zip(names, call["values"])]
-    given = [f"{n} ? 1 : 0" if t == "boolean" else n if p["type"]["name"] == "f32" else f"{'whole' if t == 'number' else 'wholeWord'}({n}, '{n}')"
-             for n, t, p in zip(names, types, call["values"])]
+    checks = [{"u64": "wholeWord", "f32": ""}.get(p["type"]["name"], "whole") for p in call["values"]]
+    given = [f"{n} ? 1 : 0" if t == "boolean" else f"{check}({n}, '{n}')" if check else n for n, t, check in zip(names, types, checks)]
     made = f"{to}.call('{function}'{handle}, {', '.join(given)});"
     if other and len(names) == 1:
         return f"set {camel(name)}({names[0]}) {{ {made} }}", "", None

@@ -29,7 +29,7 @@ Mesh cone(double half_angle, int rings) {
 } // namespace
 
 TEST_CASE("stations: bowls know their hollow, whatever their triangles and frame") {
-    const auto hollow = [](const Mesh& mesh) { return hollow_of(part_of(mesh, 2.0), 2.0); };
+    const auto hollow = [](const Mesh& mesh) { return hollow_of(part_of(mesh), 2.0); };
     CHECK(hollow(shapes::disc(8)).norm() == 0.0);
     CHECK(hollow(cap(0.1, 8)).norm() == 0.0);
     CHECK(hollow(curled(6.2, 16)).norm() < 0.02); // a tube has none

@@ -145,7 +145,7 @@ TEST_CASE("stations: a wing whose weight is at one end has a few strips, which s
 }
 
 TEST_CASE("stations: slices are Gauss's rule for the area") {
-    const Part strip = part_of(shapes::rectangle(2.0, 1.0, 3, 1), 2.0);
+    const Part strip = part_of(shapes::rectangle(2.0, 1.0, 3, 1));
     const std::vector<Slice> three = sliced(strip, Vector3d::UnitX(), 3);
     REQUIRE(three.size() == 3);
     CHECK(three[0].node == Approx(-std::sqrt(0.6)).epsilon(2e-3));
@@ -155,7 +155,7 @@ TEST_CASE("stations: slices are Gauss's rule for the area") {
     Mesh triangle;
     triangle.vertices = {{0, -1, 0}, {0, 1, 0}, {1, 0, 0}};
     triangle.faces = {{0, 1, 2}};
-    const std::vector<Slice> two = sliced(part_of(triangle, 2.0), Vector3d::UnitX(), 2);
+    const std::vector<Slice> two = sliced(part_of(triangle), Vector3d::UnitX(), 2);
     REQUIRE(two.size() == 2);
     double sums[4] = {};
     for (const Slice& s : two) {
@@ -166,7 +166,7 @@ TEST_CASE("stations: slices are Gauss's rule for the area") {
 }
 
 TEST_CASE("stations: parts keep all of the area") {
-    const Part dart = part_of(asset("paper_plane_surface.obj"), 2.0);
+    const Part dart = part_of(asset("paper_plane_surface.obj"));
     const double area = moments_of(dart).area;
     const std::vector<Part> groups = split_by_normal(dart, 4);
     REQUIRE(groups.size() == 2); // wings, keel
@@ -174,7 +174,7 @@ TEST_CASE("stations: parts keep all of the area") {
     const Vector3d keel = common_normal(moments_of(groups[1]), Vector3d::UnitY());
     CHECK(keel.y() == Approx(1.0).epsilon(0.01));
     for (const int arms : {4, 6}) {
-        const Part flat = part_of(star(arms, 3.0, 0.6), 2.0);
+        const Part flat = part_of(star(arms, 3.0, 0.6));
         const std::vector<Part> parts = split_by_outline(flat, Vector3d::UnitZ(), 8);
         CHECK(parts.size() == static_cast<std::size_t>(arms));
         CHECK(area_of(parts) == Approx(moments_of(flat).area).epsilon(1e-9));
@@ -268,20 +268,21 @@ TEST_CASE("stations: neither triangles nor the frame matter") {
 }
 
 TEST_CASE("stations: the nut of a winged seed is a part of its own") {
+    const auto solid = [](const Mesh& mesh) { return part_of(mesh, mesh.faces.size()); };
     // Nut and wing: ellipsoids, one in another.
     const Mesh nut = shapes::ellipsoid(0.004, 0.003, 0.002, 3);
     Mesh blade = shapes::ellipsoid(0.022, 0.006, 0.0001, 4);
     shapes::apply(blade, Eigen::Matrix3d::Identity(), {0.0262, 0.0, 0.0});
-    const Part whole = part_of(shapes::joined(nut, blade), 1.0);
+    const Part whole = solid(shapes::joined(nut, blade));
     const auto [lump, rest] = split_lump(whole, 0.052);
     REQUIRE(!lump.empty());
     const PartMoments m = moments_of(lump);
-    CHECK(m.area == Approx(moments_of(part_of(nut, 1.0)).area).epsilon(0.1));
+    CHECK(m.area == Approx(moments_of(solid(nut)).area).epsilon(0.1));
     CHECK(m.centroid.norm() < 0.0005);
     CHECK(m.area + moments_of(rest).area == Approx(moments_of(whole).area).epsilon(1e-9));
     // A wing alone, and a leaf of even thickness, have none.
-    CHECK(split_lump(part_of(blade, 1.0), 0.044).first.empty());
-    CHECK(split_lump(part_of(asset("leaf.obj"), 1.0), 0.07).first.empty());
+    CHECK(split_lump(solid(blade), 0.044).first.empty());
+    CHECK(split_lump(solid(asset("leaf.obj")), 0.07).first.empty());
     const Vector3d weight(0.003, 0.0, 0.0);
     const Made seed = made(shapes::joined(nut, blade), 0.0, &weight);
     REQUIRE(seed.stations.at.size() >= 3);
@@ -293,8 +294,7 @@ TEST_CASE("stations: camber of a flap and of an arc are those of thin aerofoils"
     // Hinged at nine tenths of the chord, six degrees up: (Glauert 1927) zero lift at delta (pi - h + sin h)/pi, cos h = 1 - 2 0.9.
     const double up = std::tan(6.0 * pi / 180.0), hinge = std::acos(-0.8);
     const auto section = [](int n, const std::function<double(double)>& height) {
-        return part_of(shapes::patch(n, 2, [&](double u, double v) { return Vector3d(-u, 2.0 * v - 1.0, height(u)); }),
-                       2.0);
+        return part_of(shapes::patch(n, 2, [&](double u, double v) { return Vector3d(-u, 2.0 * v - 1.0, height(u)); }));
     };
     const auto of = [](const Part& part, const Vector3d& chord) {
         return camber_of(part, Vector3d(-0.5, 0.0, 0.0), chord, Vector3d::UnitZ());

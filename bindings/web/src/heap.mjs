@@ -84,12 +84,8 @@ export class Heap {
       return;
     }
     if (typeof value !== 'number') throw new TypeError(`${field} must be a number, not ${value === null ? 'null' : typeof value}`);
-    if (type[0] !== 'f') { // NaN and fractions would silently become other integers
-      const low = type === 'i32' ? -(2 ** 31) : 0;
-      const high = type === 'i32' ? 2 ** 31 : 2 ** 32;
-      if (!Number.isInteger(value) || value < low || value >= high)
-        throw new RangeError(`${field} must be a whole number from ${low} to ${high - 1}, not ${value}`);
-    }
+    if (type === 'i32') whole(value, field, -(2 ** 31));
+    else if (type[0] !== 'f') whole(value, field);
     this.view[scalars[type].set](address, value, true);
   }
 
@@ -177,9 +173,10 @@ export class Scratch {
   }
 }
 
-/** The argument `name`, of 32 bits: WebAssembly would make other numbers of fractions, signs and strings. */
-export function whole(value, name) {
-  if (!Number.isInteger(value) || value < 0 || value >= 2 ** 32) throw new RangeError(`${name} must be a whole number from 0 to ${2 ** 32 - 1}, not ${value}`);
+/** The argument `name`, of 32 bits from `low`: WebAssembly would make other numbers of fractions, signs and strings. */
+export function whole(value, name, low = 0) {
+  const past = low + 2 ** 32;
+  if (!Number.isInteger(value) || value < low || value >= past) throw new RangeError(`${name} must be a whole number from ${low} to ${past - 1}, not ${value}`);
   return value;
 }
 

@@ -416,7 +416,7 @@ double share_hidden(const Part& part, const AerodynamicData& loads) {
 Stations make_stations(const Mesh& mesh, const AerodynamicData& loads, const Vector3d& center,
                        const StationOptions& options) {
     Stations out;
-    Part all = part_of(mesh, 2.0, options.solid_faces);
+    Part all = part_of(mesh, options.solid_faces);
     const PartMoments m = moments_of(all);
     double size = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {

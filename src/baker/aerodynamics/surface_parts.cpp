@@ -124,11 +124,11 @@ double offset_of_area(const Part& part, const Vector3d& direction, double area) 
 }
 } // namespace
 
-Part part_of(const Mesh& mesh, double sides_of_sheets, std::size_t solid_faces) {
+Part part_of(const Mesh& mesh, std::size_t solid_faces) {
     Part out;
     for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
         const Face& f = mesh.faces[i];
-        const double sides = i < solid_faces ? 1.0 : sides_of_sheets;
+        const double sides = i < solid_faces ? 1.0 : 2.0;
         const Vector3d &a = mesh.vertices[f[0]], &b = mesh.vertices[f[1]], &c = mesh.vertices[f[2]];
         const Vector3d across = (b - a).cross(c - a);
         const double twice = across.norm();

@@ -21,8 +21,8 @@ struct Facet {
 };
 using Part = std::vector<Facet>;
 
-// The first `solid_faces` faces have one side, the others `sides_of_sheets`.
-Part part_of(const Mesh& mesh, double sides_of_sheets, std::size_t solid_faces = 0);
+// The first `solid_faces` faces have one side, the others, of sheets, two.
+Part part_of(const Mesh& mesh, std::size_t solid_faces = 0);
 
 // The parts below and above the plane direction.x = offset.
 std::pair<Part, Part> cut(const Part& part, const Eigen::Vector3d& direction, double offset);
