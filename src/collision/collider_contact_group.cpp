@@ -285,6 +285,21 @@ void ContactGroup::find_floors(const ContactSubstep& substep) {
     }
 }
 
+Vector ContactGroup::face_below(uint32_t i, const ContactSubstep& substep) const {
+    const float reach = step_->shape->reach * arrays_.field[field_scale][i];
+    const Vector center = pose_in(substep.before, i).position;
+    Vector face{};
+    float least = reach;
+    each_candidate(i, grown({center, center}, reach), [&](const Candidate& candidate) {
+        const Collider& c = step_->colliders->at(candidate.slot);
+        if (!c.geometry.mesh) return;
+        const Vector found =
+            face_of_center(*c.geometry.mesh, candidate.part, to_inner(pose_at(c, substep.begin), center), least);
+        if (dot(found, found) > 0.0f) face = rotate(pose_at(c, substep.end).rotation, found);
+    });
+    return face;
+}
+
 void ContactGroup::touch_others(uint32_t i, const ContactSubstep& substep) {
     if (!near_[i].meets_others()) return;
     const float margin = margin_of(i, substep.h), scale = arrays_.field[field_scale][i];
@@ -296,6 +311,7 @@ void ContactGroup::touch_others(uint32_t i, const ContactSubstep& substep) {
         const SurfaceMotion motion = motion_of(step_->colliders->at(slot), substep);
         for (uint32_t n = 0; n < count; ++n) add(i, slot, contacts[n], pose, motion, by);
     };
+    std::optional<Vector> face;
     // All parts of a mesh give one manifold: hundreds of parts can be under a body.
     std::optional<ContactPoints> mesh;
     uint32_t mesh_slot = 0;
@@ -333,6 +349,8 @@ void ContactGroup::touch_others(uint32_t i, const ContactSubstep& substep) {
             began = relative(pose_at(c, substep.begin), pose_in(substep.before, i));
             mesh.emplace(*step_->shape, scale, relative(mesh_pose, lifted), margin, &began,
                          mesh_slot == floor.slot ? floor.side : int8_t{0});
+            if (!face) face = face_below(i, substep);
+            mesh->face = rotate(inverse(mesh_pose.rotation), *face);
             mesh->up = direction_of(rotate(inverse(mesh_pose.rotation), up_[i]));
         }
         add_mesh(*mesh, *c.geometry.mesh, candidate.part);

@@ -219,6 +219,8 @@ private:
     void stay_in_front(const ContactSubstep& substep);
     void stop_before_passing_through(const ContactSubstep& substep);
     void touch_grounds(const ContactSubstep& substep);
+    // The normal, on its side and in the world frame, of the mesh's triangle that the body's centre of mass was over as the substep began; 0: of none.
+    Vector face_below(uint32_t lane, const ContactSubstep& substep) const;
     void touch_others(uint32_t lane, const ContactSubstep& substep);
     void touch_sleeping(uint32_t lane, const ContactSubstep& substep);
     uint32_t put(uint32_t lane, const SlotContact& contact);

@@ -60,13 +60,14 @@ struct Stop {
 };
 
 // A plane that separates two convex things at the moment of touch. As long as the whole body stays on its side, it may slide along it and cannot pass
-// through. `met` is in the collider's frame. False if there is no such plane.
+// through. `met` is in the collider's frame. began, face: for meshes, as in ContactPoints. False if there is no such plane.
 bool find_side(const BodyShape& s, float scale, const Pose& met, const Geometry& g, ColliderPart part, float margin,
-               Stop& stop, Side& side) {
+               const Pose& began, Vector face, Stop& stop, Side& side) {
     const float near = 0.2f * s.reach * scale;
     Contact* end = stop.contacts;
     if (g.kind == ColliderKind::mesh) {
-        ContactPoints contacts(s, scale, met, near);
+        ContactPoints contacts(s, scale, met, near, &began);
+        contacts.face = face;
         add_mesh(contacts, *g.mesh, part, true); // as if it had no neighbours: only this triangle was met
         end += contacts.keep(stop.contacts);
     } else {
@@ -242,7 +243,9 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
             Side& side = sides[count];
             stop.candidate = candidate;
             const Pose there = relative(pose_at(c, begin + free * (end - begin)), met);
-            slides = find_side(*step_->shape, scale, there, c.geometry, candidate.part, margin, stop, side);
+            slides = find_side(*step_->shape, scale, there, c.geometry, candidate.part, margin,
+                               relative(pose_at(c, begin), pose_in(substep.before, i)),
+                               rotate(inverse(ends.rotation), face_below(i, substep)), stop, side);
             if (slides) {
                 side.normal = rotate(ends.rotation, side.normal);
                 side.offset += dot(side.normal, ends.position - from.position);
@@ -283,8 +286,9 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
             Stop now{stops[n].candidate, 0, {}};
             Side side;
             if (rests && stone &&
-                find_side(*step_->shape, scale, relative(ends, target), c.geometry, now.candidate.part, margin, now,
-                          side))
+                find_side(*step_->shape, scale, relative(ends, target), c.geometry, now.candidate.part, margin,
+                          relative(pose_at(c, begin), pose_in(substep.before, i)),
+                          rotate(inverse(ends.rotation), face_below(i, substep)), now, side))
                 stops[n] = now;
             const SurfaceMotion motion = motion_of(c, substep);
             for (uint32_t k = 0; k < stops[n].count; ++k) add(i, slot, stops[n].contacts[k], ends, motion, lift_[i]);

@@ -10,6 +10,8 @@ namespace {
 constexpr uint8_t all_front = 7;
 // An edge is a ridge if the next triangle falls below this one's plane by more than this share of a cell.
 constexpr float ridge = 1e-3f;
+// Cosine between the normals of triangles that count as one surface.
+constexpr float facing = 0.5f;
 // Cosine between triangle normal and separation; below it the body is beside the triangle.
 constexpr double beside = 0.1;
 
@@ -61,6 +63,18 @@ Double3 side_before(const ContactPoints& set, const Triangle& t) {
     const Double3 side = separate(body, collider, std::numeric_limits<double>::infinity(), {.up = set.up}).normal;
     // If the body was beside the triangle and slides over it, rounding would decide.
     return std::abs(dot(side, to_double(t.normal))) < beside ? Double3{} : side;
+}
+
+// A centre of mass does not pass through a surface, so it tells on which side of a triangle the body is: of one that it is over, or that is in line
+// with another that it is over, as a tile beside its own. What is pressed through by a thin body's height would otherwise count as on the other side.
+Triangle side_of_center(const ContactPoints& set, const Triangle& t) {
+    if (!set.before || !(dot(set.face, set.face) > 0.0f)) return t;
+    const Vector center = set.before->position;
+    const float lean = dot(t.normal, set.face), off = dot(t.normal, center - t.corners[0]);
+    if (is_over(t, center)) return off == 0.0f ? t : one_side(t, off > 0.0f);
+    const float deep = 0.5f * set.body.scale * set.body.shape->thickness;
+    if (std::abs(lean) > facing && (lean > 0.0f ? off : -off) > -deep) return one_side(t, lean > 0.0f);
+    return t;
 }
 
 // Along the triangle's normal on the given side; if that is 0, on the side of less overlap.
@@ -186,6 +200,19 @@ void add_points(ContactPoints& set, const HeightfieldGeometry& field) {
 }
 } // namespace
 
+Vector face_of_center(const MeshGeometry& mesh, ColliderPart part, Vector center, float& least) {
+    Vector face{};
+    for (uint32_t i = part.first; i < part.first + part.count && i < mesh.triangle_count; ++i) {
+        const Triangle t = mesh_triangle(mesh, i);
+        const float off = dot(t.normal, center - t.corners[0]);
+        if (off == 0.0f || !(std::abs(off) < least) || !(dot(t.normal, t.normal) > 0.5f) || !is_over(t, center))
+            continue;
+        least = std::abs(off);
+        face = off > 0.0f ? t.normal : -t.normal;
+    }
+    return face;
+}
+
 Triangle mesh_triangle(const MeshGeometry& mesh, uint32_t index) {
     Triangle t{};
     for (uint32_t k = 0; k < 3; ++k)
@@ -269,7 +296,10 @@ void add_mesh(ContactPoints& set, const MeshGeometry& mesh, ColliderPart part, b
     for (uint32_t i = part.first; i < part.first + part.count && i < mesh.triangle_count; ++i) {
         const Triangle t = mesh_triangle(mesh, i);
         if (!(dot(t.normal, t.normal) > 0.5f)) continue;
-        add_triangle(set, set.side != 0 ? one_side(t, (set.side > 0) != t.turned) : t, alone);
+        if (set.side != 0)
+            add_triangle(set, one_side(t, (set.side > 0) != t.turned), alone);
+        else
+            add_triangle(set, side_of_center(set, t), alone);
     }
 }
 

@@ -32,6 +32,8 @@ Triangle field_triangle(const HeightfieldGeometry& field, uint32_t i, uint32_t k
 
 // alone: the mesh part is tested without its neighbours, so all edges collide here.
 void add_mesh(ContactPoints& set, const MeshGeometry& mesh, ColliderPart part, bool alone = false);
+// The normal, on its side, of the triangle that a centre of mass is over, if one is nearer than `least`, which becomes its distance; else 0.
+Vector face_of_center(const MeshGeometry& mesh, ColliderPart part, Vector center, float& least);
 // The triangle with one side only, its front or its back.
 Triangle one_side(Triangle t, bool front);
 // Adds contacts at the ridges of a one-sided triangle.

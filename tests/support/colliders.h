@@ -80,6 +80,12 @@ inline Triangles closed_box(float a, float b, float c) {
                  2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3};
     return t;
 }
+// Adds a surface, moved by `by`, to another.
+inline void join(Triangles& to, const Triangles& part, const std::array<float, 3>& by) {
+    const auto first = static_cast<uint32_t>(to.vertices.size() / 3);
+    for (size_t k = 0; k < part.vertices.size(); ++k) to.vertices.push_back(part.vertices[k] + by[k % 3]);
+    for (const uint32_t index : part.indices) to.indices.push_back(first + index);
+}
 inline lr_collider_desc mesh_collider(const Triangles& t) {
     lr_collider_desc d = collider_desc(LR_COLLIDER_MESH);
     d.vertices = t.vertices.data();
