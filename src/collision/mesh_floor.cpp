@@ -9,9 +9,9 @@
 namespace lr {
 namespace {
 
-// Cosines. steepest: between a floor's steepest triangle and its mean normal, 57 degrees. Two such triangles differ by less than 120 degrees, where
-// one would count as the other's back: up to two fifths of cards went through a groove of 65 degrees. facing: of triangles that tell the body's side.
-constexpr float steepest = 0.55f, facing = 0.5f;
+// Cosine between a floor's steepest triangle and its mean normal, 57 degrees. Two such triangles differ by less than 120 degrees, where
+// one would count as the other's back: up to two fifths of cards went through a groove of 65 degrees.
+constexpr float steepest = 0.55f;
 // Cosine between normals that differ by 0.2, as over heightfields. Sharper edges need contacts of their own.
 constexpr float sharp = 0.98f;
 // Share of the thickness: closer to the surface, rounding decides on which side a centre of mass is.
@@ -180,10 +180,11 @@ void find_floor(const BodyShape& shape, float scale, const Pose& from, const Pos
     const bool was_there = dot(known, known) > 0.0f;
     const float reach = scale * shape.reach;
     const Box around = grown({low_of(a, b), high_of(a, b)}, reach + margin);
-    Vector normals[MeshFloor::most], sum{};
-    uint32_t used = 0;
+    Vector normals[MeshFloor::most], face{};
+    float above[MeshFloor::most], lowest = std::numeric_limits<float>::infinity(); // m, of the centre above triangles
+    float area[MeshFloor::most];                                                   // m^2, twice
+    uint32_t found = 0;
     bool all = true;
-    float small = std::numeric_limits<float>::infinity(); // m^2, twice the least area
     out.count = 0;
     out.side = 0;
     for (uint32_t n = 0; n < count && all; ++n)
@@ -191,13 +192,26 @@ void find_floor(const BodyShape& shape, float scale, const Pose& from, const Pos
             const Triangle t = mesh_triangle(mesh, i);
             if (!(dot(t.normal, t.normal) > 0.5f) || !crosses(around, t)) continue;
             if (ends_in(around, t)) return;
-            all = used < MeshFloor::most;
+            all = found < MeshFloor::most;
             if (!all) break; // enough to tell the side
-            normals[used] = t.turned ? -t.normal : t.normal;
-            sum = sum + normals[used];
-            small = std::min(small, length(cross(t.corners[1] - t.corners[0], t.corners[2] - t.corners[0])));
-            out.triangles[used++] = i;
+            normals[found] = t.turned ? -t.normal : t.normal;
+            above[found] = dot(normals[found], a - t.corners[0]);
+            area[found] = length(cross(t.corners[1] - t.corners[0], t.corners[2] - t.corners[0]));
+            if (above[found] > 0.0f && above[found] < lowest && is_over(t, a))
+                lowest = above[found], face = normals[found];
+            out.triangles[found++] = i;
         }
+    // The far side of a board that the body lies on is behind its floor.
+    Vector sum{};
+    uint32_t used = 0;
+    float small = std::numeric_limits<float>::infinity();
+    for (uint32_t k = 0; k < found; ++k) {
+        if (faces_away(normals[k], face, above[k])) continue;
+        sum = sum + normals[k];
+        small = std::min(small, area[k]);
+        normals[used] = normals[k];
+        out.triangles[used++] = out.triangles[k];
+    }
     const float size = length(sum);
     if (!(size > 0.0f)) return;
     out.up = 1.0f / size * sum;

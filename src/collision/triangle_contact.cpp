@@ -10,8 +10,6 @@ namespace {
 constexpr uint8_t all_front = 7;
 // An edge is a ridge if the next triangle falls below this one's plane by more than this share of a cell.
 constexpr float ridge = 1e-3f;
-// Cosine between the normals of triangles that count as one surface.
-constexpr float facing = 0.5f;
 // Cosine between triangle normal and separation; below it the body is beside the triangle.
 constexpr double beside = 0.1;
 
@@ -44,13 +42,6 @@ bool covers(const Triangle& t, Vector position, float reach) {
         const float in = dot(cross(t.normal, edge), position - t.corners[i]);
         if (in <= 0.0f || in * in < reach * reach * dot(edge, edge)) return false;
     }
-    return true;
-}
-
-// Whether a point, seen along the normal, lies inside the triangle.
-bool is_over(const Triangle& t, Vector point) {
-    for (uint32_t i = 0; i < 3; ++i)
-        if (dot(cross(t.normal, t.corners[(i + 1) % 3] - t.corners[i]), point - t.corners[i]) < 0.0f) return false;
     return true;
 }
 
@@ -200,6 +191,12 @@ void add_points(ContactPoints& set, const HeightfieldGeometry& field) {
 }
 } // namespace
 
+bool is_over(const Triangle& t, Vector point) {
+    for (uint32_t i = 0; i < 3; ++i)
+        if (dot(cross(t.normal, t.corners[(i + 1) % 3] - t.corners[i]), point - t.corners[i]) < 0.0f) return false;
+    return true;
+}
+
 Vector face_of_center(const MeshGeometry& mesh, ColliderPart part, Vector center, float& least) {
     Vector face{};
     for (uint32_t i = part.first; i < part.first + part.count && i < mesh.triangle_count; ++i) {
@@ -296,10 +293,13 @@ void add_mesh(ContactPoints& set, const MeshGeometry& mesh, ColliderPart part, b
     for (uint32_t i = part.first; i < part.first + part.count && i < mesh.triangle_count; ++i) {
         const Triangle t = mesh_triangle(mesh, i);
         if (!(dot(t.normal, t.normal) > 0.5f)) continue;
-        if (set.side != 0)
-            add_triangle(set, one_side(t, (set.side > 0) != t.turned), alone);
-        else
+        if (set.side == 0) {
             add_triangle(set, side_of_center(set, t), alone);
+            continue;
+        }
+        const Triangle known = one_side(t, (set.side > 0) != t.turned);
+        if (!(set.before && faces_away(known.normal, set.face, dot(known.normal, set.before->position - t.corners[0]))))
+            add_triangle(set, known, alone);
     }
 }
 

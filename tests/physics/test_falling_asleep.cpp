@@ -350,6 +350,29 @@ TEST_CASE("cards, leaves and bricks lie still on tiles of uneven height, as boxe
         }
 }
 
+// The far side of a board is within a body's reach, but behind its floor.
+TEST_CASE("leaves and petals fall asleep on boards in a mesh, however thin") {
+    const std::array assets{petal(), twisted_leaf(), plate()};
+    for (const Asset& asset : assets)
+        for (const float half : {0.0005f, 0.0015f, 0.01f})
+            for (const int rate : {30, 60}) {
+                CAPTURE(&asset - assets.data());
+                CAPTURE(half);
+                CAPTURE(rate);
+                const World world = make(world_desc());
+                Random random(3);
+                const Triangles board = closed_box(0.8f, half, 0.8f);
+                add_collider(world, mesh_collider(board));
+                const lr_batch batch = add_batch(world, asset, 36);
+                for (int i = 0; i < 36; ++i)
+                    add_body(world, batch, turned_anyhow(random, {0.12 * (i % 6) - 0.3, 0.2, 0.12 * (i / 6) - 0.3}));
+                steps(world, 5 * rate, 1.0f / static_cast<float>(rate));
+                const lr_batch_view v = view_of(world, batch);
+                CHECK(v.awake_count == 0);
+                CHECK(std::count_if(v.position[1], v.position[1] + v.count, [](float y) { return y < 0.0f; }) == 0);
+            }
+}
+
 // Near the edges of a tile no triangle is a floor. A petal is pressed in there until it counts as below the tile, but its centre of mass is not.
 TEST_CASE("petals fall through no tiles, be they closed boxes in one mesh or faces with open edges") {
     const Asset bowl = petal(0.0002, -0.0001, 100.0);
