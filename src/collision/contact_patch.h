@@ -31,6 +31,16 @@ struct Side {
     float level = 0.0f, slope_u = 0.0f, slope_v = 0.0f;
 
     float height_at(float along_u, float along_v) const { return level + slope_u * along_u + slope_v * along_v; }
+    // Whether a place is over a side with three corners or more.
+    bool covers(float along_u, float along_v) const {
+        const float sense = clockwise ? -1.0f : 1.0f;
+        for (uint32_t i = 0; i < count; ++i) {
+            const uint32_t next = i + 1 < count ? i + 1 : 0;
+            if (sense * ((u[next] - u[i]) * (along_v - v[i]) - (v[next] - v[i]) * (along_u - u[i])) < 0.0f)
+                return false;
+        }
+        return true;
+    }
     // From `corners` > 2 corners, corner(i), counter-clockwise seen from outside. False if the face is nearly edge-on.
     template <class Corner>
     bool set_face(const Across& across, Vector outward, uint32_t corners, const Corner& corner) {

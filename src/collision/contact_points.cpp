@@ -11,6 +11,10 @@ namespace {
 
 // Contacts closer than this share of the reach are duplicates.
 constexpr float same = 1e-3f;
+// Cosine between a side and the normal from which on the side counts as lying across it.
+constexpr float flat = 0.98f;
+// Share of the reach: corners that are this much farther than the nearest one count, over a side that lies across the normal.
+constexpr float rocks = 0.02f;
 // The maximum is searched in parallel lanes, because one long chain of maxima is slow.
 constexpr uint32_t lanes = 4;
 static_assert(most_found % lanes == 0);
@@ -208,19 +212,13 @@ void add_rims_over(ContactPoints& set, const PlacedCollider& collider, const Sep
     set_collider_side(collider, across, side);
     if (side.count < 3) return;
     const Vector up = across.at(-side.slope_u, -side.slope_v, 1.0f);
-    const float lean = 1.0f / length(up), sense = side.clockwise ? -1.0f : 1.0f;
+    const float lean = 1.0f / length(up);
     const float least = std::min(gap, 0.0f) - same * set.body.reach;
     add_rims(set, to_double(lean * up), gap, [&](Vector rim, Vector& direction) {
         const float u = dot(across.u, rim), v = dot(across.v, rim);
         const float out = lean * (dot(across.normal, rim) - side.height_at(u, v));
         direction = lean * up;
-        bool over = out >= least;
-        for (uint32_t i = 0; i < side.count && over; ++i) {
-            const uint32_t next = i + 1 < side.count ? i + 1 : 0;
-            over =
-                sense * ((side.u[next] - side.u[i]) * (v - side.v[i]) - (side.v[next] - side.v[i]) * (u - side.u[i])) >=
-                0.0f;
-        }
+        const bool over = out >= least && side.covers(u, v);
         return over ? static_cast<double>(out) : std::numeric_limits<double>::infinity();
     });
 }
@@ -270,6 +268,16 @@ void add_patch(ContactPoints& set, const PlacedCollider& collider, const Separat
     for (uint32_t i = 0; i < patch.count; ++i) {
         const float u = patch.u[i], v = patch.v[i];
         set.add_core(across.at(u, v, on_body.height_at(u, v)), n, patch.gap[i] - rounding);
+    }
+    // A curved side of many small faces rocks from one to the next on the corners of one alone. More than the nearest corners tremble too.
+    const Vector up = across.at(-on_collider.slope_u, -on_collider.slope_v, 1.0f);
+    const float lean = 1.0f / length(up), near = gap + rocks * body.reach;
+    if (on_collider.count < 3 || lean < flat || on_body.count == body.count) return;
+    for (uint32_t i = 0; i < body.count; ++i) {
+        const Vector p = body.point(i);
+        const float u = dot(across.u, p), v = dot(across.v, p);
+        const float out = lean * (dot(n, p) - on_collider.height_at(u, v)) - rounding;
+        if (out < near && on_collider.covers(u, v)) set.add_core(p, lean * up, out);
     }
 }
 

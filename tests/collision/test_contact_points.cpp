@@ -272,6 +272,35 @@ TEST_CASE("a leaf in a thin wall is pushed to the side where most of it is") {
     }
 }
 
+// On the corners of the nearest face alone it would rock from face to face.
+TEST_CASE("a domed leaf near the edge of a box or of a mesh is held by the corners of several faces") {
+    test::Random random(23);
+    std::vector<float> v{0.0f, -0.001f, 0.0f};
+    for (int k = 0; k < 8; ++k) {
+        const double t = std::numbers::pi * k / 4.0;
+        const auto x = static_cast<float>(std::cos(t)), z = static_cast<float>(std::sin(t));
+        v.insert(v.end(), {0.03f * x, 0.0f, 0.03f * z, 0.06f * x, 0.02f, 0.06f * z});
+    }
+    const BodyShape shape = make_body_shape(test::asset_of(v));
+    REQUIRE(shape.count == 17);
+    test::Solid box, mesh;
+    box.make(ColliderKind::box, 1.0f, 0.1f, 1.0f);
+    REQUIRE(mesh.make_mesh({-1, 0.1f, -1, -1, 0.1f, 1, 1, 0.1f, -1, 1, 0.1f, 1, 1, -1, -1, 1, -1, 1},
+                           {0, 1, 2, 1, 3, 2, 2, 3, 5, 2, 5, 4}));
+    for (uint32_t i = 0; i < test::rounds(2000); ++i) {
+        const float half = random.real(0.0, 3.0);
+        const Rotation about_y{0.0f, std::sin(half), 0.0f, std::cos(half)};
+        const Rotation tilt = normalised({random.real(-5e-3, 5e-3), 0.0f, random.real(-5e-3, 5e-3), 1.0f});
+        const Pose at{{random.real(0.95, 0.965), 0.101f + random.real(-1e-3, 1e-3), random.real(-0.9, 0.9)},
+                      tilt * about_y};
+        for (const test::Solid* solid : {&box, &mesh}) {
+            const Found found(shape, 1.0f, at, *solid, 0.003f);
+            CHECK(found.count >= 5);
+            CHECK(found.holds(at));
+        }
+    }
+}
+
 TEST_CASE("a leaf in the air over the edge of a closed mesh whose side is known touches nothing") {
     test::Random random(17);
     const BodyShape shape = test::ellipsoid(0.03f, 5e-4f, 0.02f);
