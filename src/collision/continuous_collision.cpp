@@ -200,6 +200,8 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
             if (side_below(i, c, target, substep, fast) && !fast) return 1.0f;
             return free_fraction(*step_->shape, scale, first, last, c.geometry);
         };
+        std::optional<Vector> below;
+        const auto face = [&] { return below ? *below : below.emplace(face_below(i, substep)); };
         // A stopped body slides along the thing to the next one, then along both to a third.
         bool slid = false;
         uint32_t count = 0, met_count = 0;
@@ -245,7 +247,7 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
             const Pose there = relative(pose_at(c, begin + free * (end - begin)), met);
             slides = find_side(*step_->shape, scale, there, c.geometry, candidate.part, margin,
                                relative(pose_at(c, begin), pose_in(substep.before, i)),
-                               rotate(inverse(ends.rotation), face_below(i, substep)), stop, side);
+                               rotate(inverse(ends.rotation), face()), stop, side);
             if (slides) {
                 side.normal = rotate(ends.rotation, side.normal);
                 side.offset += dot(side.normal, ends.position - from.position);
@@ -288,7 +290,7 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
             if (rests && stone &&
                 find_side(*step_->shape, scale, relative(ends, target), c.geometry, now.candidate.part, margin,
                           relative(pose_at(c, begin), pose_in(substep.before, i)),
-                          rotate(inverse(ends.rotation), face_below(i, substep)), now, side))
+                          rotate(inverse(ends.rotation), face()), now, side))
                 stops[n] = now;
             const SurfaceMotion motion = motion_of(c, substep);
             for (uint32_t k = 0; k < stops[n].count; ++k) add(i, slot, stops[n].contacts[k], ends, motion, lift_[i]);
