@@ -57,7 +57,7 @@ Double3 side_before(const ContactPoints& set, const Triangle& t) {
 }
 
 // A centre of mass does not pass through a surface, so it tells on which side of a triangle the body is: of one that it is over, or that is in line
-// with another that it is over, as a tile beside its own. What is pressed through by a thin body's height would otherwise count as on the other side.
+// with another that it is over, as a tile beside its own. A thin body that is pressed in by its own height would otherwise count as on the other side.
 Triangle side_of_center(const ContactPoints& set, const Triangle& t) {
     if (!set.before || !(dot(set.face, set.face) > 0.0f)) return t;
     const Vector center = set.before->position;
