@@ -14,7 +14,7 @@ constexpr float same = 1e-3f;
 // Cosine between a side and the normal from which on the side counts as lying across it.
 constexpr float flat = 0.98f;
 // Share of the reach: corners that are this much farther than the nearest one count, over a side that lies across the normal.
-constexpr float rocks = 0.02f;
+constexpr float nearly = 0.02f;
 // The maximum is searched in parallel lanes, because one long chain of maxima is slow.
 constexpr uint32_t lanes = 4;
 static_assert(most_found % lanes == 0);
@@ -271,7 +271,7 @@ void add_patch(ContactPoints& set, const PlacedCollider& collider, const Separat
     }
     // A curved side of many small faces rocks from one to the next on the corners of one alone. More than the nearest corners tremble too.
     const Vector up = across.at(-on_collider.slope_u, -on_collider.slope_v, 1.0f);
-    const float lean = 1.0f / length(up), near = gap + rocks * body.reach;
+    const float lean = 1.0f / length(up), near = gap + nearly * body.reach;
     if (on_collider.count < 3 || lean < flat || on_body.count == body.count) return;
     for (uint32_t i = 0; i < body.count; ++i) {
         const Vector p = body.point(i);
