@@ -200,8 +200,14 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
             if (side_below(i, c, target, substep, fast) && !fast) return 1.0f;
             return free_fraction(*step_->shape, scale, first, last, c.geometry);
         };
-        std::optional<Vector> below;
-        const auto face = [&] { return below ? *below : below.emplace(face_below(i, substep)); };
+        std::optional<Vector> face;
+        const auto has_side = [&](const Candidate& candidate, const Pose& met, Stop& stop, Side& side) {
+            const Collider& c = step_->colliders->at(candidate.slot);
+            if (!face) face = face_below(i, substep);
+            return find_side(*step_->shape, scale, met, c.geometry, candidate.part, margin,
+                             relative(pose_at(c, begin), pose_in(substep.before, i)),
+                             rotate(inverse(pose_at(c, end).rotation), *face), stop, side);
+        };
         // A stopped body slides along the thing to the next one, then along both to a third.
         bool slid = false;
         uint32_t count = 0, met_count = 0;
@@ -245,9 +251,7 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
             Side& side = sides[count];
             stop.candidate = candidate;
             const Pose there = relative(pose_at(c, begin + free * (end - begin)), met);
-            slides = find_side(*step_->shape, scale, there, c.geometry, candidate.part, margin,
-                               relative(pose_at(c, begin), pose_in(substep.before, i)),
-                               rotate(inverse(ends.rotation), face()), stop, side);
+            slides = has_side(candidate, there, stop, side);
             if (slides) {
                 side.normal = rotate(ends.rotation, side.normal);
                 side.offset += dot(side.normal, ends.position - from.position);
@@ -287,11 +291,7 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
             // Contacts of a pose that a rocking stone had earlier push it further. Thin bodies over edges of stairs need them.
             Stop now{stops[n].candidate, 0, {}};
             Side side;
-            if (rests && stone &&
-                find_side(*step_->shape, scale, relative(ends, target), c.geometry, now.candidate.part, margin,
-                          relative(pose_at(c, begin), pose_in(substep.before, i)),
-                          rotate(inverse(ends.rotation), face()), now, side))
-                stops[n] = now;
+            if (rests && stone && has_side(now.candidate, relative(ends, target), now, side)) stops[n] = now;
             const SurfaceMotion motion = motion_of(c, substep);
             for (uint32_t k = 0; k < stops[n].count; ++k) add(i, slot, stops[n].contacts[k], ends, motion, lift_[i]);
         }

@@ -240,11 +240,9 @@ TEST_CASE("bodies between two parallel sheets stay there") {
             const World world = make(still);
             Triangles low = fine_sheet(40, 0.1f, flat),
                       high = fine_sheet(40, 0.1f, [&](float, float) { return c.gap; });
-            if (c.one_mesh) {
-                const auto first = static_cast<uint32_t>(low.vertices.size() / 3);
-                for (const uint32_t index : high.indices) low.indices.push_back(first + index);
-                low.vertices.insert(low.vertices.end(), high.vertices.begin(), high.vertices.end());
-            } else
+            if (c.one_mesh)
+                join(low, high);
+            else
                 add_collider(world, mesh_collider(high));
             lr_collider_desc far = sphere_collider(0.1f);
             far.position[1] = 1000.0f;
@@ -274,10 +272,9 @@ TEST_CASE("cubes stay on a slab of fine triangles, however thin") {
     constexpr uint32_t count = 150;
     constexpr float reach = 0.0433f, half = 0.01f * reach, cell = 0.4f * reach;
     Triangles slab = fine_sheet(60, cell, [&](float, float) { return half; });
-    const Triangles below = fine_sheet(60, cell, [&](float, float) { return -half; });
-    const auto first = static_cast<uint32_t>(slab.vertices.size() / 3);
-    slab.vertices.insert(slab.vertices.end(), below.vertices.begin(), below.vertices.end());
-    for (size_t i = below.indices.size(); i-- > 0;) slab.indices.push_back(first + below.indices[i]); // turned over
+    Triangles below = fine_sheet(60, cell, [&](float, float) { return -half; });
+    std::reverse(below.indices.begin(), below.indices.end()); // turned over
+    join(slab, below);
     const World world = make(world_desc());
     add_collider(world, mesh_collider(slab));
     const Asset asset = make(rigid_box(0.05, 0.05, 0.05, 500.0));

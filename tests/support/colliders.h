@@ -81,7 +81,7 @@ inline Triangles closed_box(float a, float b, float c) {
     return t;
 }
 // Adds a surface, moved by `by`, to another.
-inline void join(Triangles& to, const Triangles& part, const std::array<float, 3>& by) {
+inline void join(Triangles& to, const Triangles& part, const std::array<float, 3>& by = {}) {
     const auto first = static_cast<uint32_t>(to.vertices.size() / 3);
     for (size_t k = 0; k < part.vertices.size(); ++k) to.vertices.push_back(part.vertices[k] + by[k % 3]);
     for (const uint32_t index : part.indices) to.indices.push_back(first + index);
