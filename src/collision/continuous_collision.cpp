@@ -246,12 +246,21 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
             const Collider& c = step_->colliders->at(candidate.slot);
             const Pose ends = pose_at(c, end);
             Pose met = mix(from, target, free);
+            if (c.moves) { // it takes the body along, or it would go through a body that stops there
+                const Pose there = relative(pose_at(c, begin + free * (end - begin)), met);
+                met = {to_outer(ends, there.position), ends.rotation * there.rotation};
+            }
+            if (count >
+                0) { // on its way it can dip below a plane of which it ends in front, and meet the foot of a wall from below
+                met.position = met.position - from.position;
+                keep_sides(*step_->shape, scale, sides, count, little, met);
+                met.position = from.position + met.position;
+            }
             Pose aside{to.position - from.position, to.rotation};
             Stop& stop = stops[count];
             Side& side = sides[count];
             stop.candidate = candidate;
-            const Pose there = relative(pose_at(c, begin + free * (end - begin)), met);
-            slides = has_side(candidate, there, stop, side);
+            slides = has_side(candidate, relative(ends, met), stop, side);
             if (slides) {
                 side.normal = rotate(ends.rotation, side.normal);
                 side.offset += dot(side.normal, ends.position - from.position);
@@ -264,9 +273,8 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
                     ++count;
                 slides = count < most_stops && met_count < most_met &&
                          keep_sides(*step_->shape, scale, sides, count, little, aside);
-            } else { // the search gave up before they touched: a thing that moves takes the body along, or it would go through
+            } else { // the search gave up before they touched
                 ++count;
-                met = {to_outer(ends, there.position), ends.rotation * there.rotation};
             }
             slid = slides;
             target = slides ? Pose{from.position + aside.position, to.rotation} : met;

@@ -143,3 +143,56 @@ TEST_CASE("a crate that presses a heap into the ground takes no brick up") {
     }
     CHECK(below(world, bodies, {0, -1, 0}, -0.3) <= 2);
 }
+
+// A body that a wall and the floor left no room stopped where it was in the world, and the tray went on: up to 43 of 100 fell out through a side.
+TEST_CASE("a tray that drives off or rises keeps what lies in it") {
+    constexpr float half = 0.5f, thick = 0.005f, high = 0.3f;
+    const std::array<std::array<float, 6>, 5> parts{{{0, -thick, 0, half + thick, thick, half + thick},
+                                                     {-half - thick, high, 0, thick, high, half + thick},
+                                                     {half + thick, high, 0, thick, high, half + thick},
+                                                     {0, high, -half - thick, half, high, thick},
+                                                     {0, high, half + thick, half, high, thick}}};
+    Triangles joined;
+    for (const auto& p : parts) join(joined, closed_box(p[3], p[4], p[5]), {p[0], p[1], p[2]});
+    const Asset assets[] = {confetti(), dry_leaf(), make(rigid_box(0.04, 0.001, 0.015, 200.0))};
+    for (const bool mesh : {false, true})
+        for (const Asset& asset : assets)
+            for (const bool rises : {false, true})
+                for (const float dt : {1.0f / 30.0f, 1.0f / 60.0f}) {
+                    const World world = make(world_desc());
+                    std::vector<lr_collider> tray;
+                    std::vector<Vec> at;
+                    for (const auto& p : parts) {
+                        lr_collider_desc d = mesh ? mesh_collider(joined) : box_collider(p[3], p[4], p[5]);
+                        at.push_back(mesh ? Vec{} : Vec{wide(p[0]), wide(p[1]), wide(p[2])});
+                        put(d.position, at.back());
+                        tray.push_back(add_collider(world, d));
+                        if (mesh) break;
+                    }
+                    const lr_batch batch = add_batch(world, asset, count);
+                    const std::vector<lr_body> bodies = strew(world, batch, {-0.4, 0.05, -0.4}, {0.4, 0.4, 0.4});
+                    std::vector<bool> inside(count, true), lost(count, false);
+                    for (int n = 1; n <= std::lround(5.0f / dt); ++n) {
+                        const double t = n * wide(dt), from_rest = std::min(t, 2.0);
+                        const Vec by = rises ? Vec{0.0, 2.0 * t, 0.0}
+                                             : Vec{2.0 * from_rest * from_rest + 8.0 * (t - from_rest), 0.0, 0.0};
+                        for (size_t k = 0; k < tray.size(); ++k) {
+                            lr_collider_motion m = motion_of(tray[k], LR_MOVE_TO);
+                            put(m.position, by + at[k]);
+                            REQUIRE(lr_collider_move(world.get(), &m, 1) == LR_OK);
+                        }
+                        steps(world, 1, dt);
+                        for (size_t i = 0; i < bodies.size(); ++i) { // over the walls they may leave
+                            const Vec x = vec(state_of(world, bodies[i]).position) - by;
+                            const bool in = std::max(std::abs(x[0]), std::abs(x[2])) < 0.51 && x[1] > -0.01;
+                            if (inside[i] && !in && x[1] < 0.55) lost[i] = true;
+                            inside[i] = in;
+                        }
+                    }
+                    CAPTURE(mesh);
+                    CAPTURE(&asset - assets);
+                    CAPTURE(rises);
+                    CAPTURE(dt);
+                    CHECK(std::count(lost.begin(), lost.end(), true) <= 1);
+                }
+}

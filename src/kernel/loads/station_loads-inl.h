@@ -228,9 +228,9 @@ HWY_INLINE Twist solve(const Factors& f, const Twist& r) {
     return {f.inverse * r.v - f.right * u, u};
 }
 
-// Weight, buoyancy, external forces, and the couple of shed vortices.
-template <class C> HWY_INLINE Twist applied(const C& c, const Held& held, Quaternion q, Vec3 couple) {
-    Twist f{to_body(q, held.weight), cross(broadcast(c.buoyancy), to_body(q, held.gravity)) + couple};
+// Weight, buoyancy and external forces.
+template <class C> HWY_INLINE Twist applied(const C& c, const Held& held, Quaternion q) {
+    Twist f{to_body(q, held.weight), cross(broadcast(c.buoyancy), to_body(q, held.gravity))};
     if (held.external) f += external_force<true>(c, *held.external, q);
     return f;
 }
@@ -271,36 +271,38 @@ HWY_INLINE Vec3 station_motion(const StepInput& in, float h, const C& c, const H
                                 LR_LAMBDA { return held.sheared ? to_body(q, held.fluid_spin) : zero3(); };
     Twist push;
     Quaternion q = normalised(turn(b.q, b.q, turning, start.u));
-    Vec3 couple = body_shedding_couple(h, c, held, b.shedding, centre_velocity<true>(a, start));
+    Twist shed{zero3(), body_shedding_couple(h, c, held, b.shedding, centre_velocity<true>(a, start))};
     Resistance k = resistance(in, c, held, nu, b, start, fluid_spin(b.q), push);
     Products p = products(c, held.inverse_length, start);
     Factors f = factors(c, constant(0.25f * h), k, p);
-    const Twist half = solve(f, constant(0.5f * h) * (applied(c, held, q, couple) + push + resisted(k, start)));
+    const Twist half = solve(f, constant(0.5f * h) * (applied(c, held, q) + shed + push + resisted(k, start)));
     const Twist middle = start + half;
 
     q = normalised(turn(b.q, b.q, turning, start.u + constant(0.5f) * half.u));
-    couple = body_shedding_couple(h, c, held, b.shedding, centre_velocity<true>(a, middle));
+    shed.u = body_shedding_couple(h, c, held, b.shedding, centre_velocity<true>(a, middle));
     k = resistance(in, c, held, nu, b, middle, fluid_spin(q), push);
     p = products(c, held.inverse_length, middle);
     f = factors(c, constant(stage_gamma * h), k, p);
-    const Twist force = applied(c, held, q, couple) + push;
-    const Twist r = constant(h) * (force + resisted(k, start) - p * half);
+    const Twist force = applied(c, held, q) + push;
+    const Twist r = constant(h) * (force + shed + resisted(k, start) - p * half);
     const Twist first = solve(f, r);
     // h (W - S) first = (M first - r)/stage_gamma
     const Twist second = solve(f, r - constant(stage_rest) * (r - momentum<true>(c, first)));
     b.t = start + (constant(1.0f - stage_gamma) * first + constant(stage_gamma) * second);
 
-    // The derivative of the products is not skew, so the twist is scaled: no step may gain more energy than its forces give. The factor k of the new
-    // twist z solves k^2 z.Mz = start.M start + h f.(start + k z).
+    // The derivative of the products is not skew, and the couple of shed vortices takes nothing from the stream. So the twist is scaled: no step may gain
+    // more energy than weight and other forces give. The factor k of the new twist z solves k^2 z.Mz = start.M start + h f.(start + k z).
     const auto work = [&](const Twist& a, const Twist& t) LR_LAMBDA { return dot(a.v, t.v) + dot(a.u, t.u); };
     const auto energy = [&](const Twist& t) LR_LAMBDA { return work(momentum<true>(c, t), t); };
     const VF now = energy(b.t), over = constant(1.0f) / hn::Max(now, constant(1e-30f));
     const VF pushed = constant(0.5f * h) * over * work(force, b.t);
     const VF begun = over * hn::Max(energy(start) + constant(h) * work(force, start), hn::Zero(DF()));
-    const VF kept = hn::Sqrt(pushed * pushed + begun) + pushed;
-    // Beyond single precision, or if the products leave no solution (NaN fails the comparison), the body is put to rest in the fluid.
+    const VF kept = hn::Min(hn::Sqrt(pushed * pushed + begun) + pushed, constant(1.0f));
+    // A twist that gained much is none of the loads: in a gale a leaf moves many lengths in a step, and would keep its energy for ever. With the factor
+    // squared it comes to rest in the fluid, as drag would have it. So it does beyond single precision, and if the products leave no solution (NaN
+    // fails the comparison).
     const Twist still{zero3(), zero3()};
-    b.t = select(now <= constant(1e30f), hn::Min(kept, constant(1.0f)) * b.t, still);
+    b.t = select(now <= constant(1e30f), kept * kept * b.t, still);
 
     const VF g = stretched(constant(0.5f) * (start.u + b.t.u), constant(0.5f * h) * held.inverse_length);
     const Quaternion q1 = normalised(turn(b.q, b.q, g, constant(0.5f) * (start.u + b.t.u)));
