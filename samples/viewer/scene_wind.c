@@ -1,6 +1,8 @@
 /* The wind of a scene from its sliders.    SPDX-License-Identifier: MIT */
 #include "scene_wind.h"
 
+#include <stdlib.h>
+
 #include "drawing/failure.h"
 #include "drawing/vectors.h"
 
@@ -33,7 +35,53 @@ static float eddies(const scene* s) {
     return 0.35f * s->plan->camera.distance;
 }
 
+enum { whirl_across = 25, whirl_up = 13, whirl_frames = 8 };
+static const float whirl_half = 0.9f, whirl_height = 0.9f, whirl_core = 0.22f, whirl_way = 0.15f; /* m */
+
+/* A dust devil of fastest wind 1 about an axis at the origin: air turns, comes in along the ground and goes up in the core. Free of divergence: the
+ * rest is the curl of a stream function r^2 exp(-(r/core)^2) g(y), and all of it ends at the sides and at the top. */
+static vec3 whirl_at(float x, float y, float z) {
+    const float r2 = (x * x + z * z) / (whirl_core * whirl_core), up = y / whirl_height, core = expf(-r2);
+    const float around = 1.65f * expf(-0.5f * r2) * (1.0f - up * up) / whirl_core;
+    const float g = 6.75f * up * (1.0f - up) * (1.0f - up),
+                slope = 6.75f * (1.0f - up) * (1.0f - 3.0f * up) / whirl_height;
+    const float in = -0.3f * slope * core, lift = 0.6f * (1.0f - r2) * g * core;
+    return v3(around * z + in * x, lift, -around * x + in * z);
+}
+
+/* The whirl as artists have wind from other programs: a grid of samples in frames, which are played in a loop. Its axis goes round a small circle. */
+static void add_whirl(const scene* s) {
+    const size_t count = (size_t)whirl_across * whirl_up * whirl_across * whirl_frames;
+    float(*samples)[3] = allocate(count, sizeof *samples);
+    lr_wind_grid_desc grid;
+    check(lr_wind_grid_desc_init(&grid, sizeof grid), "lr_wind_grid_desc_init", NULL);
+    const vec3 middle = s->plan->camera.target;
+    to_array(v3(middle.x - whirl_half, s->plan->ground_level, middle.z - whirl_half), grid.position);
+    const uint32_t counts[3] = {whirl_across, whirl_up, whirl_across};
+    for (int k = 0; k < 3; ++k) {
+        grid.counts[k] = counts[k];
+        grid.spacing[k] = (k == 1 ? whirl_height : 2.0f * whirl_half) / (float)(counts[k] - 1);
+    }
+    grid.frames = whirl_frames;
+    grid.frame_time = 0.6f;
+    size_t n = 0;
+    for (int f = 0; f < whirl_frames; ++f) {
+        const float turn = 2.0f * PI * (float)f / whirl_frames;
+        for (int k = 0; k < whirl_across; ++k)
+            for (int j = 0; j < whirl_up; ++j)
+                for (int i = 0; i < whirl_across; ++i) {
+                    const float x = (float)i * grid.spacing[0] - whirl_half - whirl_way * cosf(turn);
+                    const float z = (float)k * grid.spacing[2] - whirl_half - whirl_way * sinf(turn);
+                    to_array(scaled(whirl_at(x, (float)j * grid.spacing[1], z), s->plan->whirl), samples[n++]);
+                }
+    }
+    grid.samples = samples[0];
+    check(lr_world_add_wind_grid(s->world, &grid, NULL), "the whirl", NULL);
+    free(samples);
+}
+
 void scene_wind_create(scene* s) {
+    if (s->plan->whirl > 0.0f) add_whirl(s);
     /* Air is slow near the ground: 0 at the ground, and the full wind at the height of the emitters. */
     lr_ground_wind_desc ground;
     check(lr_ground_wind_desc_init(&ground, sizeof ground), "lr_ground_wind_desc_init", NULL);

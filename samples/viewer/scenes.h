@@ -34,6 +34,7 @@ typedef struct scene_plan {
     float life;         /* s from spawn to respawn */
     float ready;        /* elapsed part of a life of bodies in the air at the start; 0: an empty sky */
     float ground_effect;
+    float whirl; /* m/s: fastest wind of a whirl about the camera's target, given as a grid; 0: none */
     settings initially;
     struct camera camera;
 } scene_plan;
