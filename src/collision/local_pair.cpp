@@ -12,11 +12,10 @@ PlacedBody::PlacedBody(const BodyShape& body, float body_scale, const Pose& pose
     const Vector e[3] = {rotate(q, {body_scale, 0.0f, 0.0f}), rotate(q, {0.0f, body_scale, 0.0f}),
                          rotate(q, {0.0f, 0.0f, body_scale})};
     const auto turn = [&](Vector a) { return a.x * e[0] + a.y * e[1] + a.z * e[2]; };
-    center = turn(body.center);
+    center = size * turn(body.center);
     for (uint32_t i = 0; i < 3 && count == 0; ++i) axes[i] = size * body.semi_axes[i] * e[i];
     for (uint32_t i = 0; i < count; ++i) {
-        Vector p = turn(body.point(i));
-        if (size < 1.0f) p = center + size * (p - center);
+        const Vector p = size * turn(body.point(i));
         x[i] = p.x;
         y[i] = p.y;
         z[i] = p.z;

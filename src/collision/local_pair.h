@@ -19,7 +19,7 @@ struct PlacedBody {
     Vector center;  // of the core
     Vector axes[3]; // of an ellipsoid, as long as its semi-axes
 
-    // size: scales the core about its centre; 1 for the body itself.
+    // size: scales the core about the centre of mass; 1 for the body itself.
     PlacedBody(const BodyShape& body, float body_scale, const Pose& pose, float size = 1.0f);
 
     Vector point(uint32_t i) const { return {x[i], y[i], z[i]}; }

@@ -100,6 +100,26 @@ TEST_CASE("nothing is pushed through by trying again and again") {
     }
 }
 
+// Others can press most of a body into a wall. Its centre of mass still tells where it belongs, and the middle of its points can be far from that.
+TEST_CASE("a body that lies in a wall but for its centre of mass does not go through it") {
+    test::Random random(8);
+    std::vector<float> points = test::cloud(random, 16, 0.03f);
+    for (size_t k = 2; k < points.size(); k += 3) points[k] -= 0.025f;
+    points.insert(points.end(), {0.0f, 0.0f, 0.01f});
+    const BodyShape shape = make_body_shape(test::asset_of(points));
+    test::Solid wall;
+    wall.make(ColliderKind::box, 1.0f, 1.0f, 0.05f);
+    for (uint32_t i = 0; i < test::rounds(2000); ++i) {
+        const float size = random.real(0.5, 2.0);
+        const Pose from{
+            {random.real(-0.5, 0.5), random.real(-0.5, 0.5), 0.05f + 0.005f * size * random.real(0.01, 1.0)},
+            turned({0.0f, 0.0f, 0.0f, 1.0f}, test::any_direction(random), random.real(0.0, 0.2))};
+        const Pose to{from.position + Vector{random.real(-0.1, 0.1), random.real(-0.1, 0.1), -random.real(0.2, 2.0)},
+                      turned(from.rotation, test::any_direction(random), random.real(0.0, 0.7))};
+        CHECK(between(from, to, free_fraction(shape, size, from, to, wall)).position.z > 0.05f);
+    }
+}
+
 TEST_CASE("a free way is whole, and one along a wall") {
     const BodyShape shape = test::leaf(0.04f, 2e-4f);
     test::Solid wall;
