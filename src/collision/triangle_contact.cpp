@@ -298,7 +298,8 @@ void add_mesh(ContactPoints& set, const MeshGeometry& mesh, ColliderPart part, b
             continue;
         }
         const Triangle known = one_side(t, (set.side > 0) != t.turned);
-        if (!(set.before && faces_away(known.normal, set.face, dot(known.normal, set.before->position - t.corners[0]))))
+        // Nothing leaves through a face that its centre of mass was behind, as the outer face of a wall or the far side of a board.
+        if (!(set.before && dot(known.normal, set.before->position - t.corners[0]) < 0.0f))
             add_triangle(set, known, alone);
     }
 }
