@@ -349,8 +349,10 @@ void ContactGroup::touch_others(uint32_t i, const ContactSubstep& substep) {
             began = relative(pose_at(c, substep.begin), pose_in(substep.before, i));
             mesh.emplace(*step_->shape, scale, relative(mesh_pose, lifted), margin, &began,
                          mesh_slot == floor.slot ? floor.side : int8_t{0});
-            if (mesh->side == 0 && !face) face = face_below(i, substep);
-            mesh->face = mesh->side != 0 ? floor.up : rotate(inverse(mesh_pose.rotation), *face);
+            if (mesh->side == 0) {
+                if (!face) face = face_below(i, substep);
+                mesh->face = rotate(inverse(mesh_pose.rotation), *face);
+            }
             mesh->up = direction_of(rotate(inverse(mesh_pose.rotation), up_[i]));
         }
         add_mesh(*mesh, *c.geometry.mesh, candidate.part);

@@ -24,9 +24,8 @@ public:
     const float margin;
     const Pose* const before;
     const int8_t side;
-    Vector
-        face{}; // away from the surface on the known side, else normal of the triangle that the centre was over as the substep began, or 0
-    Double3 up{}; // unit: away from what supports the body; zero: nothing does
+    Vector face{}; // if no side is known: normal of the triangle that the centre was over as the substep began, or 0
+    Double3 up{};  // unit: away from what supports the body; zero: nothing does
 
     // point: m, on the body's surface, from its centre of mass along the collider's axes.
     void add(Vector point, Vector normal, float gap);

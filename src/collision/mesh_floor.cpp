@@ -206,7 +206,7 @@ void find_floor(const BodyShape& shape, float scale, const Pose& from, const Pos
     uint32_t used = 0;
     float small = std::numeric_limits<float>::infinity();
     for (uint32_t k = 0; k < found; ++k) {
-        if (faces_away(normals[k], face, above[k])) continue;
+        if (above[k] < 0.0f && dot(normals[k], face) < -facing) continue;
         sum = sum + normals[k];
         small = std::min(small, area[k]);
         normals[used] = normals[k];

@@ -16,10 +16,6 @@ Triangle mesh_triangle(const MeshGeometry& mesh, uint32_t index);
 bool reaches(const Box& box, const Triangle& t);
 // Cosine between normals of triangles that count as one surface.
 inline constexpr float facing = 0.5f;
-// Whether a triangle is the far side of a board: a body on the side `up` is behind it. height: m, of the body's centre of mass above it.
-inline bool faces_away(Vector normal, Vector up, float height) {
-    return height < 0.0f && dot(normal, up) < -facing;
-}
 // Whether a point, seen along the normal, lies inside the triangle.
 bool is_over(const Triangle& t, Vector point);
 
