@@ -196,7 +196,7 @@ float advance(const Way& way, float size, double first, double target, double sl
                 break;
             }
             if (room <= static_cast<double>(way.tolerance)) return t;
-            const double fall = distance - then + bulge;
+            const double fall = std::max(distance - then, 0.0) + bulge;
             step *= static_cast<float>(std::min(0.99 * room / fall, 0.9));
         }
         if (!moved) { // advances by the greatest approach rate of any point instead

@@ -241,6 +241,36 @@ TEST_CASE("stations: a gale makes no body faster than itself by a fifth") {
     MESSAGE("fastest ", fastest, " times the wind");
 }
 
+// As a leaf in a stream that a wall has stopped and turned. Kirchhoff's products make its motion across into motion along it, where water adds little mass.
+TEST_CASE("stations: no step turns the speed across a leaf into a much larger one along it") {
+    lr::shape::EllipsoidSpec spec;
+    spec.semi_axes = {0.035, 0.02, 2e-4}, spec.density = 700.0;
+    lr::AssetData data = ellipsoid_data(spec);
+    calm(data.aerodynamics);
+    data.stations = some_stations(4, data.length_d, 4);
+    const Asset asset = load(data);
+    double most = 0.0;
+    for (const double stream : {1.0, 3.0, 10.0}) {
+        const World world = make(world_desc());
+        lr_water_desc water = water_desc();
+        water.position[1] = 1000.0f;
+        water.current[0] = narrow(stream);
+        set_water(world, water);
+        const lr_batch batch = add_batch(world, aerodynamic(true), asset, 500);
+        Random random(12);
+        for (int i = 0; i < 500; ++i) {
+            lr_body_desc d = turned_anyhow(random);
+            for (float& w : d.angular_velocity) w = random.real(-200.0, 200.0);
+            add_body(world, batch, d);
+        }
+        steps(world, 1, 1.0f / 60.0f);
+        for (const Velocity& u : velocities_of(world, batch))
+            most = std::max(most, length(vec(u.linear) - Vec{stream, 0.0, 0.0}) / stream);
+    }
+    MESSAGE("fastest ", most, " times the stream");
+    CHECK(most < 1.6);
+}
+
 TEST_CASE("stations: bodies fall through a surface of water and sink, or float") {
     for (const double density : {200.0, 1500.0})
         for (const float dt : {1.0f / 240.0f, 1.0f / 60.0f, 0.1f}) {
