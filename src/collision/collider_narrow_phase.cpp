@@ -178,7 +178,7 @@ float advance(const Way& way, float size, double first, double target, double sl
     double distance = first;
     for (uint32_t round = 0; round < most_rounds; ++round) {
         const double sideways = length(cross(normal, to_double(way.axis)));
-        const double lever = sideways * static_cast<double>(way.reach);
+        const double lever = sideways * static_cast<double>(size * way.reach);
         const double room = distance - target;
         float step = 1.0f - t;
         bool moved = false;

@@ -1,10 +1,12 @@
 // Continuous collision: stops bodies that would pass through something within a substep. docs/maintainers/contact.md, section 3.
 #include "collision/collider_contact_group.h"
 
+#include "collision/convex_separation.h"
 #include "collision/ray_cast.h"
 #include "collision/triangle_contact.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace lr {
@@ -59,8 +61,23 @@ struct Stop {
     Contact contacts[most_contacts];
 };
 
+// A body's nearest point to a convex thing. If they overlap, as seen from the body shrunk about its centre of mass, which the swept test keeps in front.
+Contact nearest_contact(const BodyShape& s, float scale, const Pose& at, const PlacedCollider& other) {
+    Double3 normal{0.0, 1.0, 0.0};
+    for (const float size : {1.0f, 0.5f, 0.0f}) {
+        const Nearest nearest =
+            nearest_points(PlacedBody(s, scale, at, size), other, std::numeric_limits<double>::infinity());
+        if (nearest.overlap) continue;
+        normal = nearest.normal;
+        break;
+    }
+    const PlacedBody body(s, scale, at);
+    const Vector n = to_float(normal);
+    return {rotate(inverse(at.rotation), to_float(body.support(-normal)) - body.radius * n), n, 0.0f};
+}
+
 // A plane that separates two convex things at the moment of touch. As long as the whole body stays on its side, it may slide along it and cannot pass
-// through. `met` is in the collider's frame. began, face: for meshes, as in ContactPoints. False if there is no such plane.
+// through. `met` is in the collider's frame. began, face: for meshes, as in ContactPoints. False for a ground without contacts.
 bool find_side(const BodyShape& s, float scale, const Pose& met, const Geometry& g, ColliderPart part, float margin,
                const Pose& began, Vector face, Stop& stop, Side& side) {
     const float near = 0.2f * s.reach * scale;
@@ -74,7 +91,13 @@ bool find_side(const BodyShape& s, float scale, const Pose& met, const Geometry&
         end += find_contacts(s, scale, met, g, near, stop.contacts);
     }
     stop.count = 0;
-    if (end == stop.contacts) return false;
+    if (end ==
+        stop.contacts) { // it met the edge of a triangle whose neighbours hold it, or the search gave up before they touched
+        if (is_ground(g.kind)) return false;
+        *end++ = nearest_contact(s, scale, met,
+                                 g.mesh ? PlacedCollider(mesh_triangle(*g.mesh, part.first).corners, met.position)
+                                        : PlacedCollider(g, met.position));
+    }
     const Contact nearest =
         *std::min_element(stop.contacts, end, [](const Contact& a, const Contact& b) { return a.gap < b.gap; });
     side = {nearest.normal, dot(nearest.normal, to_outer(met, nearest.arm)) - nearest.gap};
@@ -273,7 +296,7 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
                     ++count;
                 slides = count < most_stops && met_count < most_met &&
                          keep_sides(*step_->shape, scale, sides, count, little, aside);
-            } else { // the search gave up before they touched
+            } else {
                 ++count;
             }
             slid = slides;

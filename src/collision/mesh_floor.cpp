@@ -230,7 +230,7 @@ void find_floor(const BodyShape& shape, float scale, const Pose& from, const Pos
     if (out.side < 0) out.up = -out.up;
     // Contacts undo a deep overlap over several substeps, so fast bodies are swept instead. At rest the path is the fall in a substep, which the
     // margin includes.
-    const float far = (was_there && !is_other ? longest_floor : 1.0f) * (reach + margin);
+    const float far = (!out.even ? 0.5f : was_there && !is_other ? longest_floor : 1.0f) * (reach + margin);
     if (!flat || !(length(b - a) < far)) return;
     out.count = used;
     if (out.side != 0) return;
