@@ -61,24 +61,41 @@ struct Stop {
     Contact contacts[most_contacts];
 };
 
-// A body's nearest point to a convex thing. If they overlap, as seen from the body shrunk about its centre of mass, which the swept test keeps in front.
-Contact nearest_contact(const BodyShape& s, float scale, const Pose& at, const PlacedCollider& other) {
-    Double3 normal{0.0, 1.0, 0.0};
-    for (const float size : {1.0f, 0.5f, 0.0f}) {
-        const Nearest nearest =
-            nearest_points(PlacedBody(s, scale, at, size), other, std::numeric_limits<double>::infinity());
-        if (nearest.overlap) continue;
-        normal = nearest.normal;
-        break;
-    }
+// A body's nearest point to a thing; `part` is the triangle of a mesh. If they overlap, the gap is negative, and the normal that of the body shrunk
+// about its centre of mass, which the swept test keeps in front.
+Contact nearest_contact(const BodyShape& s, float scale, const Pose& at, const Geometry& g, ColliderPart part) {
+    Contact least{{}, {0.0f, 1.0f, 0.0f}, std::numeric_limits<float>::infinity()};
     const PlacedBody body(s, scale, at);
-    const Vector n = to_float(normal);
-    return {rotate(inverse(at.rotation), to_float(body.support(-normal)) - body.radius * n), n, 0.0f};
+    const auto take = [&](const PlacedCollider& other) {
+        for (const float size : {1.0f, 0.5f, 0.0f}) {
+            const Nearest nearest =
+                nearest_points(PlacedBody(s, scale, at, size), other, std::numeric_limits<double>::infinity());
+            if (nearest.overlap) continue;
+            const float gap =
+                static_cast<float>(nearest.lower - other.radius) - body.radius - (1.0f - size) * body.reach;
+            const Vector n = to_float(nearest.normal),
+                         point = to_float(body.support(-nearest.normal)) - body.radius * n;
+            if (gap < least.gap) least = {rotate(inverse(at.rotation), point), n, gap};
+            return;
+        }
+    };
+    if (g.mesh) {
+        take(PlacedCollider(mesh_triangle(*g.mesh, part.first).corners, at.position));
+    } else if (g.heightfield) {
+        const Cells cells = cells_between(*g.heightfield, grown({at.position, at.position}, body.reach + body.radius));
+        for (uint32_t k = cells.first[1]; k < cells.last[1]; ++k)
+            for (uint32_t i = cells.first[0]; i < cells.last[0]; ++i)
+                for (const bool second : {false, true})
+                    take(PlacedCollider(field_triangle(*g.heightfield, i, k, second).corners, at.position));
+    } else {
+        take(PlacedCollider(g, at.position));
+    }
+    return least;
 }
 
 // A plane that separates two convex things at the moment of touch. As long as the whole body stays on its side, it may slide along it and cannot pass
-// through. `met` is in the collider's frame. began, face: for meshes, as in ContactPoints. False for a ground without contacts.
-bool find_side(const BodyShape& s, float scale, const Pose& met, const Geometry& g, ColliderPart part, float margin,
+// through. `met` is in the collider's frame. began, face: for meshes, as in ContactPoints.
+void find_side(const BodyShape& s, float scale, const Pose& met, const Geometry& g, ColliderPart part, float margin,
                const Pose& began, Vector face, Stop& stop, Side& side) {
     const float near = 0.2f * s.reach * scale;
     Contact* end = stop.contacts;
@@ -91,12 +108,11 @@ bool find_side(const BodyShape& s, float scale, const Pose& met, const Geometry&
         end += find_contacts(s, scale, met, g, near, stop.contacts);
     }
     stop.count = 0;
-    if (end ==
-        stop.contacts) { // it met the edge of a triangle whose neighbours hold it, or the search gave up before they touched
-        if (is_ground(g.kind)) return false;
-        *end++ = nearest_contact(s, scale, met,
-                                 g.mesh ? PlacedCollider(mesh_triangle(*g.mesh, part.first).corners, met.position)
-                                        : PlacedCollider(g, met.position));
+    // It met the edge of a triangle whose neighbours hold it, or the search gave up before they touched.
+    if (end == stop.contacts) {
+        *end = nearest_contact(s, scale, met, g, part);
+        end->gap = std::max(end->gap, 0.0f);
+        ++end;
     }
     const Contact nearest =
         *std::min_element(stop.contacts, end, [](const Contact& a, const Contact& b) { return a.gap < b.gap; });
@@ -104,7 +120,6 @@ bool find_side(const BodyShape& s, float scale, const Pose& met, const Geometry&
     for (const Contact* c = stop.contacts; c != end; ++c)
         if (c->gap <= nearest.gap + margin)
             stop.contacts[stop.count++] = {c->arm, c->normal, c->gap - std::max(nearest.gap, 0.0f)};
-    return true;
 }
 
 // Moves a body to its side of all planes. False if they leave no room, up to `little` (m).
@@ -224,12 +239,12 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
             return free_fraction(*step_->shape, scale, first, last, c.geometry);
         };
         std::optional<Vector> face;
-        const auto has_side = [&](const Candidate& candidate, const Pose& met, Stop& stop, Side& side) {
+        const auto side_of = [&](const Candidate& candidate, const Pose& met, Stop& stop, Side& side) {
             const Collider& c = step_->colliders->at(candidate.slot);
             if (!face) face = face_below(i, substep);
-            return find_side(*step_->shape, scale, met, c.geometry, candidate.part, margin,
-                             relative(pose_at(c, begin), pose_in(substep.before, i)),
-                             rotate(inverse(pose_at(c, end).rotation), *face), stop, side);
+            find_side(*step_->shape, scale, met, c.geometry, candidate.part, margin,
+                      relative(pose_at(c, begin), pose_in(substep.before, i)),
+                      rotate(inverse(pose_at(c, end).rotation), *face), stop, side);
         };
         // A stopped body slides along the thing to the next one, then along both to a third.
         bool slid = false;
@@ -283,22 +298,17 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
             Stop& stop = stops[count];
             Side& side = sides[count];
             stop.candidate = candidate;
-            slides = has_side(candidate, relative(ends, met), stop, side);
-            if (slides) {
-                side.normal = rotate(ends.rotation, side.normal);
-                side.offset += dot(side.normal, ends.position - from.position);
-                Side* const like = std::find_if(sides, sides + count, [&](const Side& other) {
-                    return dot(other.normal, side.normal) > same_side;
-                });
-                if (like != sides + count)
-                    like->offset = std::max(like->offset, side.offset);
-                else
-                    ++count;
-                slides = count < most_stops && met_count < most_met &&
-                         keep_sides(*step_->shape, scale, sides, count, little, aside);
-            } else {
+            side_of(candidate, relative(ends, met), stop, side);
+            side.normal = rotate(ends.rotation, side.normal);
+            side.offset += dot(side.normal, ends.position - from.position);
+            Side* const like = std::find_if(
+                sides, sides + count, [&](const Side& other) { return dot(other.normal, side.normal) > same_side; });
+            if (like != sides + count)
+                like->offset = std::max(like->offset, side.offset);
+            else
                 ++count;
-            }
+            slides = count < most_stops && met_count < most_met &&
+                     keep_sides(*step_->shape, scale, sides, count, little, aside);
             slid = slides;
             target = slides ? Pose{from.position + aside.position, to.rotation} : met;
         }
@@ -322,7 +332,7 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
             // Contacts of a pose that a rocking stone had earlier push it further. Thin bodies over edges of stairs need them.
             Stop now{stops[n].candidate, 0, {}};
             Side side;
-            if (rests && stone && has_side(now.candidate, relative(ends, target), now, side)) stops[n] = now;
+            if (rests && stone) side_of(now.candidate, relative(ends, target), now, side), stops[n] = now;
             const SurfaceMotion motion = motion_of(c, substep);
             for (uint32_t k = 0; k < stops[n].count; ++k) add(i, slot, stops[n].contacts[k], ends, motion, lift_[i]);
         }

@@ -228,3 +228,31 @@ TEST_CASE("a gale presses leaves to the walls of a mesh, not through them") {
             CHECK(std::count(lost.begin(), lost.end(), true) == 0);
         }
 }
+
+// Where a body met a heightfield from beside it had no contact, stayed in place and gained speed.
+TEST_CASE("a gale shoots nothing out of the corner of a pit") {
+    constexpr uint32_t samples = 101;
+    constexpr float spacing = 0.02f, from = -0.5f * spacing * (samples - 1);
+    std::vector<float> heights;
+    for (uint32_t k = 0; k < samples; ++k)
+        for (uint32_t i = 0; i < samples; ++i) {
+            const float x = from + spacing * static_cast<float>(i), z = from + spacing * static_cast<float>(k);
+            heights.push_back(std::max(std::abs(x), std::abs(z)) < 0.7f ? 0.0f : 0.4f);
+        }
+    lr_collider_desc pit = heightfield_collider(heights, samples, spacing);
+    pit.position[0] = pit.position[2] = from;
+    for (const uint32_t substeps : {1u, 2u}) {
+        const World world = make(world_desc());
+        add_collider(world, pit);
+        set_wind(world, -8.0f, -8.0f, 3.0f);
+        const lr_batch batch = add_batch(world, confetti(), count);
+        strew(world, batch, {-0.6, 0.1, -0.6}, {0.6, 0.35, 0.6});
+        double fastest = 0.0;
+        for (int n = 0; n < 360; ++n) {
+            steps(world, 1, 1.0f / 60.0f, substeps);
+            fastest = std::max(fastest, fastest_of(world, batch));
+        }
+        CAPTURE(substeps);
+        CHECK(fastest < 24.0); // twice the wind
+    }
+}
