@@ -61,8 +61,8 @@ struct Stop {
     Contact contacts[most_contacts];
 };
 
-// A body's nearest point to a thing; `part` is the triangle of a mesh. If they overlap, the gap is negative, and the normal that of the body shrunk
-// about its centre of mass, which the swept test keeps in front.
+// A body's nearest point to a thing; `part` is the triangle of a mesh. If they overlap, the gap is 0, and the normal that of the body shrunk about its
+// centre of mass, which the swept test keeps in front.
 Contact nearest_contact(const BodyShape& s, float scale, const Pose& at, const Geometry& g, ColliderPart part) {
     Contact least{{}, {0.0f, 1.0f, 0.0f}, std::numeric_limits<float>::infinity()};
     const PlacedBody body(s, scale, at);
@@ -90,6 +90,8 @@ Contact nearest_contact(const BodyShape& s, float scale, const Pose& at, const G
     } else {
         take(PlacedCollider(g, at.position));
     }
+    // Of a centre of mass on a triangle nothing is known.
+    least.gap = least.gap < 1e30f ? std::max(least.gap, 0.0f) : 0.0f;
     return least;
 }
 
@@ -109,11 +111,7 @@ void find_side(const BodyShape& s, float scale, const Pose& met, const Geometry&
     }
     stop.count = 0;
     // It met the edge of a triangle whose neighbours hold it, or the search gave up before they touched.
-    if (end == stop.contacts) {
-        *end = nearest_contact(s, scale, met, g, part);
-        end->gap = std::max(end->gap, 0.0f);
-        ++end;
-    }
+    if (end == stop.contacts) *end++ = nearest_contact(s, scale, met, g, part);
     const Contact nearest =
         *std::min_element(stop.contacts, end, [](const Contact& a, const Contact& b) { return a.gap < b.gap; });
     side = {nearest.normal, dot(nearest.normal, to_outer(met, nearest.arm)) - nearest.gap};
