@@ -220,7 +220,7 @@ float advance(const Way& way, float size, double first, double target, double sl
 // A body that already touches must not pass through either. Its core keeps half of the rounding, or three quarters of the remaining distance. If the
 // core overlaps too, the core shrunk to a half does, or its centre.
 template <typename Place> float sweep(const Way& way, const Place& collider) {
-    for (const float size : {1.0f, 0.5f, 0.0f}) {
+    for (const float size : core_sizes) {
         const PlacedBody body(way.shape, way.scale, way.from, size);
         const PlacedCollider placed = collider(way.from.position);
         const double rounding = placed.radius + static_cast<double>(body.radius);

@@ -6,6 +6,7 @@
 #include "collision/triangle_contact.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -65,14 +66,15 @@ struct Stop {
 // centre of mass, which the swept test keeps in front.
 Contact nearest_contact(const BodyShape& s, float scale, const Pose& at, const Geometry& g, ColliderPart part) {
     Contact least{{}, {0.0f, 1.0f, 0.0f}, std::numeric_limits<float>::infinity()};
-    const PlacedBody body(s, scale, at);
+    const PlacedBody cores[] = {
+        {s, scale, at, core_sizes[0]}, {s, scale, at, core_sizes[1]}, {s, scale, at, core_sizes[2]}};
+    const PlacedBody& body = cores[0];
     const auto take = [&](const PlacedCollider& other) {
-        for (const float size : {1.0f, 0.5f, 0.0f}) {
-            const Nearest nearest =
-                nearest_points(PlacedBody(s, scale, at, size), other, std::numeric_limits<double>::infinity());
+        for (size_t k = 0; k < std::size(core_sizes); ++k) {
+            const Nearest nearest = nearest_points(cores[k], other, std::numeric_limits<double>::infinity());
             if (nearest.overlap) continue;
             const float gap =
-                static_cast<float>(nearest.lower - other.radius) - body.radius - (1.0f - size) * body.reach;
+                static_cast<float>(nearest.lower - other.radius) - body.radius - (1.0f - core_sizes[k]) * body.reach;
             const Vector n = to_float(nearest.normal),
                          point = to_float(body.support(-nearest.normal)) - body.radius * n;
             if (gap < least.gap) least = {rotate(inverse(at.rotation), point), n, gap};
@@ -286,8 +288,8 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
                 const Pose there = relative(pose_at(c, begin + free * (end - begin)), met);
                 met = {to_outer(ends, there.position), ends.rotation * there.rotation};
             }
-            if (count >
-                0) { // on its way it can dip below a plane of which it ends in front, and meet the foot of a wall from below
+            // On its way it can dip below a plane of which it ends in front, and meet the foot of a wall from below.
+            if (count > 0) {
                 met.position = met.position - from.position;
                 keep_sides(*step_->shape, scale, sides, count, little, met);
                 met.position = from.position + met.position;
@@ -328,9 +330,10 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
             const Collider& c = step_->colliders->at(slot);
             const Pose ends = pose_at(c, end);
             // Contacts of a pose that a rocking stone had earlier push it further. Thin bodies over edges of stairs need them.
-            Stop now{stops[n].candidate, 0, {}};
-            Side side;
-            if (rests && stone) side_of(now.candidate, relative(ends, target), now, side), stops[n] = now;
+            if (rests && stone) {
+                Side side;
+                side_of(stops[n].candidate, relative(ends, target), stops[n], side);
+            }
             const SurfaceMotion motion = motion_of(c, substep);
             for (uint32_t k = 0; k < stops[n].count; ++k) add(i, slot, stops[n].contacts[k], ends, motion, lift_[i]);
         }

@@ -28,6 +28,9 @@ struct PlacedBody {
     Vector face_normal(uint32_t face) const { return rotate(at.rotation, shape->faces[face].normal); }
 };
 
+// Sizes at which the swept test tries a body's core, down to its centre of mass: the first one that does not overlap must stay in front.
+inline constexpr float core_sizes[] = {1.0f, 0.5f, 0.0f};
+
 // A collider's core: up to 3 points, a box or a hull. A capsule is two points with a radius.
 struct PlacedCollider {
     uint32_t count = 0; // of points
