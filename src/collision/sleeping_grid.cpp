@@ -2,6 +2,23 @@
 
 namespace lr {
 
+uint32_t next_in(const Box& box, float* const* position, const float* scale, float reach, uint32_t from, uint32_t to) {
+    const float *const x = position[0], *const y = position[1], *const z = position[2];
+    const auto is_in = [&](uint32_t i) -> uint32_t {
+        const float r = reach * scale[i];
+        return (x[i] + r >= box.low.x) & (x[i] - r <= box.high.x) & (y[i] + r >= box.low.y) & (y[i] - r <= box.high.y) &
+               (z[i] + r >= box.low.z) & (z[i] - r <= box.high.z);
+    };
+    constexpr uint32_t at_once = 16; // in vectors
+    for (; from + at_once <= to; from += at_once) {
+        uint32_t any = 0;
+        for (uint32_t k = 0; k < at_once; ++k) any |= is_in(from + k);
+        if (any != 0) break;
+    }
+    while (from < to && is_in(from) == 0) ++from;
+    return from;
+}
+
 bool SleepingGrid::create(Allocator& allocator, uint32_t capacity, double reach) {
     uint32_t buckets = 16;
     while (buckets < capacity) buckets *= 2;

@@ -8,6 +8,9 @@
 
 namespace lr {
 
+// The first of bodies [from, to), by position and scale, whose box, position +- reach times scale, overlaps `box`; `to` if none does.
+uint32_t next_in(const Box& box, float* const* position, const float* scale, float reach, uint32_t from, uint32_t to);
+
 class SleepingGrid {
 public:
     // Each level's cells are four times as wide as those before: eleven levels span all scales.
