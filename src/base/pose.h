@@ -111,6 +111,10 @@ LR_INLINE constexpr bool overlap(const Box& a, const Box& b) {
     return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
            a.low.z <= b.high.z && b.low.z <= a.high.z;
 }
+constexpr bool contains(const Box& a, const Box& b) {
+    return a.low.x <= b.low.x && a.low.y <= b.low.y && a.low.z <= b.low.z && b.high.x <= a.high.x &&
+           b.high.y <= a.high.y && b.high.z <= a.high.z;
+}
 
 // Unit quaternions: R(q) rotates vectors from the inner to the outer frame.
 template <class T> struct Quaternion {

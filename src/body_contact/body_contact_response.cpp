@@ -22,14 +22,6 @@ float place_in_heap(const BodyAfter& body, float least_gap, const BodyShape& sha
     return least_gap > -(0.5f * shape.thickness * scale + fall) ? heap_place * body.place : body.place;
 }
 
-// A body in a heap falls through gaps that the sweeps leave, is stopped in the next substep, and rocks back. Such motion does not count
-// if it is below the limit of restitution (2 g h) and does not last for two substeps.
-float lasting_speed(const BodyAfter& body, Vector v0, Vector w0, Vector v, Vector w, float fall) {
-    const float before = fastest(body.extent, v0, w0), now = fastest(body.extent, v, w);
-    if (std::max(before, now) > 2.0f * fall) return std::max(before, now);
-    return std::min({before, now, fastest(body.extent, 0.5f * (v0 + v), 0.5f * (w0 + w))});
-}
-
 // How a body moves away from sleeping ones, which may lie on it; world frame.
 struct Leaving {
     // m/s, the velocity of a body that falls as soon as it has woken, else 0. It has lost its support. So has a sleeping one that it falls away

@@ -34,8 +34,8 @@ public:
     uint32_t level_count() const { return level_count_; }
     const OccupancyLevel& level(uint32_t i) const { return levels_[i].near; }
 
-    // Calls found(proxy) once for each proxy whose box overlaps `box`, in no particular order.
-    template <class Found> void query(const Box& box, Found&& found) const;
+    // Calls found(proxy) once for each proxy whose box overlaps `box`, in no particular order, until it returns false. Returns false then.
+    template <class Found> bool query(const Box& box, Found&& found) const;
 
 private:
     // Cells of 2^rung m. The coarsest exceed the longest step at the highest speed, so that any box covers few cells.
@@ -69,9 +69,9 @@ private:
     Level levels_[most_occupancy_levels] = {};
 };
 
-template <class Found> void ColliderBroadPhase::query(const Box& box, Found&& found) const {
+template <class Found> bool ColliderBroadPhase::query(const Box& box, Found&& found) const {
     const uint32_t levels = levels_about(box);
-    if (levels == 0) return;
+    if (levels == 0) return true;
     CellRange cells[most_occupancy_levels];
     double visits = 0.0;
     for (uint32_t l = 0; l < level_count_; ++l) {
@@ -82,20 +82,23 @@ template <class Found> void ColliderBroadPhase::query(const Box& box, Found&& fo
     // Visiting a cell costs as much as testing a few boxes, so few proxies are tested one by one.
     if (4.0 * visits > count_) {
         for (uint32_t i = 0; i < count_; ++i)
-            if (overlap(proxies_[i].box, box)) found(proxies_[i]);
-        return;
+            if (overlap(proxies_[i].box, box) && !found(proxies_[i])) return false;
+        return true;
     }
     for (uint32_t l = 0; l < level_count_; ++l) {
         if ((levels >> l & 1u) == 0) continue;
-        cells[l].visit([&](CellAt at) {
+        const bool all = cells[l].all([&](CellAt at) {
             const uint32_t b = bucket(at, l);
             for (uint32_t e = buckets_[b]; e < buckets_[b + 1]; ++e) {
                 const Proxy& proxy = proxies_[entries_[e]];
                 if (!overlap(proxy.box, box) || level_of_[entries_[e]] != l) continue;
                 // Several cells share a bucket; a box counts only in the cell of its middle, so it is found once.
-                if (cell_at(middle_of(proxy.box), levels_[l].inverse_bucket) == at) found(proxy);
+                if (cell_at(middle_of(proxy.box), levels_[l].inverse_bucket) == at && !found(proxy)) return false;
             }
+            return true;
         });
+        if (!all) return false;
     }
+    return true;
 }
 } // namespace lr

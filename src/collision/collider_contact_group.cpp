@@ -17,23 +17,6 @@ Box vicinity(const ContactStep& step, const BatchArrays& arrays, uint32_t i, flo
     const Vector x = vector_in(arrays.field, field_x, i);
     return grown({x, x}, size + dt * (1.5f * speed + step.gain));
 }
-
-// Area of a sheet at scale 1 and its normal in the body frame; 0 for other shapes.
-float sheet(const BodyShape& s, Vector& normal) {
-    if (s.count == 0 || s.face_count != 2) return 0.0f;
-    const ShapeFace& f = s.faces[0];
-    normal = f.normal;
-    return 0.5f * length(s.doubled_area(f));
-}
-
-// Mass of body and added mass along the normal, kg at scale 1.
-float inertia_along(const BodyConstants& c, Vector n) {
-    const float* const m = c.full_mass;
-    const float in_units = c.diagonal ? c.mass[0] * n.x * n.x + c.mass[1] * n.y * n.y + c.mass[2] * n.z * n.z
-                                      : m[0] * n.x * n.x + m[6] * n.y * n.y + m[11] * n.z * n.z +
-                                            2.0f * (m[1] * n.x * n.y + m[2] * n.x * n.z + m[7] * n.y * n.z);
-    return c.unit_mass * in_units;
-}
 } // namespace
 
 float height_over(const Geometry& g, Vector at) {
@@ -80,10 +63,10 @@ ContactGroup::ContactGroup(const ContactStep& step, const StepInput& in, const B
     : step_(&step), body_(&in.body), water_(in.water), arrays_(arrays), count_(count) {
     for (uint32_t i = 0; i < count; ++i) {
         Near& near = near_[i];
-        const Box box = vicinity(step, arrays, i, step.dt);
+        near.box = vicinity(step, arrays, i, step.dt);
         const uint32_t layers = step.settings->layers;
-        near.count = step.colliders->candidates(box, layers, nullptr, near.candidate, near.overflowed);
-        if (near.overflowed) near.count = step.colliders->grounds(box, layers, near.candidate);
+        near.count = step.colliders->candidates(near.box, layers, nullptr, near.candidate, near.overflowed);
+        if (near.overflowed) near.count = step.colliders->grounds(near.box, layers, near.candidate);
         near.grounds = near.finite = 0;
         for (uint32_t k = 0; k < near.count; ++k) {
             const uint32_t slot = near.candidate[k].slot;
@@ -160,24 +143,29 @@ float ContactGroup::margin_of(uint32_t i, float h) const {
     return contact_margin(step_->shape->reach * arrays_.field[field_scale][i], pose_of(i).position, step_->gravity, h);
 }
 
+GroundSurface ContactGroup::surface_of(uint32_t slot, const ContactSubstep& substep) const {
+    const Collider& c = step_->colliders->at(slot);
+    const Pose pose = pose_at(c, substep.end);
+    const SurfaceMotion motion = motion_of(c, substep);
+    GroundSurface s{};
+    const Axes axes = axes_of(pose.rotation);
+    lr::put(pose.position, s.position);
+    lr::put(axes.x, s.axes), lr::put(axes.y, s.axes + 3), lr::put(axes.z, s.axes + 6);
+    lr::put(motion.velocity, s.velocity);
+    lr::put(motion.spin, s.spin);
+    s.friction = pair_friction(*step_->settings, c);
+    s.restitution = pair_restitution(*step_->settings, c);
+    s.collider = slot;
+    if (c.geometry.heightfield) s.grid = c.geometry.heightfield->grid();
+    return s;
+}
+
 void ContactGroup::touch_grounds(const ContactSubstep& substep) {
     const ContactBodies all = bodies(substep);
     ContactSlots::Slot found[manifold_slots];
     alignas(64) uint32_t rough[contact_lanes];
     for (uint32_t g = 0; g < ground_count_; ++g) {
-        const Collider& c = step_->colliders->at(grounds_[g]);
-        const Pose pose = pose_at(c, substep.end);
-        const SurfaceMotion motion = motion_of(c, substep);
-        GroundSurface s{};
-        const Axes axes = axes_of(pose.rotation);
-        lr::put(pose.position, s.position);
-        lr::put(axes.x, s.axes), lr::put(axes.y, s.axes + 3), lr::put(axes.z, s.axes + 6);
-        lr::put(motion.velocity, s.velocity);
-        lr::put(motion.spin, s.spin);
-        s.friction = pair_friction(*step_->settings, c);
-        s.restitution = pair_restitution(*step_->settings, c);
-        s.collider = grounds_[g];
-        if (c.geometry.heightfield) s.grid = c.geometry.heightfield->grid();
+        const GroundSurface s = surface_of(grounds_[g], substep);
         std::fill_n(rough, contact_lanes, 0u);
         if (!step_->target->ground(all, s, found, rough)) continue;
         for (uint32_t i = 0; i < count_; ++i) {
@@ -191,11 +179,43 @@ void ContactGroup::touch_grounds(const ContactSubstep& substep) {
                     if (slot.gap[i] < 0.5f * no_contact) put(i, contact_in(slot, i));
                 continue;
             }
+            const Collider& c = step_->colliders->at(grounds_[g]);
+            const Pose pose = pose_at(c, substep.end);
+            const SurfaceMotion motion = motion_of(c, substep);
             Contact contacts[most_contacts];
             const uint32_t count =
                 find_contacts(*step_->shape, arrays_.field[field_scale][i], relative(pose, pose_of(i)), c.geometry,
                               margin_of(i, substep.h), contacts);
             for (uint32_t k = 0; k < count; ++k) add(i, grounds_[g], contacts[k], pose, motion);
+        }
+    }
+}
+
+// Even floors of meshes are met as grounds are: a call for each mesh, since it has one motion, and each body has its own triangles.
+void ContactGroup::touch_floors(const ContactSubstep& substep) {
+    FloorLanes lanes;
+    uint32_t left = 0; // bits of bodies
+    for (uint32_t i = 0; i < count_; ++i) {
+        const MeshFloor& floor = floor_[i];
+        laid_[i] = false;
+        if (floor.count == 0 || !floor.even) continue;
+        const Collider& c = step_->colliders->at(floor.slot);
+        const Pose pose = pose_at(c, substep.end);
+        laid_[i] = lay_below(*c.geometry.mesh, floor, relative(pose, pose_of(i)).position,
+                             step_->shape->reach * arrays_.field[field_scale][i], pose.rotation, i, lanes);
+        left |= (laid_[i] ? 1u : 0u) << i;
+    }
+    ContactSlots::Slot found[manifold_slots];
+    while (left != 0) {
+        const uint32_t slot = floor_[std::countr_zero(left)].slot;
+        GroundSurface s = surface_of(slot, substep);
+        s.floor = &lanes;
+        const bool any = step_->target->ground(bodies(substep), s, found, nullptr);
+        for (uint32_t i = 0; i < count_; ++i) {
+            if ((left >> i & 1u) == 0 || floor_[i].slot != slot) continue;
+            left ^= 1u << i;
+            for (const ContactSlots::Slot& one : found)
+                if (any && one.gap[i] < 0.5f * no_contact) put(i, contact_in(one, i));
         }
     }
 }
@@ -321,7 +341,7 @@ void ContactGroup::touch_others(uint32_t i, const ContactSubstep& substep) {
         mesh.reset();
     };
     const MeshFloor& floor = floor_[i];
-    if (floor.count > 0) {
+    if (floor.count > 0 && !laid_[i]) {
         const Collider& c = step_->colliders->at(floor.slot);
         const Pose pose = pose_at(c, substep.end);
         ContactPoints points(*step_->shape, scale, relative(pose, at), margin);
@@ -383,8 +403,16 @@ void ContactGroup::collect(const ContactSubstep& substep) {
     for (uint32_t i = 0; i < count_; ++i) up_[i] = lift(i, pose_of(i), substep.end, substep, lift_[i]);
     stop_before_passing_through(substep);
     touch_grounds(substep);
+    const auto is_floor = [](const MeshFloor& floor) { return floor.count > 0; };
+    if (std::any_of(floor_, floor_ + count_, is_floor)) touch_floors(substep);
     for (uint32_t i = 0; i < count_; ++i) touch_others(i, substep);
     for (uint32_t i = 0; i < count_ && step_->sleeping; ++i) touch_sleeping(i, substep);
+}
+
+float ContactGroup::least_gap(uint32_t i) const {
+    float least = no_contact;
+    for (uint32_t k = 0; k < filled_[i]; ++k) least = std::min(least, slots_.slot[k].gap[i]);
+    return least;
 }
 
 void ContactGroup::take_out(uint32_t i) {
@@ -517,51 +545,6 @@ NearContacts::NearContacts(const ContactStep& step, const BatchArrays& arrays, u
                 near_[i - begin] = 0;
         }
         end_ = to;
-    }
-}
-
-// Ground effect: a disc of radius a that comes down flat at the height z sets the air under it in motion, with the energy 1/2 (K/z) v^2,
-// K = pi rho a^4/8. The sheet shares its energy with that air: with l = K/m, (1 + l/z) v^2 is constant along the normal. Air that leaves at the edge
-// does not come back, so a rising sheet is not pulled.
-void ContactGroup::ground_effect(const ContactSubstep& substep) {
-    const LaneRow* const before = substep.before;
-    Vector face;
-    const float area = sheet(*step_->shape, face);
-    if (!(area > 0.0f)) return;
-    constexpr float pi = 3.14159265f;
-    const float radius_squared = area / pi, radius = std::sqrt(radius_squared);
-    const float inertia = inertia_along(*body_, face);
-    const float share =
-        step_->settings->ground_effect * 0.125f * pi * step_->fluid_density * radius_squared * radius_squared / inertia;
-    for (uint32_t i = 0; i < count_; ++i) {
-        const float scale = arrays_.field[field_scale][i];
-        Pose pose = pose_of(i);
-        const Pose was = pose_in(before, i);
-        for (uint32_t k = 0; k < near_[i].count; ++k) {
-            const Collider& c = step_->colliders->at(near_[i].candidate[k].slot);
-            if (!is_ground(c.geometry.kind)) continue;
-            const Pose from = pose_at(c, substep.begin), to = pose_at(c, substep.end);
-            const Vector up = rotate(to.rotation, {0.0f, 1.0f, 0.0f});
-            const float flat = dot(up, rotate(pose.rotation, face)), squared = flat * flat;
-            const float least = 0.02f * radius * scale, most = radius * scale;
-            const float first = std::max(height_over(c.geometry, to_inner(from, was.position)), least);
-            const float last = std::max(height_over(c.geometry, to_inner(to, pose.position)), least);
-            if (!(last < first) || first > most) continue;
-            const float l = share * scale * squared * squared;
-            const float kept = std::sqrt((1.0f + l / first) / (1.0f + l / last));
-            const Vector n = rotate(inverse(pose.rotation), up);
-            const Vector v = vector_in(arrays_.field, field_vx, i);
-            const float speed = dot(n, v);
-            const Vector v0 = rotate(was.rotation, vector_in(before, field_vx, i));
-            const float began = dot(up, v0);
-            if (!(speed < 0.0f && began <= 0.0f)) continue;
-            // The velocity gained from forces in this substep moves the air too.
-            const float slow = kept * (began + (speed - began) / (1.0f + 2.0f * l / (first + last)));
-            put_in(arrays_.field, field_vx, i, v - (speed - slow) * n);
-            // The displacement follows the mean of both end velocities.
-            pose.position = pose.position + ((first - last) * (speed - slow) / (began + speed)) * up;
-            put_in(arrays_.field, field_x, i, pose.position);
-        }
     }
 }
 } // namespace lr

@@ -172,6 +172,7 @@ public:
     void solve(const ContactSubstep& substep, const float* submerged);
     uint32_t contacts(uint32_t lane) const { return filled_[lane]; }
     SlotContact contact(uint32_t lane, uint32_t k) const { return contact_in(slots_.slot[k], lane); }
+    float least_gap(uint32_t lane) const; // m, before they were solved; no_contact without any
     void take_out(uint32_t lane);
 
     // The sleeping body of a contact, whose collider is then `sleeping_body`.
@@ -198,12 +199,18 @@ public:
 private:
     // Candidate list. When it overflows it keeps only planes and heightfields; the others are searched again in each substep, a list at a time.
     struct Near {
+        Box box; // all that the body can meet in the step is in the list if it stays in here
         uint32_t count;
         bool overflowed;
         // Bits of candidates: planes and heightfields; all others; those of them that the body can meet in this substep.
         uint64_t grounds, finite, others;
         Candidate candidate[most_candidates];
         bool meets_others() const { return overflowed || others != 0; }
+        // Whether a path meets nothing but this collider.
+        bool only(uint32_t slot, const Box& path) const {
+            return !overflowed && count > 0 && candidate[0].slot == slot && candidate[count - 1].slot == slot &&
+                   contains(box, path);
+        }
     };
     void find_others(const ContactSubstep& substep);
     template <class Found> void each_candidate(uint32_t lane, const Box& around, Found&& found) const;
@@ -218,7 +225,9 @@ private:
     void leave_floors(const ContactSubstep& substep);
     void stay_in_front(const ContactSubstep& substep);
     void stop_before_passing_through(const ContactSubstep& substep);
+    GroundSurface surface_of(uint32_t slot, const ContactSubstep& substep) const;
     void touch_grounds(const ContactSubstep& substep);
+    void touch_floors(const ContactSubstep& substep);
     // The normal, on its side and in the world frame, of the mesh's triangle that the body's centre of mass was over as the substep began; 0: of none.
     Vector face_below(uint32_t lane, const ContactSubstep& substep) const;
     void touch_others(uint32_t lane, const ContactSubstep& substep);
@@ -241,6 +250,7 @@ private:
     bool wet_[contact_lanes] = {}; // carries the water's added mass
     Near near_[contact_lanes];
     MeshFloor floor_[contact_lanes]; // of this substep
+    bool laid_[contact_lanes];       // met in lanes, as the ground is
     // m: takes a body out of all that supports it, and of what it is not swept over, before it meets other things.
     Vector up_[contact_lanes], lift_[contact_lanes];
     Asleep at_rest_[contact_slots][contact_lanes];

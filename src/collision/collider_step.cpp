@@ -205,9 +205,7 @@ bool Colliders::any_ground(const Box& box, uint32_t layers) const {
 }
 
 bool Colliders::any_finite(const Box& box, uint32_t layers) const {
-    bool any = false;
-    each_finite(box, [&](uint32_t slot, ColliderPart) { any = any || (colliders_[slot].layers & layers) != 0; });
-    return any;
+    return !each_finite(box, [&](uint32_t slot, ColliderPart) { return (colliders_[slot].layers & layers) == 0; });
 }
 
 namespace {

@@ -145,6 +145,7 @@ public:
     template <class Found> void visit(const Box& box, uint32_t layers, Found&& found) const {
         const auto take = [&](uint32_t slot, ColliderPart part) {
             if ((colliders_[slot].layers & layers) != 0) found(Candidate{slot, part});
+            return true;
         };
         each_finite(box, take);
         for (const uint32_t slot : unbounded_)
@@ -233,15 +234,13 @@ private:
     void fill_near();
     void add_near(uint32_t slot);
     bool in_reach(const Collider& collider, const Box& box) const;
-    // Calls found(slot, part) for each finite collider, or part of one, whose box overlaps `box`.
-    template <class Found> void each_finite(const Box& box, Found&& found) const {
-        const auto take = [&](const ColliderBroadPhase& grid, Where where) {
-            grid.query(box, [&](const Proxy& p) {
-                if (slots_[p.slot].where == where) found(p.slot, p.part);
-            });
+    // Calls found(slot, part) for each finite collider, or part of one, whose box overlaps `box`, until it returns false. Returns false then.
+    template <class Found> bool each_finite(const Box& box, Found&& found) const {
+        const auto all = [&](const ColliderBroadPhase& grid, Where where) {
+            return grid.query(box,
+                              [&](const Proxy& p) { return slots_[p.slot].where != where || found(p.slot, p.part); });
         };
-        take(still_grid_, Where::still);
-        take(active_grid_, Where::active);
+        return all(still_grid_, Where::still) && all(active_grid_, Where::active);
     }
 
     GeometryStore geometries_;

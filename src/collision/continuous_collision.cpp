@@ -384,8 +384,10 @@ void ContactGroup::stay_in_front(const ContactSubstep& substep) {
         const Pose to = pose_of(i), began = pose_in(substep.before, i);
         const Vector at = to.position + lift(i, to, substep.end, substep, slow),
                      from = began.position + lift(i, began, substep.begin, substep, slow);
-        const Vector back = way_back(*step_, arrays_.field[field_scale][i], arrays_.floor ? arrays_.floor[i] : 0,
-                                     &floor_[i], from, at, substep);
+        const bool alone = floor_[i].count > 0 && near_[i].only(floor_[i].slot, {low_of(from, at), high_of(from, at)});
+        const Vector back = alone ? Vector{}
+                                  : way_back(*step_, arrays_.field[field_scale][i],
+                                             arrays_.floor ? arrays_.floor[i] : 0, &floor_[i], from, at, substep);
         // Of a deep overlap whose correction would turn the body far, the solver undoes a part.
         if (dot(back, back) > 0.0f || length(at - to.position) > deep) put_in(arrays_.field, field_x, i, at + back);
     }

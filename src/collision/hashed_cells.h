@@ -40,9 +40,15 @@ struct CellRange {
         return along(first.x, last.x) * along(first.y, last.y) * along(first.z, last.z);
     }
     template <class Function> void visit(const Function& function) const {
+        all([&](CellAt at) { return function(at), true; });
+    }
+    // Ends at the first cell for which f is false.
+    template <class Function> bool all(const Function& f) const {
         for (int32_t x = first.x; x <= last.x; ++x)
             for (int32_t y = first.y; y <= last.y; ++y)
-                for (int32_t z = first.z; z <= last.z; ++z) function(CellAt{x, y, z});
+                for (int32_t z = first.z; z <= last.z; ++z)
+                    if (!f(CellAt{x, y, z})) return false;
+        return true;
     }
 };
 

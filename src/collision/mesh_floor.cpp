@@ -18,7 +18,7 @@ constexpr float sharp = 0.98f;
 constexpr float clear = 0.125f;
 // Least size of uneven triangles: the margin over this factor. A body could fall through several smaller ones.
 constexpr float fine = 1.5f;
-// Triangles are enlarged by this share of the reach, so that no point falls between two.
+// Triangles are enlarged by this share of the reach, so that no point falls between two; those within it of one plane are one face.
 constexpr float seam = 1e-4f;
 // Share of the reach by which contacts can press a body beyond a surface; leave_floors() undoes overlaps of much more than a tenth.
 constexpr float pressed = 0.125f;
@@ -76,6 +76,14 @@ public:
             face_[count_] = FloorFace(mesh_triangle(mesh, floor.triangles[k]), origin, floor.up);
             if (face_[count_].inside({0.0f, 0.0f, 0.0f}) >= -reach) ++count_;
         }
+        const auto apart = [&](const FloorFace& a, const FloorFace& b) {
+            return std::abs(a.offset - b.offset) + reach * length(a.normal - b.normal);
+        };
+        uint32_t level = 1;
+        while (level < count_ && apart(face_[0], face_[level]) < seam * reach) ++level;
+        if (level < count_ || count_ < 2) return;
+        count_ = 1; // a floor has no border near the body
+        for (uint32_t e = 0; e < 3; ++e) face_[0].inward[e] = {}, face_[0].edge[e] = -1.0f;
     }
     uint32_t count() const { return count_; }
     const FloorFace& face(uint32_t k) const { return face_[k]; }
@@ -239,6 +247,36 @@ void find_floor(const BodyShape& shape, float scale, const Pose& from, const Pos
     if (height() > least) return;
     out.up = -out.up;
     if (!(height() > least)) out.count = 0;
+}
+
+bool lay_below(const MeshGeometry& mesh, const MeshFloor& floor, Vector center, float reach, Rotation turn,
+               uint32_t lane, FloorLanes& out) {
+    const FloorFaces faces(mesh, floor, center, reach);
+    if (faces.count() > most_floor_faces) return false;
+    for (; out.count < faces.count(); ++out.count) {
+        out.face[out.count] = {};
+        std::fill_n(out.face[out.count].edge[0], contact_lanes, no_contact);
+    }
+    const Vector y = floor.up,
+                 beside = cross(y, std::abs(y.x) < 0.5f ? Vector{1.0f, 0.0f, 0.0f} : Vector{0.0f, 1.0f, 0.0f});
+    const Vector x = 1.0f / length(beside) * beside, z = cross(x, y);
+    put_in(out.axes, 0, lane, rotate(turn, x));
+    put_in(out.axes, 3, lane, rotate(turn, y));
+    put_in(out.axes, 6, lane, rotate(turn, z));
+    for (uint32_t k = 0; k < faces.count(); ++k) {
+        const FloorFace& f = faces.face(k);
+        FloorLanes::Face& to = out.face[k];
+        to.slope[0][lane] = f.lean * dot(f.normal, x);
+        to.slope[1][lane] = f.lean * dot(f.normal, z);
+        to.height[lane] = f.lean * f.offset;
+        to.inverse[lane] = dot(f.normal, y);
+        for (uint32_t e = 0; e < 3; ++e) {
+            to.across[e][0][lane] = dot(f.inward[e], x);
+            to.across[e][1][lane] = dot(f.inward[e], z);
+            to.edge[e][lane] = f.edge[e] - seam * reach;
+        }
+    }
+    return true;
 }
 
 void add_floor(ContactPoints& set, const MeshGeometry& mesh, const MeshFloor& floor) {

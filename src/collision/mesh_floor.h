@@ -7,7 +7,7 @@
 namespace lr {
 
 struct MeshFloor {
-    static constexpr uint32_t most = 128;
+    static constexpr uint32_t most = 320;
 
     uint32_t slot = 0;        // of the collider
     uint32_t count = 0;       // of triangles near the body's path; 0: no floor
@@ -31,5 +31,9 @@ void find_floor(const BodyShape& shape, float scale, const Pose& from, const Pos
 // The displacement that takes the centre of mass at `position` (mesh's frame) out of the floor, zero if it is outside.
 Vector way_out(const BodyShape& shape, float scale, Vector position, const MeshGeometry& mesh, const MeshFloor& floor);
 
+// Puts the triangles of an even floor around a body (center, mesh's frame; reach: m) into a lane. turn: of the mesh. Returns false if there are too many.
+bool lay_below(const MeshGeometry& mesh, const MeshFloor& floor, Vector center, float reach, Rotation turn,
+               uint32_t lane, FloorLanes& out);
+// Other floors, and even ones of very many triangles.
 void add_floor(ContactPoints& set, const MeshGeometry& mesh, const MeshFloor& floor);
 } // namespace lr

@@ -52,12 +52,12 @@ public:
         return lr_batch_create(world_, &bd, &batch_) == LR_OK;
     }
 
-    bool emit(uint32_t count, float low, float high) {
+    bool emit(uint32_t count, float low, float high, float half = 0.48f * side) {
         lr_emitter_desc e;
         lr_emitter_desc_init(&e, sizeof e);
         e.shape = LR_EMIT_BOX;
         e.position[1] = 0.5f * (low + high);
-        e.size[0] = e.size[2] = 0.48f * side;
+        e.size[0] = e.size[2] = half;
         e.size[1] = 0.5f * (high - low);
         ids_.resize(count);
         return lr_batch_set_emitter(world_, batch_, &e) == LR_OK &&
@@ -119,6 +119,25 @@ public:
         return true;
     }
 
+    // A saddle of triangles, 4 m wide. width: m, of a cell of two.
+    bool add_sheet(float width) {
+        const auto across = static_cast<uint32_t>(4.0f / width + 0.5f) + 1;
+        std::vector<float> vertices;
+        std::vector<uint32_t> triangles;
+        for (uint32_t at = 0; at < across * across; ++at) {
+            const uint32_t i = at % across, k = at / across, along = at + across;
+            const float x = width * static_cast<float>(i) - 2.0f, z = width * static_cast<float>(k) - 2.0f;
+            vertices.insert(vertices.end(), {x, 0.05f * (x * x - z * z), z});
+            if (i + 1 < across && k + 1 < across)
+                triangles.insert(triangles.end(), {at, along, along + 1, at, along + 1, at + 1});
+        }
+        lr_collider_desc sheet = collider_at(LR_COLLIDER_MESH, 0.0f, 0.0f, 0.0f);
+        sheet.vertices = vertices.data();
+        sheet.vertex_count = across * across;
+        sheet.indices = triangles.data();
+        sheet.triangle_count = static_cast<uint32_t>(triangles.size() / 3);
+        return lr_collider_create(world_, &sheet, 1, nullptr) == LR_OK;
+    }
     bool add_walker() {
         lr_collider_desc d = collider_at(LR_COLLIDER_CAPSULE, walker_x(0), walker_y, 0.0f);
         d.size[0] = 0.35f, d.size[1] = 0.5f;

@@ -139,7 +139,9 @@ TEST_CASE("a query finds what going through all boxes finds, each once") {
             g.grid.query(query, [&](const lr::Proxy& p) {
                 found.push_back(p.slot);
                 if (p.part.first != 3 * p.slot) FAIL("another's part");
+                return true;
             });
+            CHECK(g.grid.query(query, [](const lr::Proxy&) { return false; }) == found.empty());
             std::sort(found.begin(), found.end());
             if (found != expected) FAIL("found ", found.size(), " of ", expected.size());
         }
@@ -150,7 +152,7 @@ TEST_CASE("hostile boxes and queries end") {
     const float huge = 3e38f, nan = std::nanf("");
     const Grid g({{{-1e9f, -1e9f, -1e9f}, {1e9f, 1e9f, 1e9f}}, {{5.0f, 5.0f, 5.0f}, {5.0f, 5.0f, 5.0f}}}, 0.25f, 3);
     uint32_t found = 0;
-    const auto count = [&](const lr::Proxy&) { ++found; };
+    const auto count = [&](const lr::Proxy&) { return ++found, true; };
     g.grid.query({{-huge, -huge, -huge}, {huge, huge, huge}}, count);
     CHECK(found == 2);
     found = 0;

@@ -118,13 +118,25 @@ struct ContactSlots {
     } slot[contact_slots];
 };
 
-// A plane (y = 0) or a heightfield at the end of a substep.
+// The mesh triangles under each body, seen along its floor's normal: in a frame of the body, y upwards, with the centre of mass as origin.
+inline constexpr uint32_t most_floor_faces = 16;
+struct FloorLanes {
+    uint32_t count = 0;               // the most under any body; the others' last have no place inside
+    alignas(64) LaneRow axes[9] = {}; // rows: the frame's axes in the world
+    struct Face {
+        LaneRow slope[2], height, inverse; // as in GroundSample; `height` at the origin
+        LaneRow across[3][2], edge[3];     // inside: across . (x, z) >= edge for each
+    } face[most_floor_faces];
+};
+
+// A plane (y = 0), a heightfield or floors of a mesh at the end of a substep.
 struct GroundSurface {
     float position[3], axes[9];  // rows: its own axes in the world
     float velocity[3], spin[3];  // m/s at `position`; rad/s, world
     float friction, restitution; // of the pair
     uint32_t collider;
     HeightGrid grid;
+    const FloorLanes* floor; // null for others; then `axes` do not count
 };
 
 // Bodies [0, count) of `arrays` after a substep, with their state before it.

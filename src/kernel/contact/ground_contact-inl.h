@@ -1,4 +1,4 @@
-// Contact with a plane or a heightfield: the few points of a body that hold it best. docs/maintainers/contact.md, section 3.
+// Contact with a plane, a heightfield or an even floor of a mesh: the few points of a body that hold it best. docs/maintainers/contact.md, section 3.
 #if defined(LR_KERNEL_CONTACT_GROUND_CONTACT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef LR_KERNEL_CONTACT_GROUND_CONTACT_INL_H_
 #undef LR_KERNEL_CONTACT_GROUND_CONTACT_INL_H_
@@ -6,6 +6,7 @@
 #define LR_KERNEL_CONTACT_GROUND_CONTACT_INL_H_
 #endif
 
+#include "kernel/contact/body_contact_lanes-inl.h"
 #include "kernel/contact/collider_contact.h"
 #include "kernel/contact/collider_solver-inl.h"
 
@@ -64,9 +65,28 @@ struct GroundSample {
 HWY_INLINE Vec3 columns(const Matrix& m, Vec3 a) {
     return a.z * m.row[2] + a.y * m.row[1] + a.x * m.row[0];
 }
-// Transpose of a row-major matrix times a vector.
-HWY_INLINE Vec3 columns(const float* m, Vec3 a) {
-    return a.x * broadcast(m) + a.y * broadcast(m + 3) + a.z * broadcast(m + 6);
+
+// The highest triangle of a floor that a point is over; without any the gap is no_contact.
+HWY_NOINLINE GroundSample floor_below(const FloorLanes& floor, size_t lane, Vec3 p) {
+    const VF zero = hn::Zero(DF());
+    GroundSample s{constant(no_contact), {zero, zero}, constant(1.0f)};
+    VF least = constant(no_contact);
+    for (uint32_t k = 0; k < floor.count; ++k) {
+        const FloorLanes::Face& f = floor.face[k];
+        const VF x = load1(f.slope[0], lane), z = load1(f.slope[1], lane), inverse = load1(f.inverse, lane);
+        const VF above = p.y + (x * p.x + z * p.z) - load1(f.height, lane);
+        auto here = above < least;
+        for (uint32_t e = 0; e < 3; ++e) {
+            const VF across = load1(f.across[e][0], lane) * p.x + load1(f.across[e][1], lane) * p.z;
+            here = hn::And(here, across >= load1(f.edge[e], lane));
+        }
+        least = hn::IfThenElse(here, above, least);
+        s.gap = hn::IfThenElse(here, above * inverse, s.gap);
+        s.slope[0] = hn::IfThenElse(here, x, s.slope[0]);
+        s.slope[1] = hn::IfThenElse(here, z, s.slope[1]);
+        s.inverse = hn::IfThenElse(here, inverse, s.inverse);
+    }
+    return s;
 }
 
 // The ground below a vector's bodies. Bodies below half a cell overlap at most two by two cells, which are fetched once, with equal bits.
@@ -148,8 +168,8 @@ private:
 };
 
 // Thick ellipsoids roll on a single point, but in a valley they rest on several, and those that rock (Rocking) as flat ones do.
-inline uint32_t ellipsoid_points(const Rocking& rocking, const GroundSurface& g) {
-    return rocking.most[0] > 0.0f || rocking.most[1] > 0.0f ? 8 : g.grid.heights ? 5 : 1;
+inline uint32_t ellipsoid_points(const Rocking& rocking, bool curved) {
+    return rocking.most[0] > 0.0f || rocking.most[1] > 0.0f ? 8 : curved ? 5 : 1;
 }
 
 // A core point, m from the centre of mass in the surface's frame, and its gap.
@@ -163,11 +183,12 @@ class GroundPoints {
 public:
     HWY_INLINE GroundPoints(const ContactBodies& b, const Rocking& rocking, const GroundSurface& g, size_t at,
                             VF radius)
-        : shape_(b.shape), rocking_(rocking), scale_(load1(b.arrays, field_scale, at)),
-          local_(lr::HWY_NAMESPACE::rows(g.axes, load3(b.arrays, field_x, at) - broadcast(g.position))),
+        : shape_(b.shape), rocking_(rocking), scale_(load1(b.arrays, field_scale, at)), floor_(g.floor), lane_(at),
+          axes_(axes_of(g, at)),
+          local_(floor_ ? zero3() : axes_ * (load3(b.arrays, field_x, at) - broadcast(g.position))),
           below_(g.grid, local_, radius) {
         const Quaternion q = load4(b.arrays, at);
-        for (int k = 0; k < 3; ++k) turned_.row[k] = to_body(q, broadcast(g.axes + 3 * k));
+        for (int k = 0; k < 3; ++k) turned_.row[k] = to_body(q, axes_.row[k]);
         for (int k = 0; k < 3; ++k) scaled_.row[k] = scale_ * turned_.row[k];
         radius_ = scale_ * constant(b.shape.count == 0 ? 0.0f : b.shape.radius);
     }
@@ -217,8 +238,11 @@ public:
         }
         return support(n);
     }
-    HWY_INLINE GroundSample sample_at(Vec3 at) const { return below_.at(local_ + at); }
+    HWY_NOINLINE GroundSample sample_at(Vec3 at) const {
+        return floor_ ? floor_below(*floor_, lane_, at) : below_.at(local_ + at);
+    }
     HWY_INLINE VF gap_of(const GroundSample& sample) const { return sample.gap - radius_; }
+    HWY_INLINE Vec3 to_world(Vec3 a) const { return transposed_times(axes_, a); }
     // The point on the surface of the body, body frame.
     HWY_INLINE Vec3 arm(Vec3 at, Vec3 n) const { return columns(turned_, at - radius_ * n); }
     // Pushes the body out along n until no point is deeper than a hundredth of `deep`. Impulses act on at most four points: the lowest that remains
@@ -303,6 +327,11 @@ public:
     }
 
 private:
+    static HWY_INLINE Matrix axes_of(const GroundSurface& g, size_t at) {
+        Matrix m;
+        for (int k = 0; k < 3; ++k) m.row[k] = g.floor ? load3(g.floor->axes + 3 * k, at) : broadcast(g.axes + 3 * k);
+        return m;
+    }
     HWY_INLINE GroundPoint point(Vec3 at, GroundSample& sample) const {
         sample = sample_at(at);
         return {at, gap_of(sample)};
@@ -311,14 +340,19 @@ private:
     const ShapeConstants& shape_;
     const Rocking& rocking_;
     VF scale_, radius_;
-    Vec3 local_; // of the centre of mass
+    const FloorLanes* floor_;
+    size_t lane_;
+    Matrix axes_; // of the frame, in the world
+    Vec3 local_;  // of the centre of mass
     Matrix turned_, scaled_;
     GroundBelow below_;
 };
 
-// Whether the surface is farther than `radius` from all centres. Over a heightfield, points within `radius` are at most radius * secant lower.
-HWY_INLINE bool far_above(const GroundSurface& g, Vec3 x, VF radius) {
-    const Vec3 p = lr::HWY_NAMESPACE::rows(g.axes, x - broadcast(g.position));
+// Whether the surface is farther than `radius` from all centres, or there is no floor. Over a heightfield, points within `radius` are at most
+// radius * secant lower.
+HWY_INLINE bool far_above(const GroundSurface& g, Vec3 x, VF radius, size_t at) {
+    if (g.floor) return g.floor->count == 0 || hn::AllTrue(DF(), load1(g.floor->face[0].inverse, at) == hn::Zero(DF()));
+    const Vec3 p = rows(g.axes, x - broadcast(g.position));
     if (!g.grid.heights) return hn::AllFalse(DF(), p.y <= radius);
     const VF height = height_within(g.grid, p);
     return hn::AllFalse(DF(), p.y - height <= most_above(radius, g.grid.secant, height));
@@ -337,9 +371,10 @@ bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::
                   uint32_t* rough) {
     const DU du;
     const bool ellipsoid = b.shape.count == 0;
-    const uint32_t points_there = g.grid.heights ? b.shape.sample_count : b.shape.count;
+    const bool curved = g.grid.heights || g.floor;
+    const uint32_t points_there = curved ? b.shape.sample_count : b.shape.count;
     const Rocking rocking(b.shape.semi_axes, ellipsoid ? b.gravity * (b.h * b.h) : 0.0f);
-    const uint32_t count = ellipsoid ? ellipsoid_points(rocking, g) : points_there;
+    const uint32_t count = ellipsoid ? ellipsoid_points(rocking, curved) : points_there;
     bool any = false;
     const VF empty = constant(no_contact), zero = hn::Zero(DF()), one = constant(1.0f);
     GroundPoint points[most_ground_points];
@@ -352,7 +387,7 @@ bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::
         const Vec3 x = load3(b.arrays, field_x, at);
         const VF margin = contact_margin(b, reach, x);
         for (ContactSlots::Slot& s : out) store1(s.gap, at, empty);
-        if (far_above(g, x, reach + (margin + margin))) continue;
+        if (far_above(g, x, reach + (margin + margin), at)) continue;
 
         const GroundPoints all(b, rocking, g, at, reach + margin);
         Vec3 deepest = zero3();
@@ -381,9 +416,9 @@ bool touch_ground(const ContactBodies& b, const GroundSurface& g, ContactSlots::
             const GroundSample sample = all.sample_at(point);
             const Vec3 n = GroundPoints::normal(sample);
             ContactSlots::Slot& s = out[slot];
-            const Vec3 p = x + columns(g.axes, point) - broadcast(g.position);
+            const Vec3 p = x + all.to_world(point) - broadcast(g.position);
             store3(s.arm, at, all.arm(point, n));
-            store3(s.normal, at, columns(g.axes, n));
+            store3(s.normal, at, all.to_world(n));
             store1(s.gap, at, hn::IfThenElse(there, all.gap_of(sample), empty));
             const Vec3 spin = broadcast(g.spin), along = cross(spin, p);
             store3(s.surface, at, broadcast(g.velocity) + along);
