@@ -370,7 +370,7 @@ void ContactGroup::leave_floors(const ContactSubstep& substep) {
     }
 }
 
-// Contacts can press a body into another thing after its swept test. Its own floor is up to leave_floors().
+// Contacts can press a body into another thing after its swept test. Its own floor has the last word, as what presses may leave no room.
 void ContactGroup::stay_in_front(const ContactSubstep& substep) {
     for (uint32_t i = 0; i < count_; ++i) {
         const float deep = shallow * arrays_.field[field_scale][i] * step_->shape->reach;
@@ -389,7 +389,15 @@ void ContactGroup::stay_in_front(const ContactSubstep& substep) {
                                   : way_back(*step_, arrays_.field[field_scale][i],
                                              arrays_.floor ? arrays_.floor[i] : 0, &floor_[i], from, at, substep);
         // Of a deep overlap whose correction would turn the body far, the solver undoes a part.
-        if (dot(back, back) > 0.0f || length(at - to.position) > deep) put_in(arrays_.field, field_x, i, at + back);
+        if (!(dot(back, back) > 0.0f || length(at - to.position) > deep)) continue;
+        Vector out{}; // of its own floor, into which other things can press it
+        if (const MeshFloor& floor = floor_[i]; floor.count > 0) {
+            const Collider& c = step_->colliders->at(floor.slot);
+            const Pose pose = pose_at(c, substep.end);
+            out = rotate(pose.rotation, way_out(*step_->shape, arrays_.field[field_scale][i], to_inner(pose, at + back),
+                                                *c.geometry.mesh, floor));
+        }
+        put_in(arrays_.field, field_x, i, at + back + out);
     }
 }
 
