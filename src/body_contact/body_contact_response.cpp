@@ -17,9 +17,8 @@ constexpr float heap_still = 3.0f;
 // The place in which a body must stay for a second is larger by this factor, a tenth of the reach: sweeps end early and keep heaps of more
 // than ten layers trembling by some millimetres.
 constexpr float heap_place = 5.0f;
-// A body that overlaps another by more than half its thickness and its fall in a substep must get out first: it has the usual place.
 float place_in_heap(const BodyAfter& body, float least_gap, const BodyShape& shape, float scale, float fall) {
-    return least_gap > -(0.5f * shape.thickness * scale + fall) ? heap_place * body.place : body.place;
+    return lies_deep(least_gap, shape, scale, fall) ? body.place : heap_place * body.place;
 }
 
 // How a body moves away from sleeping ones, which may lie on it; world frame.

@@ -191,19 +191,27 @@ void ContactGroup::touch_grounds(const ContactSubstep& substep) {
     }
 }
 
-// Even floors of meshes are met as grounds are: a call for each mesh, since it has one motion, and each body has its own triangles.
+// Even floors of meshes are met as grounds are: a call for each mesh, since it has one motion, and each body has its own triangles. Others one by one.
 void ContactGroup::touch_floors(const ContactSubstep& substep) {
     FloorLanes lanes;
     uint32_t left = 0; // bits of bodies
     for (uint32_t i = 0; i < count_; ++i) {
         const MeshFloor& floor = floor_[i];
-        laid_[i] = false;
-        if (floor.count == 0 || !floor.even) continue;
+        if (floor.count == 0) continue;
         const Collider& c = step_->colliders->at(floor.slot);
-        const Pose pose = pose_at(c, substep.end);
-        laid_[i] = lay_below(*c.geometry.mesh, floor, relative(pose, pose_of(i)).position,
-                             step_->shape->reach * arrays_.field[field_scale][i], pose.rotation, i, lanes);
-        left |= (laid_[i] ? 1u : 0u) << i;
+        const float scale = arrays_.field[field_scale][i];
+        const Pose pose = pose_at(c, substep.end), at = relative(pose, pose_of(i));
+        if (floor.even &&
+            lay_below(*c.geometry.mesh, floor, at.position, step_->shape->reach * scale, pose.rotation, i, lanes)) {
+            left |= 1u << i;
+            continue;
+        }
+        ContactPoints points(*step_->shape, scale, at, margin_of(i, substep.h));
+        add_floor(points, *c.geometry.mesh, floor);
+        Contact contacts[most_contacts];
+        const uint32_t count = points.keep(contacts, true);
+        const SurfaceMotion motion = motion_of(c, substep);
+        for (uint32_t n = 0; n < count; ++n) add(i, floor.slot, contacts[n], pose, motion);
     }
     ContactSlots::Slot found[manifold_slots];
     while (left != 0) {
@@ -341,13 +349,6 @@ void ContactGroup::touch_others(uint32_t i, const ContactSubstep& substep) {
         mesh.reset();
     };
     const MeshFloor& floor = floor_[i];
-    if (floor.count > 0 && !laid_[i]) {
-        const Collider& c = step_->colliders->at(floor.slot);
-        const Pose pose = pose_at(c, substep.end);
-        ContactPoints points(*step_->shape, scale, relative(pose, at), margin);
-        add_floor(points, *c.geometry.mesh, floor);
-        add_all(floor.slot, pose, points.keep(contacts, true), {});
-    }
     each_candidate(i, around, [&](const Candidate& candidate) {
         const Collider& c = step_->colliders->at(candidate.slot);
         if (is_ground(c.geometry.kind) || (floor.count > 0 && candidate.slot == floor.slot)) return;

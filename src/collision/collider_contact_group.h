@@ -250,7 +250,6 @@ private:
     bool wet_[contact_lanes] = {}; // carries the water's added mass
     Near near_[contact_lanes];
     MeshFloor floor_[contact_lanes]; // of this substep
-    bool laid_[contact_lanes];       // met in lanes, as the ground is
     // m: takes a body out of all that supports it, and of what it is not swept over, before it meets other things.
     Vector up_[contact_lanes], lift_[contact_lanes];
     Asleep at_rest_[contact_slots][contact_lanes];

@@ -97,6 +97,11 @@ inline float fastest(Vector extent, Vector v, Vector w) {
     return length(v) + farthest(extent, w);
 }
 
+// Whether a body overlaps something by more than half its thickness and its fall in a substep, g h^2: it must get out before it rests.
+inline bool lies_deep(float least_gap, const BodyShape& shape, float scale, float fall) {
+    return !(least_gap > -(0.5f * shape.thickness * scale + fall));
+}
+
 // Motion that does not last for two substeps does not count, below the limit of restitution (2 g h). In heaps bodies fall through gaps that the
 // sweeps leave and are stopped in the next substep; where a substep is too long for a leaf to rock, it is on the other side after each.
 inline float lasting_speed(const BodyAfter& body, Vector v0, Vector w0, Vector v, Vector w, float fall) {

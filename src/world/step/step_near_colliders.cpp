@@ -31,8 +31,7 @@ void touch(const ContactRun& run, ContactGroup& group, const States& states, con
         if (is_held(states.field[field_age_remainder][first + i])) continue;
         BodyAfter body = body_after(run, group, i, near.index(first + i), states.field, first + i, before);
         const float fall = group.fall(i) * now.h, scale = states.field[field_scale][first + i];
-        // One that is deep in another thing must get out before it rests.
-        if (group.least_gap(i) > -(0.5f * run.step.shape->thickness * scale + fall * now.h))
+        if (!lies_deep(group.least_gap(i), *run.step.shape, scale, fall * now.h))
             body.speed = lasting_speed(body, vector_in(before, field_vx, i), vector_in(before, field_wx, i),
                                        vector_in(states.field, field_vx, first + i),
                                        vector_in(states.field, field_wx, first + i), fall);
