@@ -400,7 +400,8 @@ LR_API lr_status lr_world_set_gravity(lr_world* world, const float* gravity);
 LR_API lr_status lr_world_set_simd_target(lr_world* world, lr_simd_target target);
 
 /* Wind: the fluid's velocity is the uniform wind, plus up to LR_MAX_WIND_SOURCES sources, plus a callback. Bodies feel
- * the fluid's velocity relative to their own. Formulas: docs/reference/wind_and_water.md. */
+ * the fluid's velocity relative to their own, without its component into walls beside them. Formulas:
+ * docs/reference/wind_and_water.md. */
 
 /* Sets the uniform wind, the same velocity everywhere; 0 before the first call. A change is spread evenly over the next
  * step, in which bodies feel the fluid accelerate (Froude-Krylov force and added mass): a body as dense as the fluid is

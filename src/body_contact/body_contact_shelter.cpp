@@ -13,10 +13,6 @@ namespace {
 // A body's shelter is found in one of so many substeps, by its noise seed, and in the first after it has woken.
 constexpr uint32_t turns = 8;
 
-bool blows(const StepInput& in) {
-    const auto any = [](const float(&wind)[3]) { return dot(vector_of(wind), vector_of(wind)) > 0.0f; };
-    return any(in.wind) || any(in.wind_begin);
-}
 bool asked(const Hidden& hidden) {
     return __atomic_load_n(&hidden.above, __ATOMIC_RELAXED) != BodyContactBuffers::unasked.above;
 }
@@ -77,31 +73,26 @@ void BodyContactStep::move_sheltered(const BodyContactBatch& member, uint32_t be
                                      uint32_t substep) const {
     const Batch& batch = *member.item.batch;
     const float* const lee = member.run.book.lee;
-    uint32_t index[cut_bodies], count = 0;
-    for (uint32_t i = begin; i < std::min(end, batch.awake()) && lee; ++i)
-        if (lee[i] > 0.0f) index[count++] = i;
-    if (count == 0) return move_cut(member, begin, end, substep);
-    const auto at = [&](uint32_t i) { return index[i]; };
-    StepInput in = batch.step;
-    BodyCopies<cut_bodies> copies;
-    copies.take(batch.arrays(), count, at);
-    copies.take_forces(in.external, at, false);
+    const ContactStep& contact = member.run.step;
+    const bool walled = contact.settings->layers != 0 && (wet_ || world_->wind.active() || blows(batch.step));
+    uint32_t near[cut_bodies];
+    if (walled)
+        contact.target->near(contact.colliders->near(), contact.shape->reach, static_cast<float>(time_.h), contact.gain,
+                             batch.arrays(), begin, end, near);
+    const auto felt_by = [&](uint32_t i, FeltFlow& felt) {
+        if (lee && lee[i] > 0.0f) felt.share = 1.0f - lee[i];
+        if (walled && near[i - begin] != 0)
+            felt.walls = walls_near(contact, batch.arrays(), i, (near[i - begin] & near_bits) == 0,
+                                    contact_substep(time_, substep, nullptr));
+        return felt.share < 1.0f || felt.walls.count != 0;
+    };
+    const uint32_t live = std::max(std::min(end, batch.awake()), begin) - begin;
+    const auto index = [begin](uint32_t k) { return begin + k; };
+    StepApart apart(batch.step, batch.arrays(), live, index, felt_by);
     move_cut(member, begin, end, substep);
-    copies.lend_forces(in.external);
-    // In a uniform wind that changes, gravity is that of the fluid's frame. The copies are stepped in a field, in the world's frame.
-    if (in.wind_changes) std::copy(world_->gravity, world_->gravity + 3, in.gravity);
-    in.wind_changes = false;
-    float felt[cut_bodies];
-    for (uint32_t i = 0; i < copies.padded; ++i) felt[i] = i < count ? 1.0f - lee[index[i]] : 1.0f;
-    BatchArrays arrays = copies.arrays();
-    for (size_t f = 0; f < field_count; ++f)
-        if (!batch.arrays().field[f]) arrays.field[f] = nullptr;
-    float submerged[cut_bodies];
-    const FieldSlice slice{world_->target, &world_->wind, time_, substep, 1, wet_ ? &surface_ : nullptr,
-                           felt,           submerged};
-    step_in_field(slice, in, nullptr, arrays, member.item.handle, count, 0, copies.padded);
-    copies.put_back(batch.arrays(), at);
-    for (uint32_t i = 0; i < count && wet_ && in.water; ++i)
-        buffers_->submerged.data()[member.first + index[i]] = submerged[i];
+    if (!apart.any()) return;
+    float* const submerged = wet_ ? buffers_->submerged.data() + member.first + begin : nullptr;
+    apart.step({world_->target, &world_->wind, &world_->wind.instant(0), time_, substep, 1, wet_ ? &surface_ : nullptr},
+               batch.step, vector_of(world_->gravity), batch.arrays(), member.item.handle, submerged, begin);
 }
 } // namespace lr

@@ -80,7 +80,8 @@ void BodyContactStep::move_cut(const BodyContactBatch& member, uint32_t begin, u
         std::copy(arrays.field[f] + begin, arrays.field[f] + end, before(member.first + begin, f));
     float* const submerged = wet_ ? buffers_->submerged.data() + member.first + begin : nullptr;
     if (world_->wind.active()) {
-        FieldSlice slice{world_->target, &world_->wind, time_, substep, 1, wet_ ? &surface_ : nullptr};
+        FieldSlice slice{
+            world_->target, &world_->wind, &world_->wind.instant(0), time_, substep, 1, wet_ ? &surface_ : nullptr};
         slice.submerged = submerged;
         step_in_field(slice, batch.step, nullptr, arrays, member.item.handle, batch.awake(), begin, end);
         return;

@@ -292,6 +292,7 @@ public:
     uint32_t count() const { return count_; }
     uint32_t index(uint32_t i) const { return index_[i]; }
     bool holds(uint32_t body) const { return near_[body - begin_] != 0; }
+    bool near_finite(uint32_t body) const { return (near_[body - begin_] & near_bits) != 0; } // or not known
     bool over_ground(uint32_t body) const { return (near_[body - begin_] & near_ground) != 0; }
     // Sorts by class (below `classes`), then by index: a vector runs until its last lane is done, so similar bodies should share it.
     template <class Class> void arrange(uint32_t classes, Class&& class_of) {

@@ -404,7 +404,7 @@ void lr_world::run(StepItem* some, uint32_t count, const WaterStep* at_surface, 
         here = *at_surface;
         here.time = t;
     }
-    FieldSlice slice{target, &wind, t, 0, 0, at_surface ? &here : nullptr};
+    FieldSlice slice{target, &wind, &wind.instant(0), t, 0, 0, at_surface ? &here : nullptr};
     chunks.slice = &slice;
     for (; slice.first < t.substeps; slice.first += slice.count) {
         slice.count = std::min(WindField::slice, t.substeps - slice.first);

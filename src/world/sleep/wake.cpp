@@ -141,7 +141,7 @@ void WakeByFlow::try_bodies(const StepItem& item, const uint32_t* index, uint32_
     take_substep(item, neighbours, tried, tried_count, nullptr, moves);
     // The open wind would move them; those in shelter take a second trial in weaker wind.
     uint32_t sheltered[most], in_tried[most], sheltered_count = 0;
-    float felt[most];
+    FeltFlow felt[most];
     for (uint32_t i = 0; i < tried_count; ++i) {
         batch.set_lee(tried[i], 0.0f);
         if (!moves[i]) {
@@ -155,12 +155,11 @@ void WakeByFlow::try_bodies(const StepItem& item, const uint32_t* index, uint32_
             batch.note_sleep(tried[i]);
             continue;
         }
-        felt[sheltered_count] = felt_wind(open);
+        felt[sheltered_count] = {felt_wind(open), {0, {}}};
         in_tried[sheltered_count] = i;
         sheltered[sheltered_count++] = tried[i];
     }
     if (sheltered_count == 0) return;
-    std::fill(felt + sheltered_count, felt + whole_blocks(sheltered_count), 1.0f); // lanes without a body
     take_substep(item, neighbours, sheltered, sheltered_count, felt, moves);
     for (uint32_t i = 0; i < sheltered_count; ++i) {
         if (moves[i])
@@ -171,7 +170,7 @@ void WakeByFlow::try_bodies(const StepItem& item, const uint32_t* index, uint32_
 }
 
 void WakeByFlow::take_substep(const StepItem& item, const SleepingNeighbours& neighbours, const uint32_t* index,
-                              uint32_t count, const float* felt, bool* moves) {
+                              uint32_t count, const FeltFlow* felt, bool* moves) {
     Batch& batch = *item.batch;
     BodyCopies<field_block> copies;
     copies.take(batch.arrays(), count, [&](uint32_t i) { return index[i]; });
@@ -193,8 +192,8 @@ void WakeByFlow::take_substep(const StepItem& item, const SleepingNeighbours& ne
     std::fill_n(fall, count, run.step.gravity);
     run.fall = fall;
     if (world_->wind.active() || felt)
-        step_in_field({world_->target, &world_->wind, time_, 0, 1, surface, felt}, one, &run, arrays, item.handle,
-                      count, 0, padded);
+        step_in_field({world_->target, &world_->wind, &world_->wind.instant(0), time_, 0, 1, surface, felt}, one, &run,
+                      arrays, item.handle, count, 0, padded);
     else
         step_near_colliders(run, one, arrays, item.handle, count, 0, padded);
     const float limit = going * run.step.gravity * one.h;

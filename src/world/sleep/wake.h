@@ -34,7 +34,7 @@ private:
     void try_bodies(const StepItem& item, const uint32_t* index, uint32_t count);
     // moves: receives whether each body does. felt: the share of the wind's speed that each feels; null: all.
     void take_substep(const StepItem& item, const SleepingNeighbours& neighbours, const uint32_t* index, uint32_t count,
-                      const float* felt, bool* moves);
+                      const FeltFlow* felt, bool* moves);
 
     lr_world* world_;
     StepItem* items_;

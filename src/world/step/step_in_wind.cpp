@@ -52,15 +52,25 @@ void ask(WindField& field, double time, lr_batch batch, uint32_t count, FieldBlo
     }
 }
 
-// Scales all that moves with the wind for bodies that feel a share of it.
-void weaken(const float* felt, uint32_t count, FieldBlock* blocks) {
+// Changes all that moves with the wind for bodies that feel a share of it, or are near walls.
+void change(const FeltFlow* felt, uint32_t count, FieldBlock* blocks) {
     for (uint32_t i = 0; i < count; ++i) {
         FieldBlock& block = blocks[i / lane_block];
         const size_t lane = i % lane_block;
         for (size_t k = 0; k < 3; ++k)
-            for (auto* rows : {block.wind, block.change, block.rate}) rows[k][lane] *= felt[i];
-        for (auto& row : block.gradient) row[lane] *= felt[i];
-        block.reference[lane] *= felt[i];
+            for (auto* rows : {block.wind, block.change, block.rate}) rows[k][lane] *= felt[i].share;
+        for (auto& row : block.gradient) row[lane] *= felt[i].share;
+        block.reference[lane] *= felt[i].share;
+        Vector wind = vector_in(block.wind, 0, lane);
+        felt[i].walls.turn(wind, [&](const auto& turned) {
+            for (auto* rows : {block.change, block.rate}) put_in(rows, 0, lane, turned(vector_in(rows, 0, lane)));
+            for (size_t j = 0; j < 3; ++j) {
+                auto& m = block.gradient;
+                const Vector column = turned(Vector{m[j][lane], m[3 + j][lane], m[6 + j][lane]});
+                m[j][lane] = column.x, m[3 + j][lane] = column.y, m[6 + j][lane] = column.z;
+            }
+        });
+        put_in(block.wind, 0, lane, wind);
     }
 }
 } // namespace
@@ -70,9 +80,9 @@ void step_in_field(const FieldSlice& slice, const StepInput& in, const ContactRu
     const auto h = static_cast<float>(slice.time.h);
     const KernelTarget& target = *slice.target;
     FieldBlock blocks[field_block / lane_block];
-    const bool surface = slice.surface && in.water, asks = slice.field->callback(), weak = slice.felt != nullptr;
-    const FieldInstant& instant = slice.field->instant(0);
-    WindAlong along{&instant, blocks, instant.source_count == 0 && !asks && !weak, asks || surface || weak};
+    const bool surface = slice.surface && in.water, asks = slice.field && slice.field->callback();
+    const bool own = slice.felt != nullptr;
+    WindAlong along{slice.instants, blocks, slice.instants->source_count == 0 && !asks && !own, asks || surface || own};
     BatchArrays bodies = arrays;
     bodies.wind = &along;
     StepInput part = in;
@@ -80,7 +90,7 @@ void step_in_field(const FieldSlice& slice, const StepInput& in, const ContactRu
         part.first_substep = in.first_substep + slice.first + first;
         part.substeps = count;
         part.external.clear = slice.first + first + count == slice.time.substeps;
-        along.instant = &slice.field->instant(first);
+        along.instant = slice.instants + first;
     };
     if (!contact && !along.known) {
         take(0, slice.count);
@@ -94,7 +104,7 @@ void step_in_field(const FieldSlice& slice, const StepInput& in, const ContactRu
             target.evaluate(*along.instant, last - at, blocks);
             const double time = slice.time.begin + (slice.first + i + 0.5) * slice.time.h;
             if (asks && at < live) ask(*slice.field, time, batch, std::min(last, live) - at, blocks);
-            if (weak) weaken(slice.felt + (at - begin), last - at, blocks);
+            if (own && at < live) change(slice.felt + (at - begin), std::min(last, live) - at, blocks);
         }
         alignas(64) float row[field_block];
         float* submerged = surface && contact ? row : nullptr;
@@ -107,13 +117,25 @@ void step_in_field(const FieldSlice& slice, const StepInput& in, const ContactRu
             if (!near.any()) return;
             alignas(64) float wind[3][field_block];
             for (size_t k = 0; k < 3; ++k) copy_row(blocks, &FieldBlock::wind, k, last - at, wind[k]);
-            near.set_wind(wind);
+            near.set_wind(wind, own ? slice.felt + (at - begin) : nullptr);
             near.run(in, batch, slice.first + i, 1);
             near.put_back(arrays, submerged);
         };
         if (!contact) return step();
         ContactPass pass(*contact, in, arrays, live, at, last, slice.first + i);
+        const NearContacts& near = pass.near();
+        const auto index = [&](uint32_t k) { return near.index(k); };
+        StepApart apart(in, arrays, near.count(), index, [&](uint32_t body, FeltFlow& felt) {
+            if (own) felt.share = slice.felt[body - begin].share;
+            felt.walls = pass.walls(body);
+            return felt.walls.count != 0;
+        });
         step();
+        if (apart.any()) {
+            FieldSlice now = slice;
+            now.instants += i, now.first += i, now.count = 1;
+            apart.step(now, in, vector_of(in.gravity), arrays, batch, submerged, at);
+        }
         pass.resolve(submerged);
     };
     // Runs all substeps of a block while it is in the cache.
@@ -121,6 +143,31 @@ void step_in_field(const FieldSlice& slice, const StepInput& in, const ContactRu
         last = std::min(at + static_cast<uint32_t>(field_block), end);
         for (uint32_t i = 0; i < slice.count; ++i) step_block(at, last, i);
     }
+}
+
+void StepApart::take(const StepInput& in, const BatchArrays& arrays) {
+    const auto at = [this](uint32_t i) { return index_[i]; };
+    copies_.take(arrays, count_, at);
+    copies_.take_forces(in.external, at, false);
+}
+
+void StepApart::step(FieldSlice slice, StepInput in, Vector gravity, const BatchArrays& to, lr_batch batch,
+                     float* submerged, uint32_t first) {
+    copies_.lend_forces(in.external);
+    // In a uniform wind that changes, gravity is that of the fluid's frame. The copies are stepped in the world's.
+    if (in.wind_changes) put(gravity, in.gravity);
+    in.wind_changes = false;
+    BatchArrays arrays = copies_.arrays();
+    for (size_t f = 0; f < field_count; ++f)
+        if (!to.field[f]) arrays.field[f] = nullptr;
+    float wet[field_block];
+    slice.felt = felt_;
+    slice.submerged = wet;
+    step_in_field(slice, in, nullptr, arrays, batch, count_, 0, copies_.padded);
+    const auto at = [this](uint32_t i) { return index_[i]; };
+    copies_.put_back(to, at);
+    for (uint32_t i = 0; i < count_ && submerged && slice.surface && in.water; ++i)
+        submerged[index_[i] - first] = wet[i];
 }
 
 void sample_field(const KernelTarget& target, WindField& field, double time, lr_batch batch, const float* positions,

@@ -1,6 +1,7 @@
 #include "world/step/step_near_colliders.h"
 
 #include "kernel/divergence.h"
+#include "world/step/step_in_wind.h"
 
 #include <algorithm>
 
@@ -75,13 +76,31 @@ void step_group(const ContactRun& run, const StepInput& in, lr_batch batch, Stat
     const uint32_t count = bodies_from(states, first);
     ContactGroup group(run.step, in, arrays, count);
     const bool wet = run.surface && in.water;
+    const auto every = [](uint32_t k) { return k; };
     alignas(64) LaneRow before[pose_fields], submerged;
     for (uint32_t i = 0; i < in.substeps; ++i) {
         for (size_t f = 0; f < pose_fields; ++f) std::copy_n(arrays.field[f], contact_lanes, before[f]);
         StepInput one = substep_of(in, i);
         states.lend_forces(one.external, first);
+        StepApart apart(one, arrays, wet || blows(one) ? count : 0, every, [&](uint32_t body, FeltFlow& felt) {
+            felt.walls = walls_near(run.step, arrays, body, !near.near_finite(near.index(first + body)),
+                                    contact_substep(run.time, i, nullptr));
+            return wet ? felt.walls.count != 0
+                       : felt.walls.met_by(vector_of(one.wind_begin)) || felt.walls.met_by(vector_of(one.wind));
+        });
         step_lanes(*run.target, run.surface, {run.time.begin + i * run.time.h, run.time.h, 1}, one, arrays, batch,
                    count, 0, lanes, submerged);
+        if (apart.any()) {
+            FieldInstant instant{};
+            for (size_t k = 0; k < 3; ++k) {
+                instant.wind[k] = 0.5f * (one.wind_begin[k] + one.wind[k]);
+                instant.change[k] = one.wind[k] - one.wind_begin[k];
+            }
+            WaterStep here = run.surface ? *run.surface : WaterStep{};
+            here.time = run.time;
+            apart.step({run.target, nullptr, &instant, run.time, i, 1, run.surface ? &here : nullptr}, in,
+                       run.step.weight, arrays, batch, submerged, 0);
+        }
         touch(run, group, states, near, arrays, before, wet ? submerged : nullptr, first, i, in.faults);
     }
 }
@@ -120,6 +139,11 @@ ContactPass::ContactPass(const ContactRun& run, const StepInput& in, const Batch
     for (size_t f = 0; f < pose_fields && near_.count() != 0; ++f)
         for (uint32_t i = 0; i < field_block; ++i)
             before_[f][i] = arrays.field[f][near_.index(std::min(i, near_.count() - 1))];
+}
+
+NearWalls ContactPass::walls(uint32_t body) const {
+    return walls_near(run_->step, *arrays_, body, !near_.near_finite(body),
+                      contact_substep(run_->time, substep_, nullptr));
 }
 
 void ContactPass::resolve(const float* submerged) {

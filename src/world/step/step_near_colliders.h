@@ -3,6 +3,7 @@
 
 #include "collision/collider_contact_group.h"
 #include "collision/contact_cache.h"
+#include "collision/near_walls.h"
 #include "kernel/integrator/step.h"
 #include "world/step/step_near_water.h"
 
@@ -34,6 +35,12 @@ BodyAfter body_after(const ContactRun& run, const ContactGroup& group, uint32_t 
     return body;
 }
 
+// Whether there is uniform wind in the step.
+inline bool blows(const StepInput& in) {
+    const Vector first = vector_of(in.wind_begin), last = vector_of(in.wind);
+    return dot(first, first) > 0.0f || dot(last, last) > 0.0f;
+}
+
 // Steps bodies [begin, end) through a step in uniform wind.
 void step_near_colliders(const ContactRun& run, const StepInput& in, const BatchArrays& arrays, lr_batch batch,
                          uint32_t live, uint32_t begin, uint32_t end);
@@ -44,6 +51,9 @@ public:
     // Finds them, before substep `substep`.
     ContactPass(const ContactRun& run, const StepInput& in, const BatchArrays& arrays, uint32_t live, uint32_t begin,
                 uint32_t end, uint32_t substep);
+    const NearContacts& near() const { return near_; }
+    // Walls near a near body, before the substep.
+    NearWalls walls(uint32_t body) const;
     // After the substep. submerged: shares in water, from `begin` on; null without water.
     void resolve(const float* submerged);
 

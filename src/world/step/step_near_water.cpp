@@ -29,8 +29,9 @@ NearBodies::NearBodies(const WaterStep& step, const StepInput& in, const BatchAr
         in.external, [this](uint32_t i) { return index_[i]; }, forget);
 }
 
-void NearBodies::set_wind(const float (&wind)[3][field_block]) {
+void NearBodies::set_wind(const float (&wind)[3][field_block], const FeltFlow* felt) {
     windy_ = true;
+    felt_ = felt;
     for (size_t k = 0; k < 3; ++k)
         copies_.gather(
             wind[k], [this](uint32_t i) { return index_[i] - begin_; }, wind_[k]);
@@ -41,6 +42,12 @@ void NearBodies::sample(double time, float h, lr_batch batch, const WaterBody& b
     plane = step_->surface->at(time);
     step_->target->surface.surface(plane, body, copies_.arrays(), copies_.padded, h, block);
     if (step_->surface->callback()) step_->surface->ask(time, batch, count_, plane, block);
+    for (uint32_t i = 0; i < count_ && felt_; ++i) {
+        Vector flow = vector_in(block.velocity, 0, i);
+        felt_[index_[i] - begin_].walls.turn(
+            flow, [&](const auto& turned) { put_in(block.rate, 0, i, turned(vector_in(block.rate, 0, i))); });
+        put_in(block.velocity, 0, i, flow);
+    }
 }
 
 void NearBodies::run(const StepInput& in, lr_batch batch, uint32_t first, uint32_t count) {

@@ -1,6 +1,7 @@
 // Steps bodies near water: copies them out of their block, steps them apart from the others, puts them back.
 #pragma once
 
+#include "collision/near_walls.h"
 #include "environment/water.h"
 #include "environment/wind_field.h"
 #include "kernel/body_copies.h"
@@ -25,8 +26,8 @@ public:
     bool any() const { return count_ != 0; }
     const uint32_t* marks() const { return near_; } // for each body from `begin` on: 0 if it is far
 
-    // Sets the upper fluid's wind at bodies [begin, end).
-    void set_wind(const float (&wind)[3][field_block]);
+    // Sets the upper fluid's wind at bodies [begin, end). felt: by body from `begin` on, for the walls that turn the water's flow; null: none.
+    void set_wind(const float (&wind)[3][field_block], const FeltFlow* felt);
     // Runs `count` substeps from `first` on, in uniform wind unless set_wind() was called.
     void run(const StepInput& in, lr_batch batch, uint32_t first, uint32_t count);
     // submerged: receives the shares in water, by body from `begin` on; null: not wanted.
@@ -40,6 +41,7 @@ private:
     const WaterStep* step_;
     uint32_t begin_, count_ = 0;
     bool windy_ = false;
+    const FeltFlow* felt_ = nullptr;
     alignas(64) uint32_t near_[field_block];
     uint32_t index_[field_block];
     BodyCopies<field_block> copies_;
