@@ -13,7 +13,7 @@ set(CMAKE_C_FLAGS_INIT "-msimd128")
 set(CMAKE_CXX_FLAGS_INIT "-msimd128 -fno-exceptions")
 # The kernel's blocks need more than the default stack of 64 KiB. The stack is at the bottom of memory, where an overflow traps.
 # -O0 is for clang's linker step alone: with more, clang runs the wasm-opt of an installed Emscripten, which refuses SIMD.
-set(CMAKE_EXE_LINKER_FLAGS_INIT "-O0 -Wl,--stack-first -Wl,-z,stack-size=1048576")
+set(CMAKE_EXE_LINKER_FLAGS_INIT "-O0 -Wl,--stack-first -Wl,-z,stack-size=262144")
 set(CMAKE_CROSSCOMPILING_EMULATOR "node;${CMAKE_CURRENT_LIST_DIR}/cross/run_wasi.mjs")
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 

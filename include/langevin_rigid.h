@@ -180,7 +180,7 @@ typedef struct lr_allocator {
  * An index stands for a thread, not for a piece of work: tasks share out the work among themselves, so the split
  * affects speed, never results. Both functions are called only during lr_world_step, on the thread that called it and
  * in that thread's floating-point mode; tasks set and restore their own. Neither may throw, longjmp, or call the
- * library on the same world. Do not call run() after `finish`. */
+ * library on the same world. Do not call run() after `finish`. A task needs 192 KB of stack. */
 typedef void (*lr_task_fn)(void* task, uint32_t begin, uint32_t end);
 
 typedef struct lr_job_system {
@@ -657,7 +657,8 @@ LR_API lr_status lr_water_desc_init(lr_water_desc* desc, uint32_t struct_size);
 /* Sets the water from the next step on. The struct is copied; null removes the water. Bodies keep their velocities,
  * even if they are now in another fluid. A batch whose mass matrix would be singular in water stays in its own fluid,
  * and a warning is logged. Part of snapshots and of the world's hash. A change wakes sleeping bodies that feel it.
- * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT. */
+ * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT,
+ * LR_ERROR_OUT_OF_MEMORY. */
 LR_API lr_status lr_world_set_water(lr_world* world, const lr_water_desc* desc);
 
 /* Reads the water. desc: initialised, or with struct_size set; receives initial values if there is no water.
@@ -694,7 +695,7 @@ LR_API lr_status lr_world_set_water_callback(lr_world* world, lr_water_fn callba
 /* Advances all bodies by dt, in `substeps` equal parts. At 60 Hz use 1 substep for flat leaves and paper of a
  * few centimetres, 2 for bent leaves, 4 for petals and confetti (docs/maintainers/numerics.md). Rules end bodies and
  * emitters spawn them at the end of the step. Allocates only in the case that lr_allocator describes. Saves, sets and
- * restores the calling thread's floating-point mode. dt: s, > 0. substeps: 1 to LR_MAX_SUBSTEPS.
+ * restores the calling thread's floating-point mode. Needs 192 KB of stack. dt: s, > 0. substeps: 1 to LR_MAX_SUBSTEPS.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_TIMESTEP_*, LR_ERROR_SUBSTEPS, LR_ERROR_OUT_OF_MEMORY: the step was taken, so
  * do not repeat it, but bodies may have passed through each other. The next step asks for the memory again. */
 LR_API lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps);

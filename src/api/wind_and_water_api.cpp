@@ -133,6 +133,7 @@ lr_status lr_world_set_water(lr_world* world, const lr_water_desc* desc) {
     const auto set = [](lr_world& w, const lr_water_desc* d) -> Outcome {
         if (d)
             if (const Outcome outcome = check_water(*d); outcome.refused()) return outcome;
+        if (d && !w.reserve_scratch()) return LR_ERROR_OUT_OF_MEMORY;
         const Water::Record before = w.surface.record();
         if (d)
             w.surface.set(*d, w.gravity, w.time);

@@ -34,6 +34,7 @@ uint64_t ChunkQueue::take(uint32_t thread) {
                    threads = round & ((1u << thread_bits) - 1);
     if (claims == 0) return round;
     const FloatMode mode;
+    const ScratchLease lease(scratch_, thread);
     const uint32_t place = thread % threads;
     const bool down = place % 2 != 0;
     uint32_t at = claims * (down ? place + 1 : place) / threads, done = 0;
@@ -168,6 +169,7 @@ void StepWorkers::run(uint32_t chunks, uint32_t helpers, ChunkQueue::Task task, 
     helpers = std::min(helpers, helpers_);
     if (chunks <= 1 || !gathered) helpers = chunks == 0 ? 0 : std::min(helpers, chunks - 1);
     if (helpers == 0) {
+        const ScratchLease lease(queue_.scratch(), 0);
         for (uint32_t i = 0; i < chunks; ++i) task(context, i);
         return;
     }

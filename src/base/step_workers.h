@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/float_mode.h"
+#include "base/scratch.h"
 #include "base/threads.h"
 #include "langevin_rigid.h"
 
@@ -18,6 +19,8 @@ class ChunkQueue {
 public:
     using Task = void (*)(void* context, uint32_t chunk);
 
+    ScratchPool& scratch() { return scratch_; }
+
     // Starts a round of task(context, 0 .. chunks - 1) on `threads` threads, after the previous round is done.
     void open(uint32_t chunks, uint32_t threads, Task task, void* context);
     // Runs chunks until none are left; returns the round. Any thread, any time: a late thread finds none and reads nothing else.
@@ -27,6 +30,7 @@ public:
     void wait();
 
 private:
+    ScratchPool scratch_;
     static constexpr uint32_t most_claims = 512, claim_bits = 10, thread_bits = 7;
 
     // Numbers of the round, of claims and of threads. A thread without a claim must read nothing else.
@@ -75,9 +79,14 @@ class StepWorkers {
 public:
     // Null callbacks: own threads. False if the system gives none.
     bool start(uint32_t workers, const lr_job_system& jobs);
+    // Gives tasks scratch. False when out of memory.
+    bool reserve_scratch(Allocator& allocator) { return queue_.scratch().reserve(allocator, helpers_ + 1); }
     // Guess for a job system with an unknown number of threads: the machine's, less the caller.
     static uint32_t usual_helpers();
-    void stop() { pool_.stop(); }
+    void stop() {
+        pool_.stop();
+        queue_.scratch().reset();
+    }
     uint32_t helpers() const { return helpers_; } // maximum besides the caller
 
     // Runs task(context, 0 .. chunks - 1), on the caller too, with at most `helpers`, and returns when all are done. `mode`: of the step; the

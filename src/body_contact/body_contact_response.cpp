@@ -1,6 +1,7 @@
 // Solves contacts: each body that touches no other awake one by itself, the rest together.
 #include "body_contact/body_contact_step.h"
 
+#include "base/scratch.h"
 #include "kernel/divergence.h"
 #include "world/world.h"
 
@@ -94,7 +95,8 @@ void BodyContactStep::hold_group(const BodyContactBatch& member, uint32_t first,
             before(member.first + first, f), [](uint32_t i) { return i; }, began_rows[f]);
 
     const ContactSubstep taken = contact_substep(time_, substep, began_rows);
-    ContactGroup group(member.run.step, member.item.batch->step, arrays, count);
+    const InScratch<ContactGroup> in_scratch(member.run.step, member.item.batch->step, arrays, count);
+    ContactGroup& group = *in_scratch;
     group.collect(taken);
     if (copies.has_floor) std::copy_n(copies.floor, count, from.floor + first);
     const uint32_t* const place = buffers_->place.data() + member.first + first;

@@ -1,6 +1,7 @@
 // Shelter of awake bodies: a body under others feels only a share of the wind.
 #include "body_contact/body_contact_step.h"
 
+#include "base/scratch.h"
 #include "world/sleep/shelter.h"
 #include "world/step/step_in_wind.h"
 #include "world/world.h"
@@ -75,7 +76,7 @@ void BodyContactStep::move_sheltered(const BodyContactBatch& member, uint32_t be
     const float* const lee = member.run.book.lee;
     const ContactStep& contact = member.run.step;
     const bool walled = contact.settings->layers != 0 && (wet_ || world_->wind.active() || blows(batch.step));
-    uint32_t near[cut_bodies];
+    alignas(64) uint32_t near[cut_bodies];
     if (walled)
         contact.target->near(contact.colliders->near(), contact.shape->reach, static_cast<float>(time_.h), contact.gain,
                              batch.arrays(), begin, end, near);
@@ -88,11 +89,12 @@ void BodyContactStep::move_sheltered(const BodyContactBatch& member, uint32_t be
     };
     const uint32_t live = std::max(std::min(end, batch.awake()), begin) - begin;
     const auto index = [begin](uint32_t k) { return begin + k; };
-    StepApart apart(batch.step, batch.arrays(), live, index, felt_by);
+    const InScratch<StepApart> apart(batch.step, batch.arrays(), live, index, felt_by);
     move_cut(member, begin, end, substep);
-    if (!apart.any()) return;
+    if (!apart->any()) return;
     float* const submerged = wet_ ? buffers_->submerged.data() + member.first + begin : nullptr;
-    apart.step({world_->target, &world_->wind, &world_->wind.instant(0), time_, substep, 1, wet_ ? &surface_ : nullptr},
-               batch.step, vector_of(world_->gravity), batch.arrays(), member.item.handle, submerged, begin);
+    apart->step(
+        {world_->target, &world_->wind, &world_->wind.instant(0), time_, substep, 1, wet_ ? &surface_ : nullptr},
+        batch.step, vector_of(world_->gravity), batch.arrays(), member.item.handle, submerged, begin);
 }
 } // namespace lr

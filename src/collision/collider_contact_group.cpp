@@ -1,5 +1,6 @@
 #include "collision/collider_contact_group.h"
 
+#include "base/scratch.h"
 #include "collision/triangle_contact.h"
 #include "kernel/divergence.h"
 
@@ -193,7 +194,8 @@ void ContactGroup::touch_grounds(const ContactSubstep& substep) {
 
 // Even floors of meshes are met as grounds are: a call for each mesh, since it has one motion, and each body has its own triangles. Others one by one.
 void ContactGroup::touch_floors(const ContactSubstep& substep) {
-    FloorLanes lanes;
+    const InScratch<FloorLanes> below;
+    FloorLanes& lanes = *below;
     uint32_t left = 0; // bits of bodies
     for (uint32_t i = 0; i < count_; ++i) {
         const MeshFloor& floor = floor_[i];
@@ -425,17 +427,20 @@ void ContactGroup::take_out(uint32_t i) {
 // falls with some thousandths of gravity, and the static lock would hold it by mistake.
 void ContactGroup::resolve(const ContactSubstep& substep) {
     ContactBodies bodies = this->bodies(substep);
-    if (std::find(wet_, wet_ + count_, true) == wet_ + count_) return step_->target->resolve(bodies, slots_);
+    const InScratch<SolverMemory> memory;
+    if (std::find(wet_, wet_ + count_, true) == wet_ + count_) return step_->target->resolve(bodies, slots_, *memory);
+    const InScratch<ContactSlots> copy;
+    ContactSlots& part = *copy;
     for (const bool wet : {false, true}) {
         bodies.body = wet ? &water_->water : body_;
         bodies.gravity = wet ? water_->fall * step_->gravity : step_->gravity;
-        ContactSlots part = slots_;
+        part = slots_;
         const auto each = [&](bool which, const auto& function) {
             for (uint32_t i = 0; i < count_; ++i)
                 for (uint32_t k = 0; k < filled_[i] && wet_[i] == which; ++k) function(i, k);
         };
         each(!wet, [&](uint32_t i, uint32_t k) { part.slot[k].gap[i] = no_contact; });
-        step_->target->resolve(bodies, part);
+        step_->target->resolve(bodies, part, *memory);
         each(wet, [&](uint32_t i, uint32_t k) { slots_.slot[k].impulse[i] = part.slot[k].impulse[i]; });
     }
 }

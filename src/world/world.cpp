@@ -154,7 +154,7 @@ void lr_world::destroy_batch(lr_batch batch) {
 
 bool lr_world::set_pair(uint32_t a, uint32_t b, bool on) {
     if (pairs.has(a, b) == on) return true;
-    if (on && (!batches[a].batch->reserve_contact() || !batches[b].batch->reserve_contact() ||
+    if (on && (!reserve_scratch() || !batches[a].batch->reserve_contact() || !batches[b].batch->reserve_contact() ||
                !reserve_left([&](uint32_t slot) { return slot == a || slot == b || pairs.has_contact(slot); })))
         return false;
     if (!pairs.set(allocator, a, b, on)) return false;
@@ -455,7 +455,7 @@ bool lr_world::any_asleep() const {
 }
 
 bool lr_world::reserve_contact() {
-    bool enough = true;
+    bool enough = reserve_scratch();
     each_batch([&](Batch& batch, uint32_t) { enough = enough && batch.reserve_contact(); });
     return enough;
 }

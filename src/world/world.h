@@ -108,8 +108,10 @@ struct lr_world {
     bool any_asleep() const;
     // capacity 0 switches events off.
     lr_status set_events(uint32_t capacity, uint32_t kinds);
-    void recheck_contacts();             // after colliders were destroyed
-    bool reserve_contact();              // of all batches; false when out of memory
+    void recheck_contacts(); // after colliders were destroyed
+    bool reserve_contact();  // of all batches; false when out of memory
+    // Needed for steps with colliders, body contact or water, and of bodies that touched something. False when out of memory.
+    bool reserve_scratch() { return step_workers.reserve_scratch(allocator); }
     float contact_reach(float dt) const; // m, for the broad phase
     // m/s: allowance for speed gained in dt, which widens the search for contacts.
     float contact_gain(const lr::Batch& batch, float dt) const;

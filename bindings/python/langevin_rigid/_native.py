@@ -167,7 +167,7 @@ left to do and return at once.
 An index stands for a thread, not for a piece of work: tasks share out the work among themselves, so the split
 affects speed, never results. Both functions are called only during lr_world_step, on the thread that called it and
 in that thread's floating-point mode; tasks set and restore their own. Neither may throw, longjmp, or call the
-library on the same world. Do not call run() after `finish`.
+library on the same world. Do not call run() after `finish`. A task needs 192 KB of stack.
 """
 
 
@@ -2186,7 +2186,7 @@ PROTOTYPES = {
         world: the world
         desc: initialised by its `_init` function, or with struct_size set
 
-        Returns LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT.
+        Returns LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT, LR_ERROR_OUT_OF_MEMORY.
         """,
     ),
     'lr_world_get_water': (
@@ -2228,7 +2228,7 @@ PROTOTYPES = {
         Advances all bodies by dt, in `substeps` equal parts. At 60 Hz use 1 substep for flat leaves and paper of a
         few centimetres, 2 for bent leaves, 4 for petals and confetti (docs/maintainers/numerics.md). Rules end bodies and
         emitters spawn them at the end of the step. Allocates only in the case that lr_allocator describes. Saves, sets and
-        restores the calling thread's floating-point mode.
+        restores the calling thread's floating-point mode. Needs 192 KB of stack.
 
         world: the world
         dt: s, > 0.

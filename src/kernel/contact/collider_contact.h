@@ -155,6 +155,11 @@ inline constexpr size_t pose_fields = field_scale;
 // Marks of bodies near colliders: by the grids, which depend on when these were built; by planes and heightfields; 0: far.
 inline constexpr uint32_t near_bits = 1, near_ground = 2;
 
+// For the solver's rows: 16 lanes take most.
+struct SolverMemory {
+    alignas(64) unsigned char bytes[size_t{128} * 1024];
+};
+
 struct ContactTarget {
     // Marks the bodies of [begin, end) that can touch a collider within `dt`. speed: m/s, allowance for speed gained in the step.
     void (*near)(const NearColliders&, float reach, float dt, float speed, const BatchArrays&, size_t begin, size_t end,
@@ -163,6 +168,7 @@ struct ContactTarget {
     // body over slopes that differ too much, which needs the narrow phase.
     bool (*ground)(const ContactBodies&, const GroundSurface&, ContactSlots::Slot (&out)[manifold_slots],
                    uint32_t* rough);
-    void (*resolve)(const ContactBodies&, ContactSlots&); // solves for positions, then for velocities
+    // Solves for positions, then for velocities.
+    void (*resolve)(const ContactBodies&, ContactSlots&, SolverMemory&);
 };
 } // namespace lr

@@ -500,8 +500,10 @@ template <bool kFull, class C> static HWY_NOINLINE void project(const C& c, Solv
     }
 }
 
-template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, ContactSlots& slots) {
-    Solved all[swept_together];
+template <bool kFull>
+static HWY_NOINLINE void resolve(const ContactBodies& b, ContactSlots& slots, SolverMemory& memory) {
+    static_assert(swept_together * sizeof(Solved) <= sizeof memory.bytes);
+    auto* const all = new (memory.bytes) Solved[swept_together];
     for (size_t at = 0; at < b.count;) {
         uint32_t vectors = 0;
         for (; at < b.count && vectors < swept_together; at += hn::Lanes(DF()))
@@ -513,11 +515,11 @@ template <bool kFull> static HWY_NOINLINE void resolve(const ContactBodies& b, C
     }
 }
 
-void resolve_contacts(const ContactBodies& b, ContactSlots& slots) {
+void resolve_contacts(const ContactBodies& b, ContactSlots& slots, SolverMemory& memory) {
     if (b.body->diagonal)
-        resolve<false>(b, slots);
+        resolve<false>(b, slots, memory);
     else
-        resolve<true>(b, slots);
+        resolve<true>(b, slots, memory);
 }
 } // namespace lr::LR_KERNEL_NAMESPACE
 HWY_AFTER_NAMESPACE();

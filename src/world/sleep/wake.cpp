@@ -1,11 +1,13 @@
 #include "world/sleep/wake.h"
 
+#include "base/scratch.h"
 #include "base/step_workers.h"
 #include "world/sleep/afloat.h"
 #include "world/sleep/shelter.h"
 #include "world/world.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace lr {
@@ -109,7 +111,8 @@ void WakeByFlow::try_bodies(const StepItem& item, const uint32_t* index, uint32_
     Batch& batch = *item.batch;
     const StepInput& in = batch.step;
     const bool field = world_->wind.active(), remembers = in.loads == Loads::aerodynamic;
-    BodyCopies<field_block> copies;
+    const InScratch<BodyCopies<field_block>> in_scratch;
+    BodyCopies<field_block>& copies = *in_scratch;
     copies.take(batch.arrays(), count, [&](uint32_t i) { return index[i]; });
     BatchArrays arrays = copies.arrays();
     float winds[3 * field_block]; // m/s, x y z each
@@ -141,7 +144,8 @@ void WakeByFlow::try_bodies(const StepItem& item, const uint32_t* index, uint32_
     take_substep(item, neighbours, tried, tried_count, nullptr, moves);
     // The open wind would move them; those in shelter take a second trial in weaker wind.
     uint32_t sheltered[most], in_tried[most], sheltered_count = 0;
-    FeltFlow felt[most];
+    const InScratch<std::array<FeltFlow, most>> own;
+    FeltFlow* const felt = own->data();
     for (uint32_t i = 0; i < tried_count; ++i) {
         batch.set_lee(tried[i], 0.0f);
         if (!moves[i]) {
@@ -172,7 +176,8 @@ void WakeByFlow::try_bodies(const StepItem& item, const uint32_t* index, uint32_
 void WakeByFlow::take_substep(const StepItem& item, const SleepingNeighbours& neighbours, const uint32_t* index,
                               uint32_t count, const FeltFlow* felt, bool* moves) {
     Batch& batch = *item.batch;
-    BodyCopies<field_block> copies;
+    const InScratch<BodyCopies<field_block>> in_scratch;
+    BodyCopies<field_block>& copies = *in_scratch;
     copies.take(batch.arrays(), count, [&](uint32_t i) { return index[i]; });
     BatchArrays arrays = copies.arrays();
     const uint32_t padded = copies.padded;

@@ -425,7 +425,8 @@ lr_status snapshot_restore(lr_world& w, const void* memory) {
         if (!new_pairs.consistent(header.batch_slots)) return LR_ERROR_SNAPSHOT_FORMAT;
     }
     const BatchPairs& pairs = same_pairs ? w.pairs : new_pairs;
-    if (!w.reserve_left([&](uint32_t slot) { return pairs.has_contact(slot); })) return LR_ERROR_OUT_OF_MEMORY;
+    if (!w.reserve_scratch() || !w.reserve_left([&](uint32_t slot) { return pairs.has_contact(slot); }))
+        return LR_ERROR_OUT_OF_MEMORY;
     at += pair_bytes;
     const unsigned char* const cached_pairs = begin + at;
     const auto cached_count = static_cast<uint32_t>(header.cached_pair_count);

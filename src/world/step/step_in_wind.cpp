@@ -1,5 +1,7 @@
 #include "world/step/step_in_wind.h"
 
+#include "base/scratch.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -112,31 +114,31 @@ void step_in_field(const FieldSlice& slice, const StepInput& in, const ContactRu
         if (submerged) std::fill_n(submerged, last - at, 0.0f);
         const auto step = [&] {
             if (!surface) return target.step(part, bodies, at, last);
-            NearBodies near(*slice.surface, in, arrays, live, at, last, slice.time.h, 0.0, false);
+            const InScratch<NearBodies> near(*slice.surface, in, arrays, live, at, last, slice.time.h, 0.0, false);
             target.step(part, bodies, at, last);
-            if (!near.any()) return;
+            if (!near->any()) return;
             alignas(64) float wind[3][field_block];
             for (size_t k = 0; k < 3; ++k) copy_row(blocks, &FieldBlock::wind, k, last - at, wind[k]);
-            near.set_wind(wind, own ? slice.felt + (at - begin) : nullptr);
-            near.run(in, batch, slice.first + i, 1);
-            near.put_back(arrays, submerged);
+            near->set_wind(wind, own ? slice.felt + (at - begin) : nullptr);
+            near->run(in, batch, slice.first + i, 1);
+            near->put_back(arrays, submerged);
         };
         if (!contact) return step();
-        ContactPass pass(*contact, in, arrays, live, at, last, slice.first + i);
-        const NearContacts& near = pass.near();
+        const InScratch<ContactPass> pass(*contact, in, arrays, live, at, last, slice.first + i);
+        const NearContacts& near = pass->near();
         const auto index = [&](uint32_t k) { return near.index(k); };
-        StepApart apart(in, arrays, near.count(), index, [&](uint32_t body, FeltFlow& felt) {
+        const InScratch<StepApart> apart(in, arrays, near.count(), index, [&](uint32_t body, FeltFlow& felt) {
             if (own) felt.share = slice.felt[body - begin].share;
-            felt.walls = pass.walls(body);
+            felt.walls = pass->walls(body);
             return felt.walls.count != 0;
         });
         step();
-        if (apart.any()) {
+        if (apart->any()) {
             FieldSlice now = slice;
             now.instants += i, now.first += i, now.count = 1;
-            apart.step(now, in, vector_of(in.gravity), arrays, batch, submerged, at);
+            apart->step(now, in, vector_of(in.gravity), arrays, batch, submerged, at);
         }
-        pass.resolve(submerged);
+        pass->resolve(submerged);
     };
     // Runs all substeps of a block while it is in the cache.
     for (uint32_t at = begin, last; at < end; at = last) {

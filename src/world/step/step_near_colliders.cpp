@@ -1,5 +1,6 @@
 #include "world/step/step_near_colliders.h"
 
+#include "base/scratch.h"
 #include "kernel/divergence.h"
 #include "world/step/step_in_wind.h"
 
@@ -74,7 +75,8 @@ void step_group(const ContactRun& run, const StepInput& in, lr_batch batch, Stat
                 uint32_t first) {
     const BatchArrays arrays = states.arrays(first);
     const uint32_t count = bodies_from(states, first);
-    ContactGroup group(run.step, in, arrays, count);
+    const InScratch<ContactGroup> in_scratch(run.step, in, arrays, count);
+    ContactGroup& group = *in_scratch;
     const bool wet = run.surface && in.water;
     const auto every = [](uint32_t k) { return k; };
     alignas(64) LaneRow before[pose_fields], submerged;
@@ -82,15 +84,16 @@ void step_group(const ContactRun& run, const StepInput& in, lr_batch batch, Stat
         for (size_t f = 0; f < pose_fields; ++f) std::copy_n(arrays.field[f], contact_lanes, before[f]);
         StepInput one = substep_of(in, i);
         states.lend_forces(one.external, first);
-        StepApart apart(one, arrays, wet || blows(one) ? count : 0, every, [&](uint32_t body, FeltFlow& felt) {
-            felt.walls = walls_near(run.step, arrays, body, !near.near_finite(near.index(first + body)),
-                                    contact_substep(run.time, i, nullptr));
-            return wet ? felt.walls.count != 0
-                       : felt.walls.met_by(vector_of(one.wind_begin)) || felt.walls.met_by(vector_of(one.wind));
-        });
+        const InScratch<StepApart> apart(
+            one, arrays, wet || blows(one) ? count : 0, every, [&](uint32_t body, FeltFlow& felt) {
+                felt.walls = walls_near(run.step, arrays, body, !near.near_finite(near.index(first + body)),
+                                        contact_substep(run.time, i, nullptr));
+                return wet ? felt.walls.count != 0
+                           : felt.walls.met_by(vector_of(one.wind_begin)) || felt.walls.met_by(vector_of(one.wind));
+            });
         step_lanes(*run.target, run.surface, {run.time.begin + i * run.time.h, run.time.h, 1}, one, arrays, batch,
                    count, 0, lanes, submerged);
-        if (apart.any()) {
+        if (apart->any()) {
             FieldInstant instant{};
             for (size_t k = 0; k < 3; ++k) {
                 instant.wind[k] = 0.5f * (one.wind_begin[k] + one.wind[k]);
@@ -98,8 +101,8 @@ void step_group(const ContactRun& run, const StepInput& in, lr_batch batch, Stat
             }
             WaterStep here = run.surface ? *run.surface : WaterStep{};
             here.time = run.time;
-            apart.step({run.target, nullptr, &instant, run.time, i, 1, run.surface ? &here : nullptr}, in,
-                       run.step.weight, arrays, batch, submerged, 0);
+            apart->step({run.target, nullptr, &instant, run.time, i, 1, run.surface ? &here : nullptr}, in,
+                        run.step.weight, arrays, batch, submerged, 0);
         }
         touch(run, group, states, near, arrays, before, wet ? submerged : nullptr, first, i, in.faults);
     }
@@ -112,7 +115,8 @@ void step_near_colliders(const ContactRun& run, const StepInput& in, const Batch
         step_lanes(*run.target, run.surface, run.time, in, arrays, batch, live, from, to);
     };
     for (uint32_t at = begin, last = begin; at < end; at = last) {
-        NearContacts near(run.step, arrays, live, at, end, run.step.dt);
+        const InScratch<NearContacts> found(run.step, arrays, live, at, end, run.step.dt);
+        NearContacts& near = *found;
         last = near.end();
         leave(run.book, arrays.floor, near, at, std::min(last, live));
         if (near.count() == 0) {
@@ -120,7 +124,8 @@ void step_near_colliders(const ContactRun& run, const StepInput& in, const Batch
             continue;
         }
         arrange(run.book, *run.step.colliders, near);
-        States states;
+        const InScratch<States> copies;
+        States& states = *copies;
         const auto index = [&](uint32_t i) { return near.index(i); };
         states.take(arrays, near.count(), index);
         states.take_forces(in.external, index, true);
@@ -148,17 +153,18 @@ NearWalls ContactPass::walls(uint32_t body) const {
 
 void ContactPass::resolve(const float* submerged) {
     if (near_.count() == 0) return;
-    States states;
+    const InScratch<States> copies;
+    States& states = *copies;
     const auto index = [this](uint32_t i) { return near_.index(i); };
     states.take(*arrays_, near_.count(), index);
     for (uint32_t first = 0; first < near_.count(); first += lanes) {
         const BatchArrays arrays = states.arrays(first);
-        ContactGroup group(run_->step, *in_, arrays, bodies_from(states, first));
+        const InScratch<ContactGroup> group(run_->step, *in_, arrays, bodies_from(states, first));
         alignas(64) LaneRow before[pose_fields], own;
         for (size_t f = 0; f < pose_fields; ++f) std::copy_n(before_[f] + first, contact_lanes, before[f]);
         for (uint32_t i = 0; i < bodies_from(states, first) && submerged; ++i)
             own[i] = submerged[near_.index(first + i) - begin_];
-        touch(*run_, group, states, near_, arrays, before, submerged ? own : nullptr, first, substep_, in_->faults);
+        touch(*run_, *group, states, near_, arrays, before, submerged ? own : nullptr, first, substep_, in_->faults);
     }
     states.put_back(*arrays_, index);
 }

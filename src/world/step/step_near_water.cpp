@@ -1,6 +1,9 @@
 #include "world/step/step_near_water.h"
 
+#include "base/scratch.h"
+
 #include <algorithm>
+#include <array>
 
 namespace lr {
 namespace {
@@ -57,8 +60,8 @@ void NearBodies::run(const StepInput& in, lr_batch batch, uint32_t first, uint32
     one.substeps = 1;
     copies_.lend_forces(one.external);
     SurfaceInstant plane;
-    SurfaceBlock blocks[3];
-    SurfaceBlock *begin = blocks, *const middle = blocks + 1, *end = blocks + 2;
+    const InScratch<std::array<SurfaceBlock, 3>> blocks;
+    SurfaceBlock *begin = blocks->data(), *const middle = begin + 1, *end = begin + 2;
     const auto h = static_cast<float>(step_->time.h);
     sample(step_->time.begin + first * step_->time.h, 0.0f, batch, *in.water, plane, *begin);
     for (uint32_t i = first; i < first + count; ++i) {
@@ -95,12 +98,13 @@ void step_lanes(const KernelTarget& target, const WaterStep* surface, const Step
     const double reach = carried(in, time);
     for (uint32_t at = begin; at < end; at += most) {
         const uint32_t last = std::min(at + most, end);
-        NearBodies near(step, in, arrays, live, at, last, step.time.h * step.time.substeps, reach, true);
-        step_others(at, last, live, near.marks(),
+        const InScratch<NearBodies> near(step, in, arrays, live, at, last, step.time.h * step.time.substeps, reach,
+                                         true);
+        step_others(at, last, live, near->marks(),
                     [&](uint32_t from, uint32_t to) { step.target->step(in, arrays, from, to); });
-        if (!near.any()) continue;
-        near.run(in, batch, 0, step.time.substeps);
-        near.put_back(arrays, submerged ? submerged + (at - begin) : nullptr);
+        if (!near->any()) continue;
+        near->run(in, batch, 0, step.time.substeps);
+        near->put_back(arrays, submerged ? submerged + (at - begin) : nullptr);
     }
 }
 } // namespace lr

@@ -305,8 +305,8 @@ namespace LangevinRigid
         /// <param name="world">the world</param>
         /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/> (world),
-        /// <see cref="Status.StructSize"/>, <see cref="Status.NotFinite"/>,
-        /// <see cref="Status.InvalidArgument"/>.</returns>
+        /// <see cref="Status.StructSize"/>, <see cref="Status.NotFinite"/>, <see cref="Status.InvalidArgument"/>,
+        /// <see cref="Status.OutOfMemory"/>.</returns>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_world_set_water(IntPtr world, WaterDesc* desc);
 
@@ -333,7 +333,7 @@ namespace LangevinRigid
         /// flat leaves and paper of a few centimetres, 2 for bent leaves, 4 for petals and confetti
         /// (docs/maintainers/numerics.md). Rules end bodies and emitters spawn them at the end of the step. Allocates
         /// only in the case that <see cref="Allocator"/> describes. Saves, sets and restores the calling thread's
-        /// floating-point mode.</summary>
+        /// floating-point mode. Needs 192 KB of stack.</summary>
         /// <param name="world">the world</param>
         /// <param name="dt">s, &gt; 0.</param>
         /// <param name="substeps">1 to <see cref="Limits.MaxSubsteps"/>.</param>

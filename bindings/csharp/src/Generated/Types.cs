@@ -145,7 +145,8 @@ namespace LangevinRigid
     /// <para>An index stands for a thread, not for a piece of work: tasks share out the work among themselves, so the
     /// split affects speed, never results. Both functions are called only during <see cref="Native.lr_world_step"/>, on
     /// the thread that called it and in that thread's floating-point mode; tasks set and restore their own. Neither may
-    /// throw, longjmp, or call the library on the same world. Do not call run() after <c>finish</c>.</para>
+    /// throw, longjmp, or call the library on the same world. Do not call run() after <c>finish</c>. A task needs 192
+    /// KB of stack.</para>
     /// </summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     public unsafe delegate void TaskFn(IntPtr task, uint begin, uint end);

@@ -1404,7 +1404,8 @@ export interface RawFunctions {
    * Sets the water from the next step on. The struct is copied; null removes the water. Bodies keep their velocities,
    * even if they are now in another fluid. A batch whose mass matrix would be singular in water stays in its own fluid,
    * and a warning is logged. Part of snapshots and of the world's hash. A change wakes sleeping bodies that feel it.
-   * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT.
+   * LR_OK, LR_ERROR_NULL_ARGUMENT (world), LR_ERROR_STRUCT_SIZE, LR_ERROR_NOT_FINITE, LR_ERROR_INVALID_ARGUMENT,
+   * LR_ERROR_OUT_OF_MEMORY.
    */
   lr_world_set_water(world: number, desc: number): number;
   /**
@@ -1422,7 +1423,7 @@ export interface RawFunctions {
    * Advances all bodies by dt, in `substeps` equal parts. At 60 Hz use 1 substep for flat leaves and paper of a
    * few centimetres, 2 for bent leaves, 4 for petals and confetti (docs/maintainers/numerics.md). Rules end bodies and
    * emitters spawn them at the end of the step. Allocates only in the case that lr_allocator describes. Saves, sets and
-   * restores the calling thread's floating-point mode.
+   * restores the calling thread's floating-point mode. Needs 192 KB of stack.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_TIMESTEP_*, LR_ERROR_SUBSTEPS, LR_ERROR_OUT_OF_MEMORY: the step was taken, so
    * do not repeat it, but bodies may have passed through each other. The next step asks for the memory again.
    */
