@@ -63,6 +63,21 @@ public:
         return lr_batch_set_emitter(world_, batch_, &e) == LR_OK &&
                lr_batch_spawn(world_, batch_, count, ids_.data()) == LR_OK;
     }
+    // A plane with twenty houses, and a wall downwind of all, in a wind of 8 m/s.
+    bool add_houses() {
+        std::vector<lr_collider_desc> all{collider_at(LR_COLLIDER_PLANE, 0.0f, 0.0f, 0.0f)};
+        for (int k = 0; k < 20; ++k) {
+            const float x = 10.0f * static_cast<float>(k % 4) - 10.0f, z = 10.0f * static_cast<float>(k / 4) - 20.0f;
+            lr_collider_desc house = collider_at(LR_COLLIDER_BOX, x, 3.0f, z + (k % 2 == 0 ? 2.0f : -2.0f));
+            house.size[0] = 3.0f, house.size[1] = 3.0f, house.size[2] = 2.5f;
+            all.push_back(house);
+        }
+        lr_collider_desc wall = collider_at(LR_COLLIDER_BOX, 0.55f * side, 2.0f, 0.0f);
+        wall.size[0] = 0.2f, wall.size[1] = 2.0f, wall.size[2] = 0.6f * side;
+        all.push_back(wall);
+        return lr_collider_create(world_, all.data(), static_cast<uint32_t>(all.size()), nullptr) == LR_OK &&
+               lr_world_set_uniform_wind(world_, 8.0f, 0.0f, 0.0f) == LR_OK;
+    }
     bool lay_down() {
         return lr_body_set_sleep(world_, ids_.data(), static_cast<uint32_t>(ids_.size()), LR_SLEEP_ASLEEP) == LR_OK;
     }
