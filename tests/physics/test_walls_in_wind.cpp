@@ -40,6 +40,9 @@ void add_wall(const World& world, int32_t kind) {
     }
 }
 
+enum Way { alone, in_gusts, in_turbulence, with_others };
+constexpr Way ways[] = {alone, in_gusts, in_turbulence, with_others};
+
 struct Drift {
     World world = make(world_desc());
     Asset asset = leaf();
@@ -55,6 +58,15 @@ struct Drift {
         lr_batch_contact c = contact_desc(0.5f, 0.0f, 0.05f);
         c.flags = 0;
         set_contact(world, batch, c);
+    }
+    void blow(Way way) {
+        set_wind(world, 10.0f, 0.0f, 1.0f);
+        lr_gusts_desc g = initialised(lr_gusts_desc_init);
+        lr_turbulence_desc t = initialised(lr_turbulence_desc_init);
+        g.rms = t.rms = 0.001f;
+        if (way == in_gusts) REQUIRE(lr_world_add_gusts(world.get(), &g, nullptr) == LR_OK);
+        if (way == in_turbulence) REQUIRE(lr_world_add_turbulence(world.get(), &t, nullptr) == LR_OK);
+        if (way == with_others) REQUIRE(lr_batch_set_body_contact(world.get(), batch, batch, 1) == LR_OK);
     }
     void strew() {
         Random random(3);
@@ -77,22 +89,14 @@ struct Drift {
         return std::count_if(bodies.begin(), bodies.end(), [&](const lr_body& b) { return !rests(world, b); });
     }
 };
-
-enum Way { alone, in_a_field, with_others };
 } // namespace
 
 // A uniform wind blew through walls: after 8 s leaves hung on them at half a metre to 3 m, none asleep, and some had climbed over.
 TEST_CASE("leaves that a wind blows to a wall sink to its foot and lie still") {
     for (const int32_t kind : {LR_COLLIDER_PLANE, LR_COLLIDER_BOX, LR_COLLIDER_HULL, LR_COLLIDER_MESH})
-        for (const Way way : {alone, in_a_field, with_others}) {
+        for (const Way way : ways) {
             Drift d(kind);
-            set_wind(d.world, 10.0f, 0.0f, 1.0f);
-            if (way == in_a_field) {
-                lr_turbulence_desc t = initialised(lr_turbulence_desc_init);
-                t.rms = 0.001f;
-                REQUIRE(lr_world_add_turbulence(d.world.get(), &t, nullptr) == LR_OK);
-            }
-            if (way == with_others) REQUIRE(lr_batch_set_body_contact(d.world.get(), d.batch, d.batch, 1) == LR_OK);
+            d.blow(way);
             d.strew();
             steps(d.world, 480, frame);
             CAPTURE(kind);
@@ -137,16 +141,10 @@ TEST_CASE("a wall takes the flow into it, not that along it or away from it") {
 // A gust that a wall turns must not turn others' wind, nor the ground's: a leaf far from walls keeps its bits, and one that lies on the ground is
 // blown along it.
 TEST_CASE("walls turn the wind of bodies beside them alone") {
-    for (const Way way : {alone, in_a_field, with_others}) {
+    for (const Way way : ways) {
         const auto far_leaf = [&](bool others) {
             Drift d(LR_COLLIDER_BOX);
-            set_wind(d.world, 10.0f, 0.0f, 1.0f);
-            if (way == in_a_field) {
-                lr_gusts_desc g = initialised(lr_gusts_desc_init);
-                g.rms = 1.0f;
-                REQUIRE(lr_world_add_gusts(d.world.get(), &g, nullptr) == LR_OK);
-            }
-            if (way == with_others) REQUIRE(lr_batch_set_body_contact(d.world.get(), d.batch, d.batch, 1) == LR_OK);
+            d.blow(way);
             const lr_body far = add_body(d.world, d.batch, at_rest_at({-60.0, 0.3, 0.0}));
             if (others) d.strew();
             steps(d.world, 120, frame);
