@@ -30,7 +30,6 @@ public:
     void wait();
 
 private:
-    ScratchPool scratch_;
     static constexpr uint32_t most_claims = 512, claim_bits = 10, thread_bits = 7;
 
     // Numbers of the round, of claims and of threads. A thread without a claim must read nothing else.
@@ -42,12 +41,14 @@ private:
     // For each claim, the round in which it was last taken. A few claims get cache lines of their own.
     static constexpr uint32_t apart = 8;
     alignas(64) std::array<std::atomic<uint64_t>, most_claims> claimed_{};
+    ScratchPool scratch_;
 };
 
 // The world's own threads.
 class WorkerPool {
 public:
     static constexpr uint32_t max_workers = 64;
+    static_assert(ScratchPool::most == max_workers + 1); // the caller too
 
     explicit WorkerPool(ChunkQueue& queue) : queue_(&queue) {}
     ~WorkerPool() { stop(); }

@@ -69,7 +69,7 @@ void BodyContactStep::find_shelter() {
     });
 }
 
-// Takes all bodies of [begin, end) through a substep, sheltered ones as copies in a weaker wind.
+// Takes all bodies of [begin, end) through a substep, sheltered ones and those beside walls as copies in a wind of their own.
 void BodyContactStep::move_sheltered(const BodyContactBatch& member, uint32_t begin, uint32_t end,
                                      uint32_t substep) const {
     const Batch& batch = *member.item.batch;

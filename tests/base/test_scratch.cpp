@@ -1,10 +1,12 @@
 // Scratch memory of a step: what is nested deepest has room.
 #include "base/scratch.h"
 
-#include "support/threads.h"
 #include "world/step/step_in_wind.h"
 
 #include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
 
 using namespace lr;
 

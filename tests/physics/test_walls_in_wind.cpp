@@ -1,8 +1,10 @@
 // Air and water do not flow into walls: bodies that they carry to one sink along it.
 #include "collision/near_walls.h"
 #include "support/body_contact.h"
+#include "support/box_corners.h"
 
 #include <algorithm>
+#include <numbers>
 
 using namespace test;
 
@@ -20,16 +22,12 @@ void add_wall(const World& world, int32_t kind) {
     if (kind == LR_COLLIDER_PLANE) {
         lr_collider_desc d = collider_desc(kind);
         d.position[0] = 1.0f;
-        put(d.orientation, about({0, 0, 1}, 0.5 * 3.14159265358979));
+        put(d.orientation, about({0, 0, 1}, 0.5 * std::numbers::pi));
         add_collider(world, d);
     } else if (kind == LR_COLLIDER_HULL) {
-        std::vector<float> corners;
-        for (int i = 0; i < 8; ++i)
-            for (const float x :
-                 {(i & 1) != 0 ? 1.2f : 1.0f, (i & 2) != 0 ? 3.0f : 0.0f, (i & 4) != 0 ? 20.0f : -20.0f})
-                corners.push_back(x);
-        lr_collider_desc d = collider_desc(kind);
-        d.vertices = corners.data(), d.vertex_count = 8;
+        const std::vector<float> corners = box_corners(0.1f, 1.5f, 20.0f);
+        lr_collider_desc d = hull_collider(corners);
+        d.position[0] = 1.1f, d.position[1] = 1.5f;
         add_collider(world, d);
     } else if (kind == LR_COLLIDER_MESH) {
         add_collider(world, mesh_collider({{1, 0, -20, 1, 0, 20, 1, 3, -20, 1, 3, 20}, {0, 1, 2, 1, 3, 2}}));
@@ -45,11 +43,11 @@ constexpr Way ways[] = {alone, in_gusts, in_turbulence, with_others};
 
 struct Drift {
     World world = make(world_desc());
-    Asset asset = leaf();
+    Asset asset;
     lr_batch batch{};
     std::vector<lr_body> bodies;
 
-    explicit Drift(int32_t kind) {
+    explicit Drift(int32_t kind, Asset body = leaf()) : asset(std::move(body)) {
         add_collider(world, collider_desc(LR_COLLIDER_PLANE));
         add_wall(world, kind);
         lr_batch_desc d = batch_desc();
@@ -109,11 +107,7 @@ TEST_CASE("leaves that a wind blows to a wall sink to its foot and lie still") {
 
 // In a stream they hung below the water's edge and trembled, and got up to six times as fast as the stream.
 TEST_CASE("bodies that a stream carries to a wall sink along it") {
-    Drift d(LR_COLLIDER_BOX);
-    d.asset = make(rigid_box(0.05, 0.004, 0.05, 1300.0));
-    lr_batch_desc bd = batch_desc();
-    bd.load_model = LR_LOADS_AERODYNAMIC;
-    d.batch = add_batch(d.world, bd, d.asset, count);
+    Drift d(LR_COLLIDER_BOX, make(rigid_box(0.05, 0.004, 0.05, 1300.0)));
     lr_water_desc w = initialised(lr_water_desc_init);
     w.position[1] = 1.5f, w.current[0] = 2.0f;
     REQUIRE(lr_world_set_water(d.world.get(), &w) == LR_OK);
@@ -131,7 +125,7 @@ TEST_CASE("a wall takes the flow into it, not that along it or away from it") {
     };
     CHECK(turned(corner, {4, 1, -2}) == Vec{0, 1, -1});
     CHECK(turned(corner, {-4, 1, 2}) == Vec{-4, 1, 2});
-    // One that goes with the wind at half of its speed meets half, one that comes against it no more than all, a faster one nothing.
+    // A wall that retreats at half the wind's speed takes half of it, an advancing wall all and no more, one faster than the wind nothing.
     const auto moving = [&](float speed) { return turned({1, {{{-1, 0, 0}, 1.0f, speed}, {}, {}}}, {4, 0, 0})[0]; };
     CHECK(moving(-2.0f) == 2.0);
     CHECK(moving(3.0f) == 0.0);

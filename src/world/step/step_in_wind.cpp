@@ -55,7 +55,7 @@ void ask(WindField& field, double time, lr_batch batch, uint32_t count, FieldBlo
 }
 
 // Changes all that moves with the wind for bodies that feel a share of it, or are near walls.
-void change(const FeltFlow* felt, uint32_t count, FieldBlock* blocks) {
+void make_felt(const FeltFlow* felt, uint32_t count, FieldBlock* blocks) {
     for (uint32_t i = 0; i < count; ++i) {
         FieldBlock& block = blocks[i / lane_block];
         const size_t lane = i % lane_block;
@@ -106,7 +106,7 @@ void step_in_field(const FieldSlice& slice, const StepInput& in, const ContactRu
             target.evaluate(*along.instant, last - at, blocks);
             const double time = slice.time.begin + (slice.first + i + 0.5) * slice.time.h;
             if (asks && at < live) ask(*slice.field, time, batch, std::min(last, live) - at, blocks);
-            if (own && at < live) change(slice.felt + (at - begin), std::min(last, live) - at, blocks);
+            if (own && at < live) make_felt(slice.felt + (at - begin), std::min(last, live) - at, blocks);
         }
         alignas(64) float row[field_block];
         float* submerged = surface && contact ? row : nullptr;
