@@ -9,6 +9,9 @@ target_compile_options(lr_flags INTERFACE -ffp-contract=off -fno-fast-math -fno-
 # tests/api/test_views.cpp). The kernel uses explicit vectors, so omitting this pass costs no speed.
 target_compile_options(lr_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
 
+# GCC collects garbage from 128 MB on, and a precompiled header counts. Later, files that use Eigen take a tenth less time, for as much more memory.
+target_compile_options(lr_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=393216>)
+
 target_compile_options(lr_flags INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wdouble-promotion -Wformat=2 -Wundef
     -Wcast-qual -Wnull-dereference -Wimplicit-fallthrough -Werror

@@ -21,7 +21,7 @@ steps=( # name, minutes on two cores, title
     "unreal        3 Unreal plugin, against stand-ins for the engine"
     "web           4 WebAssembly package: held hashes, wrapper, types; the page in a browser"
     "long          8 Long tests, and load"
-    "scorecard     5 Scorecard: every row"
+    "scorecard     6 Scorecard: every row; the figures of the paper"
     "valgrind      6 Valgrind over the API's tests"
     "tsan         16 ThreadSanitizer"
     "asan         15 AddressSanitizer and UndefinedBehaviorSanitizer: long and exact tests, and the baker"
@@ -81,7 +81,15 @@ step_unreal() { binding unreal; }
 step_web() { binding web; }
 step_bench() { release; run_ctest build/release -L bench; }
 step_long() { release; run_ctest build/release -L 'long|load'; }
-step_scorecard() { release; run_ctest build/release -L scorecard; }
+step_scorecard() {
+    local prefix=$PWD/build/release/samples-prefix
+    release
+    run_ctest build/release -L scorecard
+    cmake --install build/release --prefix "$prefix" >/dev/null
+    configure build/samples -S samples -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$prefix"
+    cmake --build build/samples --target paper_figures
+    python3 tests/samples/check_paper_figures.py build/samples/paper_figures "$prefix/bin/lr_bake" . build/samples
+}
 step_valgrind() {
     need valgrind test
     release

@@ -4,8 +4,9 @@
 
 namespace lr::baker {
 
+// One solver for all sizes: one for each takes the compiler three times as long.
 template <class Matrix> Eigensystem<Matrix> eigensystem(const Matrix& symmetric) {
-    const Eigen::SelfAdjointEigenSolver<Matrix> solver(symmetric);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver{Eigen::MatrixXd(symmetric)};
     return {solver.eigenvalues(), solver.eigenvectors()};
 }
 template Eigensystem<Eigen::Matrix2d> eigensystem(const Eigen::Matrix2d&);

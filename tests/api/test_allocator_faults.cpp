@@ -9,7 +9,7 @@ using namespace test;
 namespace {
 
 // Sanitizers test only some of them: each run takes them a tenth of a second.
-constexpr uint64_t thinned = counts_global ? 1 : 5;
+const uint64_t thinned = counts_global ? 1 : 5;
 
 // The observable state of a world.
 struct Seen {

@@ -1,4 +1,5 @@
 // Loading: valid files, every prefix of a file, every byte changed, foreign and newer files.
+#include "support/quick.h"
 #include "support/random.h"
 #include "support/scene.h"
 
@@ -136,11 +137,7 @@ TEST_CASE("every truncation of a file is refused") {
 
 TEST_CASE("every changed byte of a file is found" * doctest::test_suite("native")) {
     std::vector<unsigned char> bytes = fixture("leaf.lrb");
-#ifdef LR_TEST_QUICK
-    const size_t stride = 7;
-#else
-    const size_t stride = 1;
-#endif
+    const size_t stride = quick() ? 7 : 1;
     uint32_t accepted = 0, odd = 0;
     for (size_t at = 0; at < bytes.size(); at += stride)
         for (unsigned char change : {static_cast<unsigned char>(1u << (at % 8)), static_cast<unsigned char>(0xff)}) {

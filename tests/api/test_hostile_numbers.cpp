@@ -1,6 +1,7 @@
 // All values at the API's limits: bodies stay finite, or are reported as diverged and held.
 // docs/reference/bodies.md; LR_HOSTILE_WORLDS=from:to runs these seeds.
 #include "support/hostile_world.h"
+#include "support/quick.h"
 #include "support/threads.h"
 
 #include <cstdio>
@@ -14,11 +15,7 @@ struct Seeds {
     uint64_t from, to;
 };
 Seeds seeds() {
-#ifdef LR_TEST_QUICK
-    Seeds s{1, 10};
-#else
-    Seeds s{1, 40};
-#endif
+    Seeds s{1, quick() ? 10u : 40u};
     unsigned long long from = 0, to = 0;
     if (const char* const asked = std::getenv("LR_HOSTILE_WORLDS"))
         if (std::sscanf(asked, "%llu:%llu", &from, &to) == 2) s = {from, to};

@@ -1,6 +1,7 @@
 // All kinds of job systems: the same bits, every task run, none used for small worlds.
 #include "support/counting_memory.h"
 #include "support/determinism_scenes.h"
+#include "support/quick.h"
 
 #include <algorithm>
 #include <atomic>
@@ -121,17 +122,13 @@ TEST_CASE("every scene ends in the same bits with any job system" * doctest::tes
     int number = 0;
     [[maybe_unused]] uint32_t at = 0;
     for (PlayedScene& scene : scenes) {
-#ifdef LR_TEST_QUICK
-        if (at++ % 4 != 1) continue; // other tests run all of them with workers
-#endif
+        if (at++ % 4 != 1 && quick()) continue; // other tests run all of them with workers
         // Among so many bodies Runge-Kutta diverges for a few, and non-finite values have no guarantee.
         if (scene.integrator == LR_INTEGRATOR_RK4) continue;
         // Two such batches give work to several threads.
         scene.bodies = scene.body_contact ? 300 : scene.resting ? 10000 : 2500;
         if (scene.budget != 0) scene.budget = 5000;
-#ifdef LR_TEST_QUICK
-        scene.frames = 12; // includes the first landings
-#endif
+        if (quick()) scene.frames = 12; // includes the first landings
         const bool waits = scene.budget != 0 || scene.divisors[1] > scene.substeps || scene.resting ||
                            scene.solids != Solids::none; // not every step has work
         CAPTURE(scene.name);
@@ -139,9 +136,7 @@ TEST_CASE("every scene ends in the same bits with any job system" * doctest::tes
         // Two kinds for each scene, one of them with threads; over all scenes each kind occurs several times.
         const int threaded = JobSystem::threads + number % (JobSystem::tempers - JobSystem::threads);
         for (int temper : {number % JobSystem::threads, threaded}) {
-#ifdef LR_TEST_QUICK
-            if (temper != threaded) continue; // the test of wind and rules covers all kinds
-#endif
+            if (temper != threaded && quick()) continue; // the test of wind and rules covers all kinds
             CAPTURE(temper);
             JobSystem jobs(static_cast<JobSystem::Temper>(temper));
             CHECK(outcome(scene, {.workers = 3, .jobs = jobs.callbacks()}) == expected);

@@ -1,16 +1,13 @@
 // The largest number of colliders in practice: time and memory.
 #include "support/colliders.h"
+#include "support/quick.h"
 
 #include <ctime>
 
 using namespace test;
 
 TEST_CASE("a million colliders in one call, within seconds, and no cost afterwards" * doctest::test_suite("native")) {
-#ifdef LR_TEST_QUICK
-    constexpr uint32_t count = 100000;
-#else
-    constexpr uint32_t count = (1u << 20) + 7;
-#endif
+    const uint32_t count = quick() ? 100000 : (1u << 20) + 7;
     const World world = make(world_desc());
     std::vector<lr_collider_desc> descs(count, box_collider(0.5f, 0.2f, 0.1f));
     for (uint32_t i = 0; i < count; ++i) {

@@ -1,4 +1,5 @@
 #include "support/lifecycle.h"
+#include "support/quick.h"
 #include "support/random.h"
 #include "support/scene.h"
 
@@ -231,11 +232,7 @@ TEST_CASE("a damaged snapshot is refused whole: every truncation, every changed 
     const std::vector<unsigned char> before = snapshot_of(lived.world);
     const uint64_t hash = hash_of(lived.world);
     lr_world* const w = lived.world.get();
-#ifdef LR_TEST_QUICK
-    const size_t stride = 13;
-#else
-    const size_t stride = 1;
-#endif
+    const size_t stride = quick() ? 13 : 1;
     uint32_t accepted = 0;
     for (size_t size = 0; size < snapshot.size(); size += stride) {
         const std::vector<unsigned char> cut(snapshot.begin(), snapshot.begin() + static_cast<std::ptrdiff_t>(size));

@@ -1,6 +1,7 @@
 // Concurrency that the header permits: separate worlds, shared assets. For ThreadSanitizer, and for bits.
 #include "support/counting_memory.h"
 #include "support/determinism_scenes.h"
+#include "support/quick.h"
 #include "support/threads.h"
 #include "support/wind.h"
 
@@ -132,11 +133,7 @@ TEST_CASE("worlds on threads of their own, with workers and callbacks, each as i
 
 TEST_CASE("worlds of several threads share one job system, which runs their tasks in any order") {
     std::vector<PlayedScene> scenes = some_scenes();
-#ifdef LR_TEST_QUICK // chunks are short: LR_CHUNK_BODIES
-    constexpr uint32_t touching = 60, apart = 600;
-#else
-    constexpr uint32_t touching = 150, apart = 1500;
-#endif
+    const uint32_t touching = quick() ? 60 : 150, apart = quick() ? 600 : 1500;
     for (PlayedScene& scene : scenes)
         scene.bodies = scene.body_contact ? touching : apart; // work for more than one thread
     std::vector<uint64_t> expected, got(scenes.size());

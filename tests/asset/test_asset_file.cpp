@@ -3,6 +3,7 @@
 #include "baker/fault_text.h"
 
 #include "support/asset_bytes.h"
+#include "support/quick.h"
 
 #include <doctest/doctest.h>
 
@@ -354,11 +355,7 @@ TEST_CASE("a file that was changed and sealed again is refused or holds possible
     const size_t sum = test::root_field(good, 1);
     uint64_t state = 1;
     int read = 0, refused = 0;
-#ifdef LR_TEST_QUICK
-    const int rounds = 2000;
-#else
-    const int rounds = 20000;
-#endif
+    const int rounds = quick() ? 2000 : 20000;
     for (int round = 0; round < rounds; ++round) {
         std::vector<uint8_t> bytes = good;
         const auto random = [&] {

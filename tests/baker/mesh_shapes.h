@@ -2,6 +2,7 @@
 #pragma once
 
 #include "baker/mesh/mesh.h"
+#include "support/quick.h"
 
 #include <Eigen/Geometry>
 
@@ -16,11 +17,7 @@ using baker::Face;
 using baker::Mesh;
 
 // Accuracy is tested in release builds; with sanitizers other cases run the same code on smaller bodies.
-#ifdef LR_TEST_QUICK
-constexpr bool sanitized = true;
-#else
-constexpr bool sanitized = false;
-#endif
+inline const bool sanitized = quick();
 
 inline void apply(Mesh& mesh, const Eigen::Matrix3d& linear, const Eigen::Vector3d& shift = Eigen::Vector3d::Zero()) {
     for (Eigen::Vector3d& v : mesh.vertices) v = linear * v + shift;

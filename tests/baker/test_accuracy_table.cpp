@@ -2,6 +2,7 @@
 #include "asset/closed_forms/ellipsoid_formulas.h"
 #include "baker/added_mass/added_mass.h"
 #include "sheet_shapes.h"
+#include "support/quick.h"
 
 #include <doctest/doctest.h>
 
@@ -40,11 +41,7 @@ TEST_CASE("accuracy table: ellipsoids of 320, 1280 and 5120 triangles against La
                            Row{{1, 1, 0.1}, {0.027, 0.004, 0.0015}}, Row{{1, 0.5, 0.05}, {0.04, 0.0085, 0.0025}},
                            Row{{1, 1, 0.01}, {0.07, 0.024, 0.012}}}) {
         std::array<double, 3> error{};
-#ifdef LR_TEST_QUICK
-        const int levels = 2;
-#else
-        const int levels = 3;
-#endif
+        const int levels = quick() ? 2 : 3;
         for (int level = 0; level < levels; ++level) {
             error[static_cast<size_t>(level)] = worst_error(row.axes, level + 2);
             CHECK(error[static_cast<size_t>(level)] < row.limits[static_cast<size_t>(level)]);

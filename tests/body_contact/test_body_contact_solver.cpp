@@ -3,6 +3,7 @@
 
 #include "body_contact/contact_tiles.h"
 #include "kernel/integrator/step.h"
+#include "support/quick.h"
 #include "support/random.h"
 
 #include <doctest/doctest.h>
@@ -21,11 +22,7 @@ constexpr float h = 1.0f / 120.0f, gravity = 9.81f;
 constexpr double fall = 9.81 / 120.0; // m/s in a substep
 constexpr uint32_t nobody = BodyContactPair::nobody;
 
-#ifdef LR_TEST_QUICK
-constexpr int rounds = 20;
-#else
-constexpr int rounds = 300;
-#endif
+const int rounds = quick() ? 20 : 300;
 
 float narrow(double x) {
     return static_cast<float>(x);

@@ -7,6 +7,7 @@
 #include "collision/local_pair.h"
 #include "collision/triangle_contact.h"
 #include "support/box_corners.h"
+#include "support/quick.h"
 #include "support/random.h"
 #include "support/vector.h"
 
@@ -20,15 +21,9 @@
 namespace test {
 
 // Sanitizers slow everything down tenfold.
-#ifdef LR_TEST_QUICK
-constexpr uint32_t rounds(uint32_t n) {
-    return n / 10;
+inline uint32_t rounds(uint32_t n) {
+    return quick() ? n / 10 : n;
 }
-#else
-constexpr uint32_t rounds(uint32_t n) {
-    return n;
-}
-#endif
 
 inline lr::AssetData asset_of(const std::vector<float>& vertices) {
     lr::AssetData asset;

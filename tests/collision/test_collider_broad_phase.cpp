@@ -1,6 +1,7 @@
 #include "collision/collider_broad_phase.h"
 
 #include "near_collider_marks.h"
+#include "support/quick.h"
 #include "support/random.h"
 
 #include <doctest/doctest.h>
@@ -57,11 +58,7 @@ bool meets(const Box& box, Vector at, float reach) {
            beyond(at.z, box.low.z, box.high.z) <= r;
 }
 
-#ifdef LR_TEST_QUICK
-constexpr int bodies = 10000;
-#else
-constexpr int bodies = 100000;
-#endif
+const int bodies = quick() ? 10000 : 100000;
 
 } // namespace
 

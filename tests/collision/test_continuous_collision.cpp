@@ -9,7 +9,7 @@ using namespace lr;
 
 namespace {
 
-constexpr uint32_t shots = test::rounds(100000);
+const uint32_t shots = test::rounds(100000);
 
 Pose between(const Pose& a, Pose b, float t) {
     Rotation &q = b.rotation, p = a.rotation;

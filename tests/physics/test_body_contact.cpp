@@ -1,5 +1,6 @@
 // Contact of two bodies: momentum, energy, restitution and friction against Newton's laws.
 #include "support/body_contact.h"
+#include "support/quick.h"
 
 #include <numbers>
 
@@ -8,11 +9,7 @@ using namespace test;
 namespace {
 
 constexpr double h = 1.0 / 480.0, short_h = 1.0 / 7680.0;
-#ifdef LR_TEST_QUICK
-constexpr int rounds = 30;
-#else
-constexpr int rounds = 150;
-#endif
+const int rounds = quick() ? 30 : 150;
 
 Vec any_vector(Random& random, double most) {
     return {random.uniform(-most, most), random.uniform(-most, most), random.uniform(-most, most)};

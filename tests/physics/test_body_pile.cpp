@@ -1,16 +1,13 @@
 // Bodies dropped into a bin: the energy of the pile, its sleep, and overlaps in it.
 #include "support/body_contact.h"
+#include "support/quick.h"
 
 using namespace test;
 
 namespace {
 
 constexpr double gravity = 9.81;
-#ifdef LR_TEST_QUICK
-constexpr uint32_t dropped = 20;
-#else
-constexpr uint32_t dropped = 60;
-#endif
+const uint32_t dropped = quick() ? 20 : 60;
 constexpr int frames = 240;
 
 double energy_of(const World& world, lr_batch batch, const lr_asset_info& info) {

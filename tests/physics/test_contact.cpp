@@ -1,6 +1,7 @@
 // Friction, restitution and rolling on colliders against closed forms. A body moves the fluid around it: along a slope its inertia
 // is m + A, and the pull is its weight minus its buoyancy.
 #include "support/contact.h"
+#include "support/quick.h"
 
 #include <algorithm>
 #include <cmath>
@@ -255,11 +256,7 @@ TEST_CASE("no shot at 20 m/s goes through a thin wall at 60 steps a second" * do
         wd.gravity[1] = 0.0f;
         const World world = make(wd);
         lr_batch batches[3];
-#ifdef LR_TEST_QUICK
-        constexpr uint32_t shots = 500;
-#else
-        constexpr uint32_t shots = 17000; // of each shape
-#endif
+        const uint32_t shots = quick() ? 500 : 17000; // of each shape
         add_collider(world, wall);
         for (size_t b = 0; b < 3; ++b) {
             batches[b] = add_batch(world, unloaded(), assets[b], shots);

@@ -1,5 +1,6 @@
 // Meshes with triangles much finer than a body, or than its motion in a step: more than a list of candidates holds.
 #include "support/contact.h"
+#include "support/quick.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,11 +32,7 @@ float flat(float, float) {
 } // namespace
 
 TEST_CASE("bodies land and rest on floors of fine triangles as on a plane" * doctest::test_suite("long")) {
-#ifdef LR_TEST_QUICK
-    constexpr uint32_t count = 8;
-#else
-    constexpr uint32_t count = 16;
-#endif
+    const uint32_t count = quick() ? 8 : 16;
     for (const Kind& kind : kinds())
         for (const float part : {0.1f, 0.5f, 1.3f}) { // of the reach: a cell
             CAPTURE(kind.reach);
@@ -111,11 +108,7 @@ TEST_CASE("a floor of triangles is met as a heightfield of the same triangles") 
 }
 
 TEST_CASE("no shot goes through walls of fine triangles" * doctest::test_suite("long-exact")) {
-#ifdef LR_TEST_QUICK
-    constexpr uint32_t count = 60;
-#else
-    constexpr uint32_t count = 100;
-#endif
+    const uint32_t count = quick() ? 60 : 100;
     for (const Kind& kind : kinds()) {
         CAPTURE(kind.reach);
         const float cell = std::max(0.2f * kind.reach, 1e-3f);
@@ -170,11 +163,7 @@ TEST_CASE("no shot goes through walls of fine triangles" * doctest::test_suite("
 // triangles either way.
 TEST_CASE("nothing falls through uneven ground of triangles, and all comes to rest, also with one coarse substep" *
           doctest::test_suite("long")) {
-#ifdef LR_TEST_QUICK
-    constexpr uint32_t count = 16;
-#else
-    constexpr uint32_t count = 100;
-#endif
+    const uint32_t count = quick() ? 16 : 100;
     struct Pace {
         float step, steep; // s; of a cell, up and down
         uint32_t substeps, mixed;
@@ -334,11 +323,7 @@ TEST_CASE("cubes stay on a slab of fine triangles, however thin") {
 }
 
 TEST_CASE("no card goes through a groove that is narrower than itself" * doctest::test_suite("long")) {
-#ifdef LR_TEST_QUICK
-    constexpr uint32_t count = 10;
-#else
-    constexpr uint32_t count = 100;
-#endif
+    const uint32_t count = quick() ? 10 : 100;
     for (const Kind& kind : kinds())
         for (const float width : {0.1f, 0.3f, 0.7f}) // of the reach
             for (const float depth : {0.35f, 0.7f, 1.5f})

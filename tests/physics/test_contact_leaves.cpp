@@ -1,5 +1,6 @@
 // Sheets come to rest in stable poses.
 #include "support/contact.h"
+#include "support/quick.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,11 +9,7 @@ using namespace test;
 
 namespace {
 
-#ifdef LR_TEST_QUICK
-constexpr uint32_t count = 200;
-#else
-constexpr uint32_t count = 600;
-#endif
+const uint32_t count = quick() ? 200 : 600;
 
 void drop(const World& world, lr_batch batch) {
     Random random(1);

@@ -1,5 +1,6 @@
 // Thousands of boxes that land on a plane, without loads: energy, depth, rest.
 #include "support/contact.h"
+#include "support/quick.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,11 +36,7 @@ std::vector<double> energies(const World& world, lr_batch batch, const lr_asset_
 } // namespace
 
 TEST_CASE("boxes that land on the ground end with less energy, come to rest, and lie on the ground") {
-#ifdef LR_TEST_QUICK
-    constexpr uint32_t count = 100, seeds = 1;
-#else
-    constexpr uint32_t count = 1000, seeds = 3;
-#endif
+    const uint32_t count = quick() ? 100 : 1000, seeds = quick() ? 1 : 3;
     const Asset assets[] = {make(rigid_box(0.05, 0.004, 0.04, 300.0)), make(rigid_box(0.03, 0.03, 0.02, 300.0))};
     for (uint32_t seed = 0; seed < seeds; ++seed)
         for (const Asset& asset : assets) {

@@ -1,5 +1,6 @@
 // Hundreds of bodies of several shapes land on all kinds of colliders at once: energy, sleep, final places.
 #include "support/contact.h"
+#include "support/quick.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,11 +50,7 @@ void furnish(const World& world) {
 } // namespace
 
 TEST_CASE("bodies of all shapes come to rest on colliders of all kinds, and gain no energy on the way") {
-#ifdef LR_TEST_QUICK
-    constexpr uint32_t count = 60, seeds = 1;
-#else
-    constexpr uint32_t count = 200, seeds = 2;
-#endif
+    const uint32_t count = quick() ? 60 : 200, seeds = quick() ? 1 : 2;
     for (uint64_t seed = 0; seed < seeds; ++seed) {
         CAPTURE(seed);
         const World world = make(world_desc());

@@ -166,7 +166,7 @@ Triangles joined_tray() {
 }
 
 // A body that a wall and the floor left no room stopped where it was in the world, and the tray went on: up to 19 of 100 fell out through a side.
-TEST_CASE("a tray that drives off or rises keeps what lies in it") {
+TEST_CASE("a tray that drives off or rises keeps what lies in it" * doctest::test_suite("exact")) {
     const Triangles joined = joined_tray();
     const Asset assets[] = {confetti(), dry_leaf(), make(rigid_box(0.04, 0.001, 0.015, 200.0))};
     for (const bool mesh : {false, true})
@@ -213,7 +213,8 @@ TEST_CASE("a tray that drives off or rises keeps what lies in it") {
 
 // The upper edge of a wall counted as a floor, along the mean normal of its faces, also for fast bodies. With each of these forces, which take leaves
 // slowly up the wall, 1 of 100 went through below it.
-TEST_CASE("a force like a gale presses leaves to the walls of a mesh, not through them") {
+TEST_CASE("a force like a gale presses leaves to the walls of a mesh, not through them" *
+          doctest::test_suite("exact")) {
     const Asset assets[] = {confetti(), dry_leaf(), make(rigid_box(0.04, 0.001, 0.015, 200.0))};
     const Triangles joined = joined_tray();
     for (const Asset& asset : assets)
@@ -240,7 +241,7 @@ TEST_CASE("a force like a gale presses leaves to the walls of a mesh, not throug
 }
 
 // Where a body met a heightfield from beside it had no contact, stayed in place and gained speed.
-TEST_CASE("a force like a gale shoots nothing out of the corner of a pit") {
+TEST_CASE("a force like a gale shoots nothing out of the corner of a pit" * doctest::test_suite("exact")) {
     constexpr uint32_t samples = 101;
     constexpr float spacing = 0.02f, from = -0.5f * spacing * (samples - 1);
     std::vector<float> heights;

@@ -2,6 +2,7 @@
 #include "support/aerodynamic_fields.h"
 #include "support/energy.h"
 #include "support/lost_bodies.h"
+#include "support/quick.h"
 #include "support/wind.h"
 
 #include <cstddef>
@@ -159,11 +160,7 @@ constexpr double rounding_share = 1e-4;
 // wake, the wake's memory and its starting drag cannot increase it; weight and buoyancy at most by their impulse, h times the norm of
 // the force, and the couple of shed vortices by its bound.
 TEST_CASE("random bodies at random steps gain no more energy than weight and the couple of shedding give them") {
-#ifdef LR_TEST_QUICK
-    const int batches = 300; // couples give energy in few of them
-#else
-    const int batches = 2000;
-#endif
+    const int batches = quick() ? 300 : 2000; // couples give energy in few of them
     const uint32_t bodies = 50;
     double worst[3] = {-1.0, -1.0, -1.0};
     uint32_t gained = 0; // steps in which a couple gave more than weight can
@@ -238,11 +235,7 @@ TEST_CASE("random bodies at random steps gain no more energy than weight and the
 // at terminal speed, or in the fastest stream from its initial energy. The wake carries a body along with up to 3 I^2 of the square of
 // its speed, averaged over bodies.
 TEST_CASE("falls with couples of shedding and noise keep to the energy of their terminal speed") {
-#ifdef LR_TEST_QUICK
-    const int batches = 50;
-#else
-    const int batches = 1000;
-#endif
+    const int batches = quick() ? 50 : 1000;
     const uint32_t bodies = 50;
     double worst = 0.0;
     for (int i = 0; i < batches; ++i) {
@@ -313,11 +306,7 @@ TEST_CASE("falls with couples of shedding and noise keep to the energy of their 
 
 // Wind that changes by up to 60 m/s between steps and has gusts, noise, gains, and couples of shedding.
 TEST_CASE("random bodies in changing winds with noise stay finite") {
-#ifdef LR_TEST_QUICK
-    const int batches = 60;
-#else
-    const int batches = 1000;
-#endif
+    const int batches = quick() ? 60 : 1000;
     const uint32_t bodies = 50;
     Extremes all;
     for (int i = 0; i < batches; ++i) {

@@ -1,5 +1,6 @@
 // Fast cards against others: none passes through without contact.
 #include "support/body_contact.h"
+#include "support/quick.h"
 
 #include <numbers>
 
@@ -7,11 +8,7 @@ using namespace test;
 
 namespace {
 
-#ifdef LR_TEST_QUICK
-constexpr int volleys = 2;
-#else
-constexpr int volleys = 20;
-#endif
+const uint32_t volleys = quick() ? 2 : 20;
 constexpr uint32_t shots = 500;
 
 } // namespace
@@ -23,7 +20,7 @@ TEST_CASE("cards at 10 to 20 m/s do not pass through cards at rest or in the air
     uint32_t through = 0, fired = 0;
     std::string which;
     uint32_t controls = 0, unseen = 0;
-    for (int volley = 0; volley < volleys; ++volley) {
+    for (uint32_t volley = 0; volley < volleys; ++volley) {
         const World world = weightless();
         const lr_batch shot = add_batch(world, unloaded(), card, shots),
                        target = add_batch(world, unloaded(), wall, shots);

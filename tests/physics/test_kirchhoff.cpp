@@ -1,4 +1,5 @@
 // Force-free motion in an ideal fluid, Kirchhoff's equations: conserved quantities stay constant.
+#include "support/quick.h"
 #include "support/random.h"
 #include "support/reference_body.h"
 #include "support/scene.h"
@@ -82,11 +83,7 @@ Asset ballasted() {
 // 1e-5. RK4's own error at 0.01 rad per substep is much smaller. The default solves its implicit step in single precision, with a
 // bias: 23040 times about 1e-7.
 TEST_CASE("force-free motion keeps energy, momentum, p.l, and the impulse and its moment in the world") {
-#ifdef LR_TEST_QUICK
-    const int count = 60;
-#else
-    const int count = 360;
-#endif
+    const int count = quick() ? 60 : 360;
     const Asset plain = make(in_water(ellipsoid(0.04, 0.02, 0.01, 1200.0))), offset = ballasted();
     const struct {
         const char* name;

@@ -1,4 +1,5 @@
 // Batches at lower rates, by divisors and by a budget, fall like the same bodies at the world's own rate.
+#include "support/quick.h"
 #include "support/scene.h"
 
 #include <cmath>
@@ -7,11 +8,7 @@ using namespace test;
 
 namespace {
 
-#ifdef LR_TEST_QUICK
-constexpr uint32_t bodies = 1000;
-#else
-constexpr uint32_t bodies = 4000;
-#endif
+const uint32_t bodies = quick() ? 1000 : 4000;
 constexpr float frame = 1.0f / 60.0f;
 constexpr uint32_t substeps = 8;
 constexpr int settle = 120, frames = 240;

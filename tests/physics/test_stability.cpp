@@ -1,5 +1,6 @@
 // No accepted value makes the default scheme diverge.
 #include "support/lost_bodies.h"
+#include "support/quick.h"
 #include "support/random.h"
 #include "support/scene.h"
 
@@ -48,11 +49,7 @@ TEST_CASE("the default integrator keeps every body finite at every step") {
 
 // Sizes from a micrometre to a kilometre, scales, speeds and spins up to the limits of lr_body_create, steps up to 1 s.
 TEST_CASE("the default integrator keeps every body finite at the limits of the API") {
-#ifdef LR_TEST_QUICK
-    const uint64_t worlds = 4;
-#else
-    const uint64_t worlds = 40;
-#endif
+    const uint64_t worlds = quick() ? 4 : 40;
     for (uint64_t seed = 0; seed < worlds; ++seed) {
         Random random(1000 + seed);
         const double speed = random.logarithmic(1.0, 1e6), spin = random.logarithmic(1.0, 1e6);

@@ -1,6 +1,7 @@
 // Bodies with stations at any step: no gain of energy, the right speed of fall, finite numbers for every asset that is accepted.
 #include "support/energy.h"
 #include "support/lost_bodies.h"
+#include "support/quick.h"
 #include "support/station_bodies.h"
 #include "support/water.h"
 
@@ -83,11 +84,7 @@ std::vector<double> energies(const std::vector<ReferenceBody>& bodies, const Wor
 } // namespace
 
 TEST_CASE("stations: no step gains energy without weight") {
-#ifdef LR_TEST_QUICK
-    const uint64_t batches = 100;
-#else
-    const uint64_t batches = 2000;
-#endif
+    const uint64_t batches = quick() ? 100 : 2000;
     double worst = -1.0, lost = 0.0;
     for (uint64_t i = 0; i < batches; ++i) {
         Random random(700 + i);
@@ -172,11 +169,7 @@ TEST_CASE("stations: a plate of any number of parts falls at the speed of its dr
 }
 
 TEST_CASE("stations: every asset that is accepted stays finite at every step") {
-#ifdef LR_TEST_QUICK
-    const uint64_t draws = 300;
-#else
-    const uint64_t draws = 10000;
-#endif
+    const uint64_t draws = quick() ? 300 : 10000;
     Extremes all;
     for (uint64_t i = 0; i < draws; ++i) {
         Random random(50000 + i);

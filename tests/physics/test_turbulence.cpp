@@ -1,4 +1,5 @@
 // Statistics of the Langevin model, and the clocks' reading of the table.
+#include "support/quick.h"
 #include "support/random.h"
 #include "support/scene.h"
 #include "support/vector.h"
@@ -11,13 +12,8 @@ namespace {
 
 constexpr int32_t integrators[] = {LR_INTEGRATOR_RK4, LR_INTEGRATOR_DEFAULT};
 
-#ifdef LR_TEST_QUICK
-constexpr uint32_t crowd = 1024;
-constexpr int rounds = 4;
-#else
-constexpr uint32_t crowd = 8192;
-constexpr int rounds = 12;
-#endif
+const uint32_t crowd = quick() ? 1024 : 8192;
+const int rounds = quick() ? 4 : 12;
 
 std::vector<lr_body> add_crowd(const World& world, lr_batch batch, uint32_t count) {
     std::vector<lr_body_desc> descs(count, body_desc());

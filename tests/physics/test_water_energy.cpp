@@ -1,5 +1,6 @@
 // The effect of crossing a surface on the energy of body and fluid: docs/reference/wind_and_water.md, "Energy".
 #include "support/floating_body.h"
+#include "support/quick.h"
 #include "support/random.h"
 
 #include <algorithm>
@@ -162,11 +163,7 @@ Return follow(Floats& floats, int frames) {
 // As in test_energy_bounds.cpp for one fluid: the norm of the velocities grows by at most the impulse of weight and buoyancy.
 // The surface's effect on the mass matrix can only reduce it.
 TEST_CASE("at any step a body that crosses the surface gains no more than weight and buoyancy give") {
-#ifdef LR_TEST_QUICK
-    const uint32_t batches = 60;
-#else
-    const uint32_t batches = 1200;
-#endif
+    const uint32_t batches = quick() ? 60 : 1200;
     double worst = -1.0;
     uint32_t crossings = 0;
     for (uint32_t i = 0; i < batches; ++i) {
@@ -241,11 +238,7 @@ TEST_CASE("bobbing and rolling through the surface pump no energy, with couples 
 // within them the couple is limited.
 TEST_CASE("long steps and couples of shedding drive no body on its way through the surface" *
           doctest::test_suite("exact")) {
-#ifdef LR_TEST_QUICK
-    const uint32_t batches = 40, driven = 1;
-#else
-    const uint32_t batches = 400, driven = 8;
-#endif
+    const uint32_t batches = quick() ? 40 : 400, driven = quick() ? 1 : 8;
     double bare = 0.0, gain[2] = {}, beyond = 0.0;
     for (uint32_t i = 0; i < batches; ++i) {
         const auto most = [&](int32_t loads, double couples) {

@@ -1,4 +1,5 @@
 // Bodies in wind that changes in time and along their path: the force of the fluid's acceleration, added mass, shear.
+#include "support/quick.h"
 #include "support/random.h"
 #include "support/wind.h"
 
@@ -312,11 +313,7 @@ TEST_CASE("a uniform wind as sources, as itself and none, moved along, are one m
 TEST_CASE("bodies stay finite in any wind at any step, and no faster than the wind and their fall give") {
     const std::vector<float> samples = grid_samples();
     Random random(12);
-#ifdef LR_TEST_QUICK
-    constexpr int rounds = 4;
-#else
-    constexpr int rounds = 60;
-#endif
+    const int rounds = quick() ? 4 : 60;
     for (int round = 0; round < rounds; ++round) {
         const World world = make(world_desc());
         lr_batch_desc bd = langevin();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "langevin_rigid.h"
+#include "support/quick.h"
 
 #include <atomic>
 #include <cstddef>
@@ -85,10 +86,10 @@ private:
 
 // Calls of the global operator new in this process, including the library's: support/counting_new.cpp. Sanitizers keep their own operator new, and a
 // DLL of Windows has its own.
-#if defined(LR_TEST_QUICK) || defined(_WIN32)
+#ifdef _WIN32
 inline constexpr bool counts_global = false;
 #else
-inline constexpr bool counts_global = true;
+inline const bool counts_global = !quick();
 #endif
 extern std::atomic<uint64_t> global_allocations;
 extern std::atomic<uint64_t> global_live;

@@ -8,7 +8,7 @@ std::atomic<uint64_t> global_live{0};
 std::atomic<uint64_t> global_fail_in{0};
 } // namespace test
 
-#if !defined(LR_TEST_QUICK) && !defined(_WIN32)
+#if !defined(LR_SLOW_LIBRARY) && !defined(_WIN32)
 namespace {
 
 void* counted(size_t size, size_t alignment) {

@@ -1,5 +1,6 @@
 // The distribution of a pair of Gaussians for uniform bits: sums over the bits themselves, no sampling.
 #include "kernel/math/lanes.h"
+#include "support/quick.h"
 
 #include <doctest/doctest.h>
 
@@ -14,11 +15,7 @@ using namespace test;
 namespace {
 
 constexpr size_t block = size_t{1} << 16;
-#ifdef LR_TEST_QUICK
-constexpr uint32_t finest = 1u << 13;
-#else
-constexpr uint32_t finest = 1u << 7;
-#endif
+const uint32_t finest = quick() ? 1u << 13 : 1u << 7;
 constexpr double quarter = std::numbers::pi / 2.0, unit = quarter / 2147483648.0; // radians of an angle's last place
 
 // begin, begin + stride, ... below end: f(words, their squared radii, their number).

@@ -1,5 +1,6 @@
 // Six Gaussians per body and substep: their distribution, and independence of all neighbours.
 #include "kernel/math/lanes.h"
+#include "support/quick.h"
 
 #include <doctest/doctest.h>
 
@@ -15,11 +16,7 @@ using namespace test;
 
 namespace {
 
-#ifdef LR_TEST_QUICK
-constexpr size_t count = 1 << 14;
-#else
-constexpr size_t count = 1 << 18;
-#endif
+const size_t count = quick() ? 1 << 14 : 1 << 18;
 constexpr uint64_t seed = 20;
 
 struct Draw {
@@ -225,7 +222,7 @@ TEST_CASE("no correlation between bodies whose keys are near, or differ in a bit
         c.all(d, d, lag);
         c.all(d2, d2, lag);
     }
-    constexpr size_t few = count / 8;
+    const size_t few = count / 8;
     for (uint32_t bit = 0; bit < 32; ++bit) {
         // All numbers with that bit clear, and with it set.
         Aligned<uint32_t> without = keys_from(0, few), with(few);
@@ -243,7 +240,7 @@ TEST_CASE("no correlation between bodies whose keys are near, or differ in a bit
 
 TEST_CASE("no correlation between substeps that are near, or differ in a bit") {
     Correlations c;
-    constexpr size_t few = count / 4;
+    const size_t few = count / 4;
     const Draw d = draw(1000, seed, few), d2 = squares(d);
     for (uint64_t lag = 1; lag <= 16; ++lag) {
         const Draw later = draw(1000 + lag, seed, few);
@@ -259,7 +256,7 @@ TEST_CASE("no correlation between substeps that are near, or differ in a bit") {
 
 TEST_CASE("no correlation between seeds that are near, or differ in a bit") {
     Correlations c;
-    constexpr size_t few = count / 4;
+    const size_t few = count / 4;
     const Draw d = draw(1000, seed, few), d2 = squares(d);
     for (uint64_t next = 1; next <= 4; ++next) c.all(d2, squares(draw(1000, seed + next, few)));
     for (uint64_t bit = 0; bit < 64; ++bit) c.all(d, draw(1000, seed ^ uint64_t{1} << bit, few));
@@ -267,7 +264,7 @@ TEST_CASE("no correlation between seeds that are near, or differ in a bit") {
 }
 
 TEST_CASE("a body's sum over many substeps spreads like a random walk") {
-    constexpr size_t bodies = count / 64;
+    const size_t bodies = count / 64;
     constexpr uint64_t steps = 256;
     std::vector<double> sum(6 * bodies);
     for (uint64_t substep = 0; substep < steps; ++substep) {

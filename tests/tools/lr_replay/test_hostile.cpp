@@ -1,5 +1,6 @@
 // Invalid recordings: changed bytes, with and without a correct checksum. Each is refused by number or replayed, and nothing else.
 #include "support/colliders.h"
+#include "support/quick.h"
 #include "support/random.h"
 #include "support/wind.h"
 #include "tools/lr_replay/recording.h"
@@ -101,11 +102,7 @@ TEST_CASE("changed records with right checksums are refused by number, or played
     const std::vector<Frame> frames = frames_of(good);
     Random random(11);
     int refused = 0, played = 0;
-#ifdef LR_TEST_QUICK
-    const int rounds = 300;
-#else
-    const int rounds = 800;
-#endif
+    const int rounds = quick() ? 300 : 800;
     for (int round = 0; round < rounds; ++round) {
         std::vector<unsigned char> bytes = good;
         const auto pick = [&](size_t n) {

@@ -1,5 +1,6 @@
 // Every scene, recorded from the start and from the middle, replays to the same hashes.
 #include "support/determinism_scenes.h"
+#include "support/quick.h"
 #include "support/threads.h" // workers
 #include "tools/lr_replay/recording.h"
 
@@ -12,10 +13,10 @@ TEST_CASE(
     size_t number = 0;
     for (PlayedScene& scene : played_scenes()) {
         scene.frames = std::min(scene.frames, 20);
-#ifdef LR_TEST_QUICK
-        if (number++ % 4 != 0) continue;
-        scene.frames = 8;
-#endif
+        if (quick()) {
+            if (number++ % 4 != 0) continue;
+            scene.frames = 8;
+        }
         CAPTURE(std::string(scene.name));
         const uint64_t expected = outcome(scene);
         for (int at : {-1, scene.frames / 2}) {

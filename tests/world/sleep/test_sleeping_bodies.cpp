@@ -1,5 +1,6 @@
 // A batch in two parts, against a model in a plain map; and data that moves with a body between them.
 #include "support/lifecycle.h"
+#include "support/quick.h"
 #include "support/random.h"
 #include "world/batch/lifecycle.h"
 #include "world/world.h"
@@ -91,11 +92,7 @@ struct Fixture {
 
 TEST_CASE(
     "whatever bodies are added, removed, put to rest and woken, both parts stay dense and keep what belongs to each") {
-#ifdef LR_TEST_QUICK
-    const int operations = 10000;
-#else
-    const int operations = 100000;
-#endif
+    const int operations = quick() ? 10000 : 100000;
     Random random(4);
     for (uint32_t capacity : {1u, 33u, 300u}) {
         Fixture f(capacity);

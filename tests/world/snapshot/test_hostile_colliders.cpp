@@ -1,5 +1,6 @@
 // Like test_hostile_snapshot.cpp, for colliders: changed and resealed snapshots.
 #include "support/colliders.h"
+#include "support/quick.h"
 #include "support/reseal_snapshot.h"
 #include "world/snapshot/snapshot_format.h"
 
@@ -61,11 +62,7 @@ TEST_CASE("changed colliders in a snapshot are refused, or restore a world that 
     const size_t plain = snapshot_of(make(world_desc())).size();
     REQUIRE(good.size() > plain + 6 * 136);
     Random random(21);
-#ifdef LR_TEST_QUICK
-    const int rounds = 1500;
-#else
-    const int rounds = 6000;
-#endif
+    const int rounds = quick() ? 1500 : 6000;
     int restored = 0, refused = 0;
     for (int round = 0; round < rounds; ++round) {
         std::vector<unsigned char> bytes = good;

@@ -1,6 +1,7 @@
 // Like test_hostile_snapshot.cpp, for optional parts of batches: forces, rules, emitters, lives, sleeping bodies. And non-finite
 // bodies.
 #include "support/lifecycle.h"
+#include "support/quick.h"
 #include "support/random.h"
 #include "support/reseal_snapshot.h"
 #include "world/snapshot/snapshot_format.h"
@@ -56,11 +57,7 @@ TEST_CASE("changed forces, rules and emitters in a snapshot are refused, or rest
     const size_t header = batch_header(good, good_scene.asset), columns = header + sizeof(lr::SnapshotBatch);
     REQUIRE(good.size() > snapshot_of(Scene(false).world).size() + 400);
     Random random(16);
-#ifdef LR_TEST_QUICK
-    const int rounds = 1000;
-#else
-    const int rounds = 5000;
-#endif
+    const int rounds = quick() ? 1000 : 5000;
     int restored = 0, refused = 0;
     for (int round = 0; round < rounds; ++round) {
         std::vector<unsigned char> bytes = good;

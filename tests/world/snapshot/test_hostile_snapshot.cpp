@@ -1,5 +1,6 @@
 // Changed and resealed snapshots: the checksum is no secret. Each is refused, or leaves a usable world; AddressSanitizer
 // watches.
+#include "support/quick.h"
 #include "support/random.h"
 #include "support/reseal_snapshot.h"
 #include "support/scene.h"
@@ -67,11 +68,7 @@ TEST_CASE("the test's seal is the library's") {
 TEST_CASE("a snapshot that was changed and sealed is refused, or restores a world that works") {
     const std::vector<unsigned char> good = snapshot_of(Scene().world);
     Random random(15);
-#ifdef LR_TEST_QUICK
-    const int rounds = 1500;
-#else
-    const int rounds = 6000;
-#endif
+    const int rounds = quick() ? 1500 : 6000;
     int restored = 0, refused = 0;
     for (int round = 0; round < rounds; ++round) {
         std::vector<unsigned char> bytes = good;
