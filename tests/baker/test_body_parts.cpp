@@ -245,7 +245,8 @@ TEST_CASE("mixed added mass: a book, whose parts touch without common vertices, 
     }
 }
 
-TEST_CASE("mixed added mass: where no surface can be solved the convex hull is, with an error of half") {
+TEST_CASE("mixed added mass: where no surface can be solved the convex hull is, with an error of half" *
+          doctest::test_suite("long")) {
     // Three needles along the axes: as sheets they have no area, and on a coarser surface nothing is left of them.
     BodyParts parts;
     for (int axis = 0; axis < 3; ++axis) {

@@ -295,7 +295,8 @@ TEST_CASE("stated errors over a wide family of flat faces" * doctest::skip()) {
     }
 }
 
-TEST_CASE("error estimates: needles of 1 m by 0.1 mm bake, however they are divided, and say that they are rough") {
+TEST_CASE("error estimates: needles of 1 m by 0.1 mm bake, however they are divided, and say that they are rough" *
+          doctest::test_suite("long")) {
     constexpr double radius = 5e-5, air = 1.2;
     struct Case {
         int sides, rings;

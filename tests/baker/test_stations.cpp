@@ -408,7 +408,8 @@ TEST_CASE("stations: the blades of a paper helicopter are cut alike") {
         }));
 }
 
-TEST_CASE("stations: blossoms are cut along a mirror line, so that they have no preferred sense of spin") {
+TEST_CASE("stations: blossoms are cut along a mirror line, so that they have no preferred sense of spin" *
+          doctest::test_suite("long")) {
     const double turn = 0.2; // of the mirror line from the body's axis
     for (const int petals : {3, 4, 5, 6})
         for (const auto& [waist, cup] : {std::pair{0.5, 0.25}, {0.9, 0.25}, {0.9, 0.0}}) {

@@ -380,7 +380,7 @@ TEST_CASE("a period is found in what repeats, and nowhere else") {
 }
 
 TEST_CASE("a wake that sheds vortices becomes a loop, and its mean the sample that the runtime reads" *
-          doctest::test_suite("exact")) {
+          doctest::test_suite("long-exact")) {
     Mesh mesh;
     Faults faults;
     REQUIRE(read_mesh(LR_ASSET_SOURCES "/leaf.obj", 1.0, mesh, faults));

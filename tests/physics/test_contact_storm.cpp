@@ -166,7 +166,7 @@ Triangles joined_tray() {
 }
 
 // A body that a wall and the floor left no room stopped where it was in the world, and the tray went on: up to 19 of 100 fell out through a side.
-TEST_CASE("a tray that drives off or rises keeps what lies in it" * doctest::test_suite("exact")) {
+TEST_CASE("a tray that drives off or rises keeps what lies in it" * doctest::test_suite("long-exact")) {
     const Triangles joined = joined_tray();
     const Asset assets[] = {confetti(), dry_leaf(), make(rigid_box(0.04, 0.001, 0.015, 200.0))};
     for (const bool mesh : {false, true})
