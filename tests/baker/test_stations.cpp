@@ -146,7 +146,7 @@ TEST_CASE("stations: a wing whose weight is at one end has a few strips, which s
 
 TEST_CASE("stations: slices are Gauss's rule for the area") {
     const Part strip = part_of(shapes::rectangle(2.0, 1.0, 3, 1));
-    const std::vector<Slice> three = sliced(strip, Vector3d::UnitX(), 3);
+    const std::vector<Slice> three = Slicer(strip, Vector3d::UnitX()).sliced(3);
     REQUIRE(three.size() == 3);
     CHECK(three[0].node == Approx(-std::sqrt(0.6)).epsilon(2e-3));
     CHECK(std::abs(three[1].node) < 1e-3);
@@ -155,7 +155,7 @@ TEST_CASE("stations: slices are Gauss's rule for the area") {
     Mesh triangle;
     triangle.vertices = {{0, -1, 0}, {0, 1, 0}, {1, 0, 0}};
     triangle.faces = {{0, 1, 2}};
-    const std::vector<Slice> two = sliced(part_of(triangle), Vector3d::UnitX(), 2);
+    const std::vector<Slice> two = Slicer(part_of(triangle), Vector3d::UnitX()).sliced(2);
     REQUIRE(two.size() == 2);
     double sums[4] = {};
     for (const Slice& s : two) {
@@ -180,7 +180,7 @@ TEST_CASE("stations: parts keep all of the area") {
         CHECK(area_of(parts) == Approx(moments_of(flat).area).epsilon(1e-9));
         for (const Part& p : parts) CHECK(moments_of(p).area == Approx(moments_of(flat).area / arms).epsilon(0.01));
     }
-    for (const Slice& s : sliced(dart, Vector3d(1, 2, 0.5).normalized(), 5)) CHECK(!s.part.empty());
+    for (const Slice& s : Slicer(dart, Vector3d(1, 2, 0.5).normalized()).sliced(5)) CHECK(!s.part.empty());
     CHECK(moments_of(refined(dart, 0.003)).area == Approx(area).epsilon(1e-9));
 }
 

@@ -2,6 +2,7 @@
 """Runs the viewer like a user: pictures, films, keys and mouse, messages.    usage: check_viewer.py BUILD_DIR ROOT
 BUILD_DIR: of the samples; ROOT: of the project. Needs EGL; tests a window only with Xvfb and xdotool.
 SPDX-License-Identifier: MIT"""
+import concurrent.futures
 import math
 import os
 import re
@@ -313,19 +314,21 @@ def check_messages(path, baked, meshes):
 
 def main(build, root):
     baked, meshes = os.path.join(build, "viewer_assets"), os.path.join(root, "assets")
-    with tempfile.TemporaryDirectory() as folder:
-        def path(name):
-            return os.path.join(folder, name)
+    def apart(check, *more):
+        """Runs a check with a folder of its own."""
+        with tempfile.TemporaryDirectory() as folder:
+            return check(lambda name: os.path.join(folder, name), *more)
 
-        check_messages(path, baked, meshes)
-        check_scenes(path)
-        check_shadows(path)
-        check_pictures(path)
-        check_keys(path)
-        check_panel(path)
-        check_own(path, baked, meshes)
-        check_ffmpeg(path)
-        window = viewer_window.check(PROGRAM, path("window.png"), Report, places("--scene", "petals", "--count", 300, "--png", path("k.png"), "--seconds", 1))
+    def check_window(path):
+        return viewer_window.check(PROGRAM, path("window.png"), Report,
+                                   places("--scene", "petals", "--count", 300, "--png", path("k.png"), "--seconds", 1))
+
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        checks = [(check_panel,), (check_pictures,), (check_keys,), (check_scenes,), (check_messages, baked, meshes), (check_shadows,),
+                  (check_own, baked, meshes), (check_ffmpeg,)]  # longest first
+        for done in [pool.submit(apart, *check) for check in checks]:
+            done.result()
+    window = apart(check_window)
     print(f"viewer is right{'' if window else ', without a window'}")
 
 

@@ -16,7 +16,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <numbers>
+#include <span>
 #include <utility>
 
 namespace lr::baker {
@@ -282,15 +284,36 @@ void share_stokes_couple(std::vector<StationData>& stations, const std::vector<d
             }
 }
 
-std::vector<StationData> stations_of(const std::vector<Plan>& plans, const std::vector<Grid>& grids, const Body& body) {
+// A plan and its strips, which grids with as many of them share.
+class Cuts {
+public:
+    struct Strip {
+        double node;
+        Slicer pieces;
+    };
+    explicit Cuts(const Plan& cut) : plan(cut), slicer_(cut.part, cut.span) {}
+    std::vector<Strip>& strips(std::size_t n) {
+        std::vector<Strip>& out = strips_[n];
+        if (out.empty())
+            for (Slice& s : slicer_.sliced(n)) out.push_back({s.node, Slicer(std::move(s.part), plan.chord)});
+        return out;
+    }
+    const Plan& plan;
+
+private:
+    Slicer slicer_;
+    std::map<std::size_t, std::vector<Strip>> strips_;
+};
+
+std::vector<StationData> stations_of(std::span<Cuts> cuts, const std::vector<Grid>& grids, const Body& body) {
     std::vector<StationData> out;
     std::vector<double> shares;
-    for (std::size_t p = 0; p < plans.size(); ++p)
-        for (const Slice& strip : sliced(plans[p].part, plans[p].span, grids[p].along_span))
-            for (const Slice& piece : sliced(strip.part, plans[p].chord, grids[p].along_chord)) {
+    for (std::size_t p = 0; p < cuts.size(); ++p)
+        for (Cuts::Strip& strip : cuts[p].strips(grids[p].along_span))
+            for (const Slice& piece : strip.pieces.sliced(grids[p].along_chord)) {
                 const double area = moments_of(piece.part).area;
                 if (!(area > 1e-6 * body.area)) continue;
-                out.push_back(station_of(piece.part, plans[p], grids[p], strip.node, piece.node, body));
+                out.push_back(station_of(piece.part, cuts[p].plan, grids[p], strip.node, piece.node, body));
                 shares.push_back(area / body.area);
             }
     share_stokes_couple(out, shares, body.loads);
@@ -315,13 +338,13 @@ struct Choice {
 };
 
 template <class LoadsWith>
-std::vector<Choice> choices_of(const Plan& plan, std::size_t most, const LoadsWith& loads_with, const Body& body) {
+std::vector<Choice> choices_of(Cuts& cuts, std::size_t most, const LoadsWith& loads_with, const Body& body) {
     std::vector<Choice> out;
-    for (std::size_t n = 1; n <= (plan.lump ? 1 : most); ++n)
-        for (std::size_t chordwise = 1; chordwise <= (plan.curved ? n : 1); ++chordwise)
+    for (std::size_t n = 1; n <= (cuts.plan.lump ? 1 : most); ++n)
+        for (std::size_t chordwise = 1; chordwise <= (cuts.plan.curved ? n : 1); ++chordwise)
             if (n % chordwise == 0) {
                 const Grid grid{n / chordwise, chordwise};
-                out.push_back({grid, loads_with(stations_of({plan}, {grid}, body))});
+                out.push_back({grid, loads_with(stations_of({&cuts, 1}, {grid}, body))});
             }
     return out;
 }
@@ -475,7 +498,8 @@ Stations make_stations(const Mesh& mesh, const AerodynamicData& loads, const Vec
     const auto loads_with = [&](const std::vector<StationData>& stations) {
         return sum_of_loads(stations, motions, options.viscosity, options.length);
     };
-    const std::vector<Wrench> reference = loads_with(stations_of(plans, fine, body));
+    std::vector<Cuts> cuts(plans.begin(), plans.end());
+    const std::vector<Wrench> reference = loads_with(stations_of(cuts, fine, body));
     Vector3d lift;
     const StationData whole = as_station(loads, center, lift);
     std::vector<Wrench> loads_of_whole;
@@ -485,10 +509,9 @@ Stations make_stations(const Mesh& mesh, const AerodynamicData& loads, const Vec
     if (out.error_one <= good_error) return out;
 
     std::vector<std::vector<Choice>> choices;
-    for (const Plan& plan : plans)
-        choices.push_back(choices_of(plan, options.most - plans.size() + 1, loads_with, body));
+    for (Cuts& plan : cuts) choices.push_back(choices_of(plan, options.most - plans.size() + 1, loads_with, body));
     const std::vector<Grid> grids = best_grids(choices, first_alike(plans), options.most, reference);
-    std::vector<StationData> best = stations_of(plans, grids, body);
+    std::vector<StationData> best = stations_of(cuts, grids, body);
     const double error = difference(loads_with(best), reference);
     if (best.size() < 2) return out;
     out.at = std::move(best);

@@ -251,32 +251,35 @@ std::vector<Part> split_walls(Part part) {
     return {std::move(below), std::move(above)};
 }
 
-std::vector<Slice> sliced(const Part& part, const Vector3d& direction, std::size_t n) {
-    const auto [low, high] = extent_of(part, direction);
-    if (n < 2 || !(high > low)) return {{part, direction.dot(moments_of(part).centroid)}};
-    // Area as weighted points on -1..1.
-    const double centre = 0.5 * (low + high), scale = 0.5 * (high - low);
-    std::vector<std::pair<double, double>> points;
-    double area = 0.0;
-    for (const Facet& f : refined_along(part, direction, (high - low) / 64.0)) {
-        points.emplace_back((direction.dot(f.middle()) - centre) / scale, f.area);
-        area += f.area;
+void Slicer::find_points() {
+    const auto [low, high] = extent_of(part_, direction_);
+    centre_ = 0.5 * (low + high), scale_ = 0.5 * (high - low);
+    if (!(scale_ > 0.0)) return;
+    for (const Facet& f : refined_along(part_, direction_, (high - low) / 64.0)) {
+        points_.emplace_back((direction_.dot(f.middle()) - centre_) / scale_, f.area);
+        area_ += f.area;
     }
-    std::sort(points.begin(), points.end());
+    std::sort(points_.begin(), points_.end());
+}
+
+std::vector<Slice> Slicer::sliced(std::size_t n) {
+    if (n > 1 && points_.empty()) find_points();
+    if (points_.empty() || n < 2) return {{part_, direction_.dot(moments_of(part_).centroid)}};
     // Stieltjes' recurrence for orthogonal polynomials, and eigenvalues by Golub and Welsch (1969).
     const auto size = static_cast<Eigen::Index>(n);
     Eigen::MatrixXd jacobi = Eigen::MatrixXd::Zero(size, size);
-    std::vector<double> now(points.size(), 1.0 / std::sqrt(area)), before(points.size(), 0.0);
+    std::vector<double> now(points_.size(), 1.0 / std::sqrt(area_)), before(points_.size(), 0.0);
     double beta = 0.0;
     for (Eigen::Index k = 0; k < size; ++k) {
         double alpha = 0.0, square = 0.0;
-        for (std::size_t i = 0; i < points.size(); ++i) alpha += points[i].second * points[i].first * now[i] * now[i];
+        for (std::size_t i = 0; i < points_.size(); ++i)
+            alpha += points_[i].second * points_[i].first * now[i] * now[i];
         jacobi(k, k) = alpha;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const double next = (points[i].first - alpha) * now[i] - beta * before[i];
+        for (std::size_t i = 0; i < points_.size(); ++i) {
+            const double next = (points_[i].first - alpha) * now[i] - beta * before[i];
             before[i] = now[i];
             now[i] = next;
-            square += points[i].second * next * next;
+            square += points_[i].second * next * next;
         }
         beta = std::sqrt(square);
         if (!(beta > 0.0)) break;
@@ -285,14 +288,14 @@ std::vector<Slice> sliced(const Part& part, const Vector3d& direction, std::size
     }
     const Eigensystem<Eigen::MatrixXd> solver = eigensystem(jacobi);
     std::vector<Slice> out;
-    Part rest = part;
+    Part rest = part_;
     for (Eigen::Index k = 0; k < size; ++k) {
-        const double node = centre + scale * solver.values[k], first = solver.vectors(0, k);
+        const double node = centre_ + scale_ * solver.values[k], first = solver.vectors(0, k);
         if (k + 1 == size) {
             out.push_back({std::move(rest), node});
             break;
         }
-        auto [below, above] = cut(rest, direction, offset_of_area(rest, direction, first * first * area));
+        auto [below, above] = cut(rest, direction_, offset_of_area(rest, direction_, first * first * area_));
         out.push_back({std::move(below), node});
         rest = std::move(above);
     }

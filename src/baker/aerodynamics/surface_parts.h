@@ -52,7 +52,20 @@ struct Slice {
 
 // Pieces whose areas and nodes are the weights and points of Gauss's rule for the area along the direction. Sums over n pieces are exact for
 // polynomials up to degree 2 n - 1; forces of a turning wing have degree 2 in the place, moments 3.
-std::vector<Slice> sliced(const Part& part, const Eigen::Vector3d& direction, std::size_t n);
+class Slicer {
+public:
+    Slicer(Part part, const Eigen::Vector3d& direction) : part_(std::move(part)), direction_(direction) {}
+    std::vector<Slice> sliced(std::size_t n);
+
+private:
+    void find_points();
+
+    Part part_;
+    Eigen::Vector3d direction_;
+    // Area as weighted points on -1..1, for every n.
+    std::vector<std::pair<double, double>> points_;
+    double centre_ = 0.0, scale_ = 0.0, area_ = 0.0;
+};
 
 // Groups of faces with about the same normal axis: wings and keel of a dart, sides of a sharp fold. A curved part stays whole up to tilts of 60
 // degrees.
