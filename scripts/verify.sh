@@ -52,7 +52,7 @@ step_tidy() {
     # Only files that are compiled once: clang-tidy rejects Highway's macros, and would read a file once for each target. Without options that clang
     # takes for errors (src/CMakeLists.txt, pair_hull.cpp).
     mkdir -p build/tidy
-    sed 's/ -fno-ipa-modref//' build/release/compile_commands.json >build/tidy/compile_commands.json
+    sed -E 's/ (-fno-ipa-modref|--param=[^ "]*)//g' build/release/compile_commands.json >build/tidy/compile_commands.json
     find src -name '*.cpp' -not -path 'src/baker/*' -not -path 'src/tools/*' |
         xargs grep -L 'HWY_TARGET_INCLUDE\|foreach_target' |
         xargs -P "$jobs" -n 6 clang-tidy -p build/tidy --quiet 2>/dev/null
