@@ -6,7 +6,6 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 source scripts/steps.sh
 scripts/setup.sh test
 source scripts/compiler_cache.sh
-prefix=$PWD/build/release/samples-prefix
 
 step_format() {
     /usr/bin/python3 bindings/generator/all.py --check
@@ -54,14 +53,14 @@ step_asan() { # the API on one instruction set; scripts/verify.sh asan tests uni
     seq 1 25 "$cases" | xargs -P "$jobs" -I{} bash -c 'sanitized "$@"' - {} | tee "$results/asan.txt"
     ! grep -qv ', 0 failed' "$results/asan.txt"
 }
-samples() { # built against the installed package, as users do
-    configure build/samples -S samples -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$prefix"
+samples() {
+    configure_samples
     cmake --build build/samples
     build/samples/hello
     build/samples/job_system
-    python3 tests/samples/check_small.py build/samples . "$prefix"
+    python3 tests/samples/check_small.py build/samples . "$installed"
     python3 tests/samples/check_assets.py .
-    "$prefix/bin/lr_bake" mesh assets/leaf.obj -o build/samples/leaf.lrb --density 350 --quiet
+    "$installed/bin/lr_bake" mesh assets/leaf.obj -o build/samples/leaf.lrb --density 350 --quiet
     build/samples/import_mesh assets/leaf.obj build/samples/imported.lrb 2>/dev/null
     cmp build/samples/leaf.lrb build/samples/imported.lrb # the baker library and lr_bake give equal files
     python3 tests/samples/check_leaf_storm.py build/samples/leaf_storm build/samples/leaf.lrb assets/leaf.obj
@@ -73,17 +72,17 @@ apart() { # samples or a binding: prints the output of its tests as one block
         (set -e; samples) >"$log" 2>&1 & # in the background, because `set -e` has no effect in a condition
         wait $! || good=false
     else
-        "bindings/$1/test.sh" "$prefix" >"$log" 2>&1 || good=false
+        "bindings/$1/test.sh" "$installed" >"$log" 2>&1 || good=false
     fi
     echo "   $1 ($((SECONDS - start)) s)"
     cat "$log"
     $good
 }
 step_outside() { # samples and bindings; the costly ones, Unreal and the web, are steps of scripts/verify.sh
-    cmake --install build/release --prefix "$prefix" >/dev/null
+    install_release
     /usr/bin/python3 bindings/generator/test_api_model.py
-    export -f apart samples configure
-    export results prefix
+    export -f apart samples configure configure_samples
+    export results installed
     # Longest first.
     printf '%s\n' /samples/ bindings/{csharp,python,godot,unity}/test.sh | cut -d/ -f2 |
         xargs -P "$jobs" -I{} bash -c 'apart "$@"' - {}

@@ -11,6 +11,9 @@ configure() { # directory, arguments of cmake; silent on success
     shift
     cmake -B "$dir" "$@" >"$log" 2>&1 || { cat "$log"; return 1; }
 }
+installed=$PWD/build/release/samples-prefix # samples and bindings are built against it, as by users
+install_release() { cmake --install build/release --prefix "$installed" >/dev/null; }
+configure_samples() { configure build/samples -S samples -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$installed"; }
 run_ctest() { ctest --test-dir "$1" -j "$jobs" --output-on-failure --no-tests=error "${@:2}"; } # directory, arguments
 skip() { # reason; ends the calling step
     echo "SKIPPED: $*"

@@ -74,21 +74,20 @@ step_security() {
 step_site() { need mkdocs test; scripts/site.py; }
 binding() { # name
     release
-    cmake --install build/release --prefix build/release/samples-prefix >/dev/null
-    "bindings/$1/test.sh" build/release/samples-prefix
+    install_release
+    "bindings/$1/test.sh" "$installed"
 }
 step_unreal() { binding unreal; }
 step_web() { binding web; }
 step_bench() { release; run_ctest build/release -L bench; }
 step_long() { release; run_ctest build/release -L 'long|load'; }
 step_scorecard() {
-    local prefix=$PWD/build/release/samples-prefix
     release
     run_ctest build/release -L scorecard
-    cmake --install build/release --prefix "$prefix" >/dev/null
-    configure build/samples -S samples -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$prefix"
+    install_release
+    configure_samples
     cmake --build build/samples --target paper_figures
-    python3 tests/samples/check_paper_figures.py build/samples/paper_figures "$prefix/bin/lr_bake" . build/samples
+    python3 tests/samples/check_paper_figures.py build/samples/paper_figures "$installed/bin/lr_bake" . build/samples
 }
 step_valgrind() {
     need valgrind test

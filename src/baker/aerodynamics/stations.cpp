@@ -291,7 +291,7 @@ public:
         double node;
         Slicer pieces;
     };
-    explicit Cuts(const Plan& cut) : plan(cut), slicer_(cut.part, cut.span) {}
+    explicit Cuts(const Plan& p) : plan(p), slicer_(p.part, p.span) {}
     std::vector<Strip>& strips(std::size_t n) {
         std::vector<Strip>& out = strips_[n];
         if (out.empty())
