@@ -156,8 +156,8 @@ Vector floor_side(uint32_t packed, uint32_t slot);
 float height_over(const Geometry& ground, Vector at);
 
 // The displacement that puts a centre of mass back in front of what it entered or crossed between `from` and `to` (m, world); zero if nothing.
-// floor: of column_floor. alone: the floor of a body solved alone, which does not count since it pushes the body. Null in heaps.
-Vector way_back(const ContactStep& step, float scale, uint32_t floor, const MeshFloor* alone, Vector from, Vector to,
+// floor: of column_floor. even: the floor that pushes the body out by itself, and does not count; null: none.
+Vector way_back(const ContactStep& step, float scale, uint32_t floor, const MeshFloor* even, Vector from, Vector to,
                 const ContactSubstep& substep);
 
 // Takes up to contact_lanes bodies near colliders through a step.
@@ -222,6 +222,7 @@ private:
     std::optional<FlatSide> side_below(uint32_t lane, const Collider& collider, const Pose& at,
                                        const ContactSubstep& substep, bool& fast) const;
     Vector lift(uint32_t lane, const Pose& at, float part, const ContactSubstep& substep, Vector& slow) const;
+    Pose lifted_start(uint32_t lane, const ContactSubstep& substep) const;
     void leave_floors(const ContactSubstep& substep);
     void stay_in_front(const ContactSubstep& substep);
     void stop_before_passing_through(const ContactSubstep& substep);

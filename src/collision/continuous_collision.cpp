@@ -217,13 +217,26 @@ Vector ContactGroup::lift(uint32_t i, const Pose& at, float part, const ContactS
     return out;
 }
 
+// Where the supports leave a body as the substep begins. Under a wall that leans over the ground the way up leads through the wall.
+Pose ContactGroup::lifted_start(uint32_t i, const ContactSubstep& substep) const {
+    const Pose began = pose_in(substep.before, i);
+    Vector slow;
+    const Vector up = lift(i, began, substep.begin, substep, slow);
+    if (dot(up, up) == 0.0f) return began;
+    ContactSubstep before = substep;
+    before.end = before.begin;
+    const Vector back =
+        way_back(*step_, arrays_.field[field_scale][i], arrays_.floor ? arrays_.floor[i] : 0,
+                 floor_[i].count > 0 ? &floor_[i] : nullptr, began.position, began.position + up, before);
+    return {began.position + up + back, began.rotation};
+}
+
 void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
     const float begin = substep.begin, end = substep.end;
     for (uint32_t i = 0; i < count_; ++i) {
         const float scale = arrays_.field[field_scale][i];
-        Pose from = pose_in(substep.before, i), to = pose_of(i);
-        Vector slow;
-        from.position = from.position + lift(i, from, begin, substep, slow);
+        const Pose from = lifted_start(i, substep);
+        Pose to = pose_of(i);
         to.position = to.position + lift_[i];
         const float little = 1e-3f * scale * step_->shape->reach;
         const float margin = margin_of(i, substep.h);
@@ -381,13 +394,15 @@ void ContactGroup::stay_in_front(const ContactSubstep& substep) {
         if (!std::any_of(slots_.slot, slots_.slot + filled_[i], presses)) continue;
         near_[i].others = near_[i].finite; // contacts can have moved it far
         Vector slow;
-        const Pose to = pose_of(i), began = pose_in(substep.before, i);
+        const Pose to = pose_of(i);
         const Vector at = to.position + lift(i, to, substep.end, substep, slow),
-                     from = began.position + lift(i, began, substep.begin, substep, slow);
-        const bool alone = floor_[i].count > 0 && near_[i].only(floor_[i].slot, {low_of(from, at), high_of(from, at)});
+                     from = lifted_start(i, substep).position;
+        // An even floor has pushed the body out itself. On one of stones contacts leave a centre beyond a tip.
+        const MeshFloor* const even = floor_[i].count > 0 && floor_[i].even ? &floor_[i] : nullptr;
+        const bool alone = even && near_[i].only(even->slot, {low_of(from, at), high_of(from, at)});
         const Vector back = alone ? Vector{}
                                   : way_back(*step_, arrays_.field[field_scale][i],
-                                             arrays_.floor ? arrays_.floor[i] : 0, &floor_[i], from, at, substep);
+                                             arrays_.floor ? arrays_.floor[i] : 0, even, from, at, substep);
         // Of a deep overlap whose correction would turn the body far, the solver undoes a part.
         if (!(dot(back, back) > 0.0f || length(at - to.position) > deep)) continue;
         Vector out{}; // of its own floor, into which other things can press it
@@ -401,7 +416,7 @@ void ContactGroup::stay_in_front(const ContactSubstep& substep) {
     }
 }
 
-Vector way_back(const ContactStep& step, float scale, uint32_t floor, const MeshFloor* alone, Vector from, Vector to,
+Vector way_back(const ContactStep& step, float scale, uint32_t floor, const MeshFloor* even, Vector from, Vector to,
                 const ContactSubstep& substep) {
     struct Passed {
         float part = 1.0f; // fraction of the path
@@ -416,7 +431,8 @@ Vector way_back(const ContactStep& step, float scale, uint32_t floor, const Mesh
                         contact_margin(0.0f, to, 0.0f, 0.0f);
     Vector at = to;
     bool moves = false;
-    for (uint32_t round = 0; round < most_rounds; ++round) {
+    for (uint32_t round = 0;; ++round) {
+        if (round == most_rounds) return (moves ? at : from) - to; // no room: it stays where it was in front of all
         if (const float way = length(at - from); !(way > 0.0f && way < 1e10f)) break; // diverged bodies are held later
         Passed first;
         bool any = false;
@@ -425,7 +441,7 @@ Vector way_back(const ContactStep& step, float scale, uint32_t floor, const Mesh
                 const Collider& c = step.colliders->at(candidate.slot);
                 const Geometry& g = c.geometry;
                 if ((c.moves && round >= rounds_of_all) || (moves && is_ground(g.kind))) return;
-                if (alone && alone->count > 0 && candidate.slot == alone->slot) return;
+                if (even && candidate.slot == even->slot) return;
                 const Pose begin = pose_at(c, substep.begin), end = pose_at(c, substep.end);
                 const Vector a = to_inner(begin, from), b = to_inner(end, at);
                 const float far = length(b - a);

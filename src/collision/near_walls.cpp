@@ -13,21 +13,52 @@ constexpr float level = 0.7f, steep = 0.5f;
 // Times the reach: up to `close` a wall takes all of the wind's component, beyond `far` nothing. Contact begins at `far` too.
 constexpr float close = 1.0f, far = 1.5f;
 
+// Triangles of a mesh that face about the same way, in the world frame.
+struct MeshSide {
+    const Collider* collider;
+    Vector normal;  // m^2, times their areas
+    float distance; // m, of the body's middle from the nearest one's plane
+};
+
 // Walls at a place, in the world frame.
 struct Found {
     const ContactStep* step;
     Vector x;
     float reach;
     NearWalls walls;
+    uint32_t side_count;
+    MeshSide sides[NearWalls::most];
 
     float steepness(Vector normal) const {
         const float up = step->gravity > 0.0f ? -dot(normal, step->weight) / step->gravity : 0.0f;
         return std::clamp((level - up) / (level - steep), 0.0f, 1.0f);
     }
     // distance: m, of the middle from the side.
-    void take(const Collider& c, const ContactSubstep& substep, Vector normal, float distance) {
+    void add(const Collider& c, Vector normal, float area, float distance) {
+        MeshSide* const end = sides + side_count;
+        MeshSide* side = std::find_if(sides, end, [&](const MeshSide& s) {
+            return s.collider == &c && dot(s.normal, normal) > 0.5f * length(s.normal);
+        });
+        if (side == end) {
+            if (side_count == NearWalls::most) return;
+            ++side_count;
+            *side = {&c, {}, distance};
+        }
+        side->normal = side->normal + area * normal;
+        side->distance = std::min(side->distance, distance);
+    }
+    void take_sides(const ContactSubstep& substep) {
+        for (const MeshSide* s = sides; s != sides + side_count; ++s) {
+            const float net = length(s->normal);
+            // Less than the square of the reach is a post or a bump, twice as much is a wall.
+            const float wide = std::clamp(net / (reach * reach) - 1.0f, 0.0f, 1.0f);
+            if (wide > 0.0f) take(*s->collider, substep, 1.0f / net * s->normal, s->distance, wide);
+        }
+    }
+    // wide: less than 1 takes less of the flow.
+    void take(const Collider& c, const ContactSubstep& substep, Vector normal, float distance, float wide = 1.0f) {
         const float near = std::clamp((far - distance / reach) / (far - close), 0.0f, 1.0f);
-        const float share = near * steepness(normal);
+        const float share = wide * near * steepness(normal);
         if (!(share > 0.0f)) return;
         for (uint32_t k = 0; k < walls.count; ++k) {
             NearWalls::Wall& same = walls.wall[k]; // both sides of a thin wall, or one side in two triangles
@@ -57,17 +88,34 @@ void add_heightfield(const Collider& c, const ContactSubstep& substep, const Pos
     found.take(c, substep, rotate(pose.rotation, normal), (p.y - below.height) * normal.y);
 }
 
-// Triangles smaller than the body are bumps.
-void add_part(const Collider& c, ColliderPart part, const ContactSubstep& substep, const Pose& pose, Found& found) {
+// m^2, twice its area along its normal.
+Vector doubled(const Triangle& t) {
+    return cross(t.corners[1] - t.corners[0], t.corners[2] - t.corners[0]);
+}
+// A rough wall turns the flow as a smooth one: not along the stone that is nearest, which would carry bodies from one to the next.
+Vector mean_normal(const MeshGeometry& mesh, ColliderPart part, Vector normal) {
+    Vector sum{};
+    for (uint32_t i = part.first; i < part.first + part.count && i < mesh.triangle_count; ++i) {
+        const Vector n = doubled(mesh_triangle(mesh, i));
+        const float along = dot(n, normal);
+        if (std::abs(along) > 0.5f * length(n)) sum = sum + (along < 0.0f ? -n : n);
+    }
+    return 1.0f / length(sum) * sum;
+}
+
+void add_part(const Collider& c, ColliderPart part, const Pose& pose, Found& found) {
     const MeshGeometry& mesh = *c.geometry.mesh;
     const Vector p = to_inner(pose, found.x);
     for (uint32_t i = part.first; i < part.first + part.count && i < mesh.triangle_count; ++i) {
         const Triangle t = mesh_triangle(mesh, i);
         const float off = dot(t.normal, p - t.corners[0]);
         if (!(std::abs(off) < far * found.reach)) continue;
-        const Vector doubled = cross(t.corners[1] - t.corners[0], t.corners[2] - t.corners[0]);
-        if (!(length(doubled) > 2.0f * found.reach * found.reach) || !is_over(t, p)) continue;
-        found.take(c, substep, rotate(pose.rotation, off < 0.0f ? -t.normal : t.normal), std::abs(off));
+        const Vector facing = off < 0.0f ? -t.normal : t.normal;
+        if (found.steepness(rotate(pose.rotation, facing)) == 0.0f) continue;
+        const float area = 0.5f * length(doubled(t));
+        const Vector middle = 1.0f / 3.0f * (t.corners[0] + t.corners[1] + t.corners[2]);
+        if (area < 2.0f * found.reach * found.reach ? length(p - middle) > far * found.reach : !is_over(t, p)) continue;
+        found.add(c, rotate(pose.rotation, mean_normal(mesh, part, facing)), area, std::abs(off));
     }
 }
 
@@ -111,7 +159,7 @@ NearWalls walls_near(const ContactStep& step, const BatchArrays& arrays, uint32_
                      const ContactSubstep& substep) {
     const Vector x = vector_in(arrays.field, field_x, body);
     const float reach = step.shape->reach * arrays.field[field_scale][body];
-    Found found{&step, x, reach, {0, {}}};
+    Found found{&step, x, reach, {0, {}}, 0, {}};
     const Box around = grown({x, x}, far * reach);
     Candidate near[most_candidates];
     bool more = false; // the first ones count
@@ -129,7 +177,7 @@ NearWalls walls_near(const ContactStep& step, const BatchArrays& arrays, uint32_
             add_heightfield(c, substep, pose, found);
             break;
         case ColliderKind::mesh:
-            add_part(c, near[k].part, substep, pose, found);
+            add_part(c, near[k].part, pose, found);
             break;
         case ColliderKind::sphere:
         case ColliderKind::capsule:
@@ -139,6 +187,7 @@ NearWalls walls_near(const ContactStep& step, const BatchArrays& arrays, uint32_
             add_solid(c, substep, pose, found);
         }
     }
+    found.take_sides(substep);
     return found.walls;
 }
 } // namespace lr
