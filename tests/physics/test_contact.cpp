@@ -184,6 +184,77 @@ TEST_CASE("spheres bounce with their coefficient of restitution, and one of 1 ga
         }
 }
 
+// The swept test ends a substep at the touch, where the sphere is slower than at its end.
+TEST_CASE("spheres bounce as high on boxes, meshes and fine heightfields, in coarse substeps too, and come to rest") {
+    const Asset asset = make(ellipsoid(0.035, 0.035, 0.035, 400.0));
+    const Triangles sheet{{-3, 0, -3, 3, 0, -3, 3, 0, 3, -3, 0, 3}, {0, 1, 2, 0, 2, 3}};
+    const std::vector<float> heights(101 * 101, 0.0f);
+    lr_collider_desc table = box_collider(3.0f, 1.0f, 3.0f), field = heightfield_collider(heights, 101, 0.02f);
+    table.position[1] = -1.0f;
+    field.position[0] = field.position[2] = -1.0f;
+    for (const lr_collider_desc& ground : {collider_desc(LR_COLLIDER_PLANE), table, mesh_collider(sheet), field})
+        for (const uint32_t substeps : {1u, 4u})
+            for (const float e : {0.5f, 0.9f}) {
+                CAPTURE(ground.kind);
+                CAPTURE(substeps);
+                CAPTURE(e);
+                lr_world_desc wd = world_desc();
+                wd.fluid_density = 1e-6f;
+                const World world = make(wd);
+                const lr_batch batch = add_batch(world, unloaded(), asset, 16);
+                set_contact(world, batch, contact_desc(0.5f, 0.0f));
+                add_collider(world, surface(ground, 0.5f, e));
+                std::vector<lr_body> bodies;
+                for (int i = 0; i < 16; ++i) {
+                    lr_body_desc d = body_desc();
+                    d.position[0] = 0.1f * static_cast<float>(i) - 0.8f;
+                    d.position[1] = 1.035f + 0.01f * static_cast<float>(i);
+                    bodies.push_back(add_body(world, batch, d));
+                }
+                steps(world, 37, 1.0f / 60.0f, substeps); // the lowest has bounced at 27, the highest at 29
+                for (size_t i = 0; i < bodies.size(); ++i) {
+                    const lr_body_state s = state_of(world, bodies[i]);
+                    const double v = wide(s.linear_velocity[1]),
+                                 to = wide(s.position[1]) - 0.035 + 0.5 * v * v / gravity;
+                    CHECK(to == doctest::Approx(wide(e * e) * (1.0 + 0.01 * static_cast<double>(i))).epsilon(0.01));
+                }
+                steps(world, 14 * 60, 1.0f / 60.0f, substeps);
+                for (const lr_body body : bodies) CHECK(state_of(world, body).position[1] < 0.0355f);
+            }
+}
+
+// The correction of its path turns a tilted body by up to half a radian; its velocity must not turn along.
+TEST_CASE("without friction a vertical blow throws no tilted body sideways") {
+    const Asset assets[] = {make(rigid_box(0.06, 0.0006, 0.04, 400.0)), make(ellipsoid(0.05, 0.005, 0.005, 600.0))};
+    lr_collider_desc table = box_collider(3.0f, 1.0f, 3.0f);
+    table.position[1] = -1.0f;
+    for (const Asset& asset : assets)
+        for (const lr_collider_desc& ground : {collider_desc(LR_COLLIDER_PLANE), table})
+            for (const uint32_t substeps : {1u, 4u}) {
+                CAPTURE(&asset - assets);
+                CAPTURE(ground.kind);
+                CAPTURE(substeps);
+                lr_world_desc wd = world_desc();
+                wd.fluid_density = 1e-6f;
+                const World world = make(wd);
+                const lr_batch batch = add_batch(world, unloaded(), asset, 64);
+                set_contact(world, batch, contact_desc(0.0f, 0.0f));
+                add_collider(world, surface(ground, 0.0f));
+                Random random(7);
+                std::vector<lr_body> bodies;
+                for (int i = 0; i < 64; ++i)
+                    bodies.push_back(add_body(
+                        world, batch, turned_anyhow(random, {random.uniform(-1, 1), 1.0, random.uniform(-1, 1)})));
+                steps(world, 30, 1.0f / 60.0f, substeps); // they hit at 4.4 m/s
+                double sum = 0.0;
+                for (const lr_body body : bodies) {
+                    const Vec v = vec(state_of(world, body).linear_velocity);
+                    sum += std::hypot(v[0], v[2]);
+                }
+                CHECK(sum / 64.0 < 0.05);
+            }
+}
+
 TEST_CASE("a sphere rolls down without slipping, and slower by rolling resistance") {
     for (double radius : {0.005, 0.05, 0.5}) {
         CAPTURE(radius);

@@ -190,7 +190,7 @@ TEST_CASE("nothing falls through uneven ground of triangles, and all comes to re
                     std::swap(ground.indices[t], ground.indices[t + 1]);
                 add_collider(world, mesh_collider(ground));
                 const lr_batch batch = add_batch(world, kind.asset, count);
-                Random random(5);
+                Random random(6);
                 std::vector<lr_body> bodies;
                 for (uint32_t i = 0; i < count; ++i) {
                     lr_body_desc d = turned_anyhow(random);

@@ -26,7 +26,8 @@ lr_batch_desc in_air() {
 
 } // namespace
 
-// The rim of a plate holds it upright within the angle thickness/width, 0.9 degrees here; none must lean by more.
+// The rim of a plate holds it upright within the angle thickness/width, 0.9 degrees here, and the static lock for another half degree; none must lean
+// by more.
 TEST_CASE("no sheet rests leaning") {
     const Asset assets[] = {make(rigid_box(0.06, 0.0006, 0.04, 400.0)), make(ellipsoid(0.04, 0.02, 0.0005, 400.0))};
     const size_t across[] = {1, 2};
@@ -46,7 +47,7 @@ TEST_CASE("no sheet rests leaning") {
             Vec n{0, 0, 0};
             n[across[a]] = 1.0;
             const double up = std::abs(to_world(q, n)[1]);
-            if (up < 0.02)
+            if (up < 0.025)
                 ++upright;
             else if (up < 0.99)
                 ++leaning;

@@ -241,6 +241,7 @@ struct Solved {
     Vec3 over[contact_slots]; // over d s
     VF gap[contact_slots], before[contact_slots], bounce[contact_slots], touching[contact_slots];
     VF left[contact_slots]; // overlap that later substeps undo
+    VF struck;              // share of the substep before the first contact that bounces
     VF shallow;             // least gap at the beginning
     VF apart;               // m/s, difference of the surfaces' velocities
     Vec3 carried;           // velocity of the first touching surface
@@ -270,6 +271,7 @@ struct Solved {
         t = way = way_of(q0, q, x - x0, length);
 
         depth = zero;
+        struck = one;
         floor = zero3();
         auto above_any = reach < zero;
         for (uint32_t k = 0; k < count; ++k) {
@@ -302,8 +304,15 @@ struct Solved {
             const VF last = dot(normal, to_world(q, velocity_at(end, over[k]))) - carried;
             const VF closed = before[k] - gap[k];
             const auto closes = hn::And(before[k] > slop, closed > zero);
-            const VF part = hn::IfThenElseZero(closes, hn::Min(before[k] / hn::Max(closed, constant(1e-30f)), one));
-            bounce[k] = part * (last - first) + first;
+            // The swept test ends the path at the touch: there the mean velocity tells how far the gap would have closed. What gravity adds after the
+            // touch does not bounce; without this a ball of restitution 0.95 bounced on a box for ever.
+            const VF free = hn::Max(closed, -(constant(0.5f) * h * (first + last)));
+            const VF part = hn::IfThenElseZero(closes, hn::Min(before[k] / hn::Max(free, constant(1e-30f)), one));
+            const VF fell = hn::IfThenElseZero(closes, hn::Min(before[k] / hn::Max(closed, constant(1e-30f)), one));
+            const VF late = hn::Max((fell - part) * (last - first), constant(-b.gravity * b.h));
+            bounce[k] = fell * (last - first) + first - hn::Min(late, zero);
+            const auto blow = hn::And(closes, bounce[k] < constant(-2.0f * b.gravity * b.h));
+            struck = hn::IfThenElse(blow, hn::Min(struck, part), struck);
         }
         rolling = constant(b.rolling) * (reach * inverse);
         spin_hold = constant(1.0f / most_turned<kFull>(c));
@@ -314,13 +323,12 @@ struct Solved {
         return true;
     }
 
-    // Moves the bodies and prepares the velocity projection.
-    template <bool kFull> HWY_NOINLINE void move(const ContactBodies& b, const ContactSlots& slots) {
-        const BodyConstants& c = *b.body;
+    // Moves the bodies.
+    HWY_NOINLINE void move(const ContactBodies& b, const ContactSlots& slots) {
         const VF zero = hn::Zero(DF()), one = constant(1.0f), half = constant(0.5f),
                  empty = constant(0.5f * no_contact);
-        const VF inverse_h = constant(1.0f / b.h);
-        const Vec3 under = to_body(q, floor);
+        patience.floor = to_body(q, floor);
+        patience.creep = constant(0.01f * b.gravity * b.h);
         Twist correction = t - way;
         const VF less = small_part(correction.u, inverse);
         correction = less * correction;
@@ -348,16 +356,20 @@ struct Solved {
             }
         }
         x += to_world(q, correction.v);
+        const Vec3 v = load3(b.arrays, field_vx, at), seen = to_world(q, v);
         q = normalised(turn(q, q, half * inverse, correction.u));
 
-        t = met = {load3(b.arrays, field_vx, at), length * load3(b.arrays, field_wx, at)};
+        // In an impact the correction turns the body but not its velocity in the world, or a vertical blow would throw a tilted body sideways.
         const VF slow = constant(2.0f * b.gravity * b.h);
+        auto hits = reach < zero;
+        for (uint32_t k = 0; k < count; ++k) hits = hn::Or(hits, hn::And(touching[k] > zero, bounce[k] < -slow));
+        t = {select(hits, to_body(q, seen), v), length * load3(b.arrays, field_wx, at)};
+        // The energy guard counts what the body had then: after the touch it falls no farther.
+        const Vec3 was = to_world(q0, began.v);
+        met = {select(hits, to_body(q, was + struck * (seen - was)), v), t.u};
         shallow = apart = zero;
         carried = zero3();
         any_touch = reach < zero;
-        // A resting body falls by g h^2/2 in a substep and gains g h. So the impulses of positions times 2/h are a good start.
-        const auto rests = depth < constant(2.0f) * slop + constant(b.gravity * (b.h * b.h));
-        const VF guess = hn::IfThenElseZero(rests, constant(2.0f / b.h));
         for (uint32_t k = 0; k < count; ++k) {
             const auto there = load1(slots.slot[used[k]].gap, at) < empty;
             const auto touches = hn::And(touching[k] > zero, there);
@@ -366,6 +378,16 @@ struct Solved {
             any_touch = hn::Or(any_touch, touches);
             apart = hn::Max(apart, hn::IfThenElseZero(touches, greatest(surface - carried)));
         }
+    }
+
+    // Prepares the velocity projection.
+    template <bool kFull> HWY_NOINLINE void stop(const ContactBodies& b, const ContactSlots& slots) {
+        const BodyConstants& c = *b.body;
+        const VF zero = hn::Zero(DF()), empty = constant(0.5f * no_contact);
+        const VF inverse_h = constant(1.0f / b.h), slow = constant(2.0f * b.gravity * b.h);
+        // A resting body falls by g h^2/2 in a substep and gains g h. So the impulses of positions times 2/h are a good start.
+        const auto rests = depth < constant(2.0f) * slop + constant(b.gravity * (b.h * b.h));
+        const VF guess = hn::IfThenElseZero(rests, constant(2.0f / b.h));
         for (uint32_t k = 0; k < count; ++k) {
             const ContactSlots::Slot& s = slots.slot[used[k]];
             const Vec3 surface = to_body(q, load3(s.surface, at));
@@ -387,8 +409,6 @@ struct Solved {
             shallow = hn::Min(shallow, hn::IfThenElse(touches, before[k], zero));
         }
         dust = constant(1e-3f) * slow;
-        patience.floor = under;
-        patience.creep = constant(0.01f * b.gravity * b.h);
     }
 
     // Stores the bodies' state and their impulses.
@@ -509,7 +529,10 @@ static HWY_NOINLINE void resolve(const ContactBodies& b, ContactSlots& slots, So
         for (; at < b.count && vectors < swept_together; at += hn::Lanes(DF()))
             vectors += all[vectors].begin<kFull>(b, slots, at) ? 1 : 0;
         project<kFull>(*b.body, all, vectors, b.rolling != 0.0f);
-        for (uint32_t v = 0; v < vectors; ++v) all[v].move<kFull>(b, slots);
+        for (uint32_t v = 0; v < vectors; ++v) {
+            all[v].move(b, slots);
+            all[v].stop<kFull>(b, slots);
+        }
         project<kFull>(*b.body, all, vectors, b.rolling != 0.0f);
         for (uint32_t v = 0; v < vectors; ++v) all[v].finish<kFull>(b, slots);
     }
