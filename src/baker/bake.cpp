@@ -355,7 +355,7 @@ private:
         if (weighs_less_or_more())
             for (std::size_t i = 0; i < 9; ++i)
                 inertia[i] = solid_.inertia(static_cast<Eigen::Index>(i / 3), static_cast<Eigen::Index>(i % 3));
-        const std::array<double, 9> axes = shape::principal_axes(inertia);
+        const std::array<double, 9> axes = shape::principal_axes(inertia, mesh_.vertices);
         const Eigen::Vector3d centre = solid_.centroid - center_;
         shape::AerodynamicGeometry geometry = is_sheet() || mixed_
                                                   ? sheet_geometry(mesh_, thickness_, axes, centre, solid_faces_)

@@ -36,7 +36,7 @@ inline Made made(Mesh mesh, double thickness, const Vector3d* weight = nullptr, 
     std::array<double, 9> inertia{};
     for (std::size_t i = 0; i < 9; ++i)
         inertia[i] = body.inertia(static_cast<Eigen::Index>(i / 3), static_cast<Eigen::Index>(i % 3));
-    const std::array<double, 9> axes = shape::principal_axes(inertia);
+    const std::array<double, 9> axes = shape::principal_axes(inertia, mesh.vertices);
     const Vector3d buoyancy = body.centroid - center;
     shape::AerodynamicGeometry g =
         thickness > 0.0 ? sheet_geometry(mesh, thickness, axes, buoyancy) : mesh_geometry(mesh, axes, buoyancy);

@@ -29,24 +29,24 @@ namespace {
 
 constexpr std::array<double, 9> identity{1, 0, 0, 0, 1, 0, 0, 0, 1};
 
-std::array<double, 9> axes_of(const MassProperties& solid) {
+std::array<double, 9> axes_of(const MassProperties& solid, const Mesh& mesh) {
     std::array<double, 9> inertia{};
     for (std::size_t i = 0; i < 9; ++i)
         inertia[i] = solid.inertia(static_cast<Eigen::Index>(i / 3), static_cast<Eigen::Index>(i % 3));
-    return shape::principal_axes(inertia);
+    return shape::principal_axes(inertia, mesh.vertices);
 }
 
 // The same steps as in a bake.
 shape::AerodynamicGeometry geometry_of(const Mesh& mesh) {
     const MassProperties solid = compute_mass_properties(mesh);
-    shape::AerodynamicGeometry g = mesh_geometry(mesh, axes_of(solid), solid.centroid);
+    shape::AerodynamicGeometry g = mesh_geometry(mesh, axes_of(solid, mesh), solid.centroid);
     g.volume = solid.volume;
     return g;
 }
 
 shape::AerodynamicGeometry geometry_of(const Mesh& mesh, double thickness) {
     const MassProperties solid = compute_sheet_mass_properties(mesh, thickness);
-    shape::AerodynamicGeometry g = sheet_geometry(mesh, thickness, axes_of(solid), solid.centroid);
+    shape::AerodynamicGeometry g = sheet_geometry(mesh, thickness, axes_of(solid, mesh), solid.centroid);
     g.volume = solid.volume;
     return g;
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 using lr::shape::principal_axes;
 using test::Random;
@@ -142,5 +143,32 @@ TEST_CASE("of a tilted disc the axis is its own, and noise does not turn the oth
         CHECK(std::abs(dot) == doctest::Approx(1.0).epsilon(1e-12));
         const Matrix again = principal_axes(inertia({0.5 + random.uniform(-1e-4, 1e-4), 0.5, 1.0}, tilt));
         if (std::abs(tilt[6 + along]) > 0.6) CHECK(distance(first, again) < 1e-2);
+    }
+}
+
+TEST_CASE("of a square the axes go along its sides, however it lies, and a disc keeps the body's") {
+    Random random(66);
+    const auto turned = [](std::vector<Eigen::Vector3d> corners, const Matrix& by) {
+        for (Eigen::Vector3d& p : corners)
+            p = Eigen::Vector3d(by[0] * p.x() + by[3] * p.y(), by[1] * p.x() + by[4] * p.y(),
+                                by[2] * p.x() + by[5] * p.y()); // z is 0
+        return corners;
+    };
+    const std::vector<Eigen::Vector3d> square{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {0, 0, 0}};
+    std::vector<Eigen::Vector3d> disc;
+    for (int i = 0; i < 48; ++i) disc.emplace_back(std::cos(i * 0.1309), std::sin(i * 0.1309), 0.0);
+    CHECK(principal_axes(inertia({0.5, 0.5, 1.0}, identity), square) == identity);
+    for (int round = 0; round < 100; ++round) {
+        const Matrix by = rotation(random, 3.1), m = inertia({0.501, 0.499, 1.0}, by);
+        const Matrix e = principal_axes(m, turned(square, by));
+        check_right_handed(e);
+        for (size_t row = 0; row < 3; ++row) {
+            double most = 0.0;
+            for (size_t k = 0; k < 3; ++k)
+                most = std::max(most, std::abs(e[3 * row] * by[3 * k] + e[3 * row + 1] * by[3 * k + 1] +
+                                               e[3 * row + 2] * by[3 * k + 2]));
+            CHECK(most > 0.9999); // less than a hundredth of the rectangle does not turn them
+        }
+        CHECK(principal_axes(m, turned(disc, by)) == principal_axes(m));
     }
 }

@@ -243,6 +243,26 @@ TEST_CASE("stations: a dart has wings and a keel, the same as a sheet and as a s
     }
 }
 
+TEST_CASE("stations: the rim of a plate of even thickness is neither a wall nor a lump, in any frame") {
+    const std::array<double, 5> across{0, 0, 1, 1, 0}, up{0, 1, 1, 0, 0};
+    for (const double thickness : {0.7, 1.5, 3.0}) {
+        Mesh washer = shapes::patch(48, 4, [&](double u, double v) {
+            const auto corner = static_cast<std::size_t>(std::lround(4.0 * v));
+            const double r = 10.0 - 4.75 * across[corner], t = 2.0 * pi * u;
+            return Vector3d(r * std::cos(t), r * std::sin(t), thickness * up[corner]);
+        });
+        join_near_vertices(washer, 1e-9);
+        for (const Eigen::Matrix3d& turn : {Eigen::Matrix3d(Eigen::Matrix3d::Identity()), shapes::some_rotation()}) {
+            Mesh turned = washer;
+            shapes::apply(turned, turn);
+            const Made m = made(turned, 0.0);
+            CHECK(m.stations.at.size() == 6);
+            CHECK(m.stations.error < 0.1);
+            for (const StationData& s : m.stations.at) CHECK(std::abs(row(s, 2).dot(turn * Vector3d::UnitZ())) > 0.99);
+        }
+    }
+}
+
 TEST_CASE("stations: neither triangles nor the frame matter") {
     const Vector3d weight(0.008, -0.002, 0.0);
     const Made coarse = made(wing(8, 1), 2e-4, &weight), fine = made(wing(48, 9), 2e-4, &weight);
@@ -406,6 +426,19 @@ TEST_CASE("stations: the blades of a paper helicopter are cut alike") {
             return (Vector3d(-place(o).x(), -place(o).y(), place(o).z()) - place(s)).norm() < 0.01 * m.size &&
                    std::abs(o.plate_drag - s.plate_drag) < 0.03 * s.plate_drag;
         }));
+}
+
+TEST_CASE("stations: a part of 3 to 1 is cut alike in each frame") {
+    Mesh mesh = shapes::patch(6, 18, [](double u, double v) { return Vector3d(0.03 * (u - 0.5), 0.0, -0.09 * v); });
+    for (const double side : {1.0, -1.0})
+        mesh = shapes::joined(std::move(mesh), shapes::patch(16, 5, [&](double u, double v) {
+                                  return Vector3d(side * 0.025 * v, side * 0.085 * u, 0.02 * u);
+                              }));
+    for (int i = 0; i < 16; ++i) {
+        Mesh turned = mesh;
+        shapes::apply(turned, Eigen::AngleAxisd(0.1 * i, Vector3d(1.0, 0.5 * i, 2.0).normalized()).toRotationMatrix());
+        CHECK(made(turned, 1e-4).stations.at.size() == 6);
+    }
 }
 
 TEST_CASE("stations: blossoms are cut along a mirror line, so that they have no preferred sense of spin" *

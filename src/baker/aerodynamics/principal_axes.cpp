@@ -95,6 +95,58 @@ std::array<double, 9> in_body_order(const std::array<Vector, 3>& v) {
         for (double& x : out[2]) x = -x;
     return rows(out);
 }
+
+using Corners = std::vector<Eigen::Vector2d>;
+
+double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+// The convex outline, counter-clockwise (Andrew 1979).
+Corners outline_of(Corners points) {
+    std::sort(points.begin(), points.end(),
+              [](const auto& a, const auto& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
+    Corners out;
+    for (const bool upper : {false, true}) {
+        const size_t first = out.size();
+        for (const Eigen::Vector2d& p : points) {
+            while (out.size() >= first + 2 && turn(out.back() - out[out.size() - 2], p - out.back()) <= 0.0)
+                out.pop_back();
+            out.push_back(p);
+        }
+        out.pop_back();
+        if (!upper) std::reverse(points.begin(), points.end());
+    }
+    return out;
+}
+
+// Direction along which a rectangle around the points is smallest: that of a side of their convex outline (Freeman and Shapira 1975).
+Eigen::Vector2d side_of_least_rectangle(const Corners& points) {
+    constexpr double worth = 0.99;
+    const Corners outline = outline_of(points);
+    const auto area_along = [&](const Eigen::Vector2d& d) {
+        Eigen::Array2d low(1e300, 1e300), high(-1e300, -1e300);
+        for (const Eigen::Vector2d& p : outline) {
+            const Eigen::Array2d at(d.dot(p), turn(d, p));
+            low = low.min(at);
+            high = high.max(at);
+        }
+        return (high - low).prod();
+    };
+    Eigen::Vector2d best(1.0, 0.0);
+    double least = worth * area_along(best);
+    // A thousand sides suffice: of more, as round rims have, none saves much.
+    for (size_t i = 0; i < outline.size(); i += 1 + outline.size() / 1024) {
+        const Eigen::Vector2d side = (outline[(i + 1) % outline.size()] - outline[i]).normalized();
+        const double area = area_along(side);
+        if (!(area < least * (1.0 - 1e-9))) continue;
+        least = area;
+        best = side;
+    }
+    // The nearest of the four directions of its sides.
+    if (std::abs(best.x()) < std::abs(best.y())) best = {best.y(), -best.x()};
+    return best.x() < 0.0 ? -best : best;
+}
 } // namespace
 
 std::array<double, 9> principal_axes(const std::array<double, 9>& inertia) {
@@ -115,5 +167,29 @@ std::array<double, 9> principal_axes(const std::array<double, 9>& inertia) {
     if (low <= close || high <= close) return about(v[moments[low <= high ? 2 : 0].second]);
     for (Vector& axis : v) normalise(axis);
     return in_body_order(v);
+}
+
+std::array<double, 9> principal_axes(const std::array<double, 9>& inertia,
+                                     const std::vector<Eigen::Vector3d>& corners) {
+    const std::array<double, 9> axes = principal_axes(inertia);
+    using Matrix = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+    Matrix e = Eigen::Map<const Matrix>(axes.data());
+    const Eigen::Vector3d m = (e * Eigen::Map<const Matrix>(inertia.data()) * e.transpose()).diagonal();
+    const double close = equal * m.maxCoeff();
+    for (Eigen::Index k = 0; k < 3; ++k) {
+        const Eigen::Index i = (k + 1) % 3, j = (k + 2) % 3;
+        if (std::abs(m[i] - m[j]) > close || std::abs(m[i] - m[k]) <= close || std::abs(m[j] - m[k]) <= close) continue;
+        Corners points;
+        for (const Eigen::Vector3d& p : corners) points.emplace_back(e.row(i).dot(p), e.row(j).dot(p));
+        const Eigen::Vector2d side = side_of_least_rectangle(points);
+        if (side.y() == 0.0) return axes;
+        const Eigen::RowVector3d first = side.x() * e.row(i) + side.y() * e.row(j);
+        e.row(j) = side.x() * e.row(j) - side.y() * e.row(i);
+        e.row(i) = first;
+        std::array<double, 9> out{};
+        Eigen::Map<Matrix>(out.data()) = e;
+        return out;
+    }
+    return axes;
 }
 } // namespace lr::shape

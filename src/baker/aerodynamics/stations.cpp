@@ -36,8 +36,10 @@ constexpr double bent_chord = 0.008;
 constexpr double off_centre = 0.05; // distance of the centre of mass from the middle of the area, over the extent
 constexpr double thick = 0.1;       // volume over the area to the power 3/2, half of a sphere's
 constexpr double convex = 0.9;      // volume over that of the hull
-constexpr double slender = 3.0;     // ratio of the root mean squares of span and chord
-constexpr double long_strip = 2.0;  // arms along the span fade from span/chord = 2 to 4
+constexpr double even = 0.9;        // volume over that of a prism on the outline, as high as the body
+constexpr double slender =
+    2.999; // ratio of the root mean squares of span and chord; at 3 rounding would judge strips of 3:1
+constexpr double long_strip = 2.0; // arms along the span fade from span/chord = 2 to 4
 // They fade in parts that reach across the centre of mass: its distance from their middle, over half their length, is at most 0.4; from 0.6 on they
 // lie behind it.
 constexpr double across_centre = 0.4, behind_centre = 0.6;
@@ -469,14 +471,17 @@ Stations make_stations(const Mesh& mesh, const AerodynamicData& loads, const Vec
     find_open_sides(all, size);
 
     std::vector<Plan> plans;
-    auto [lump, rest] = split_solids(all, size);
+    // A plate of even thickness has no lump and no walls: long rays from its rim inwards are no thickness, and its rim is no plate.
+    const auto [low, high] = extent_of(all, normal);
+    const bool plate = !sheet && tilt < flat && options.volume > even * along.area * (high - low);
+    auto [lump, rest] = plate ? std::pair{Part{}, std::move(all)} : split_solids(all, size);
     if (!lump.empty()) {
         plans.push_back(plan_of(std::move(lump), loads, size));
         plans.back().lump = true;
         plans.back().curved = false;
     }
     std::vector<Part> groups;
-    for (Part& group : split_by_normal(std::move(rest), 4))
+    for (Part& group : split_by_normal(std::move(rest), plate ? 1 : 4))
         for (Part& wall : split_walls(std::move(group))) groups.push_back(std::move(wall));
     for (std::size_t i = 0; i < groups.size(); ++i) {
         const Vector3d n = common_normal(moments_of(groups[i]), normal);
