@@ -397,8 +397,12 @@ void ContactGroup::stay_in_front(const ContactSubstep& substep) {
         const Pose to = pose_of(i);
         const Vector at = to.position + lift(i, to, substep.end, substep, slow),
                      from = lifted_start(i, substep).position;
-        // An even floor has pushed the body out itself. On one of stones contacts leave a centre beyond a tip.
-        const MeshFloor* const even = floor_[i].count > 0 && floor_[i].even ? &floor_[i] : nullptr;
+        // Weight holds a body in front of an even floor. Contacts leave a centre beyond the tip of a stone, and beyond a wall that is its floor.
+        const MeshFloor* even = floor_[i].count > 0 && floor_[i].even ? &floor_[i] : nullptr;
+        if (even) {
+            const Vector up = rotate(pose_at(step_->colliders->at(even->slot), substep.end).rotation, even->up);
+            if (!(-2.0f * dot(up, step_->weight) > step_->gravity)) even = nullptr;
+        }
         const bool alone = even && near_[i].only(even->slot, {low_of(from, at), high_of(from, at)});
         const Vector back = alone ? Vector{}
                                   : way_back(*step_, arrays_.field[field_scale][i],
