@@ -21,7 +21,8 @@ public:
 
     // Of this thread; null outside a lease.
     static Scratch*& here() {
-        static thread_local Scratch* scratch; // null; `= nullptr` would leave a global symbol in the static library for Windows
+        static thread_local Scratch*
+            scratch; // null; `= nullptr` would leave a global symbol in the static library for Windows
         return scratch;
     }
     void* take(size_t size) {

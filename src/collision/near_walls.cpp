@@ -100,7 +100,8 @@ Vector mean_normal(const MeshGeometry& mesh, ColliderPart part, Vector normal) {
         const float along = dot(n, normal);
         if (std::abs(along) > 0.5f * length(n)) sum = sum + (along < 0.0f ? -n : n);
     }
-    return 1.0f / length(sum) * sum;
+    const float size = length(sum);
+    return size > 0.0f ? 1.0f / size * sum : normal; // of triangles without area
 }
 
 void add_part(const Collider& c, ColliderPart part, const Pose& pose, Found& found) {
