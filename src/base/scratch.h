@@ -21,8 +21,8 @@ public:
 
     // Of this thread; null outside a lease.
     static Scratch*& here() {
-        static thread_local Scratch*
-            scratch; // null; `= nullptr` would leave a global symbol in the static library for Windows
+        // Null. With `= nullptr` the static library for Windows has a global symbol for it.
+        static thread_local Scratch* scratch;
         return scratch;
     }
     void* take(size_t size) {
