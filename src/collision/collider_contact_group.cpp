@@ -4,6 +4,7 @@
 #include "collision/triangle_contact.h"
 #include "kernel/divergence.h"
 
+#include <bit>
 #include <limits>
 #include <optional>
 
@@ -60,20 +61,27 @@ SurfaceMotion motion_of(const Collider& c, const ContactSubstep& substep) {
     return {to.position, 1.0f / h * (to.position - from.position), 1.0f / h * chord(turn), h};
 }
 
+void ContactGroup::list_near(Near& near) const {
+    const Colliders& colliders = *step_->colliders;
+    const uint32_t layers = step_->settings->layers;
+    near.count = colliders.candidates(near.box, layers, nullptr, near.candidate, near.overflowed);
+    if (near.overflowed) near.count = colliders.grounds(near.box, layers, near.candidate);
+    near.grounds = near.finite = 0;
+    for (uint32_t k = 0; k < near.count; ++k) {
+        const bool ground = is_ground(colliders.at(near.candidate[k].slot).geometry.kind);
+        (ground ? near.grounds : near.finite) |= uint64_t{1} << k;
+    }
+}
+
 ContactGroup::ContactGroup(const ContactStep& step, const StepInput& in, const BatchArrays& arrays, uint32_t count)
     : step_(&step), body_(&in.body), water_(in.water), arrays_(arrays), count_(count) {
-    for (uint32_t i = 0; i < count; ++i) {
+    for (uint32_t i = 0; i < count_; ++i) {
         Near& near = near_[i];
-        near.box = vicinity(step, arrays, i, step.dt);
-        const uint32_t layers = step.settings->layers;
-        near.count = step.colliders->candidates(near.box, layers, nullptr, near.candidate, near.overflowed);
-        if (near.overflowed) near.count = step.colliders->grounds(near.box, layers, near.candidate);
-        near.grounds = near.finite = 0;
-        for (uint32_t k = 0; k < near.count; ++k) {
-            const uint32_t slot = near.candidate[k].slot;
-            const bool ground = is_ground(step.colliders->at(slot).geometry.kind);
-            (ground ? near.grounds : near.finite) |= uint64_t{1} << k;
-            if (!ground) continue;
+        near.box = near.of_step = vicinity(step, arrays, i, step.dt);
+        list_near(near);
+        near.among_many = near.overflowed || std::popcount(near.finite) > among_few;
+        for (uint64_t left = near.grounds; left != 0; left &= left - 1) {
+            const uint32_t slot = near.candidate[std::countr_zero(left)].slot;
             uint32_t* const end = grounds_ + ground_count_;
             uint32_t* const at = std::lower_bound(grounds_, end, slot);
             if (at != end && *at == slot) continue;
@@ -252,9 +260,14 @@ Vector floor_side(uint32_t packed, uint32_t slot) {
 void ContactGroup::find_others(const ContactSubstep& substep) {
     for (uint32_t i = 0; i < count_; ++i) {
         Near& near = near_[i];
-        near.others = near.finite;
         const Vector from = pose_in(substep.before, i).position, to = pose_of(i).position;
         const float reach = 1.2f * step_->shape->reach * arrays_.field[field_scale][i] + margin_of(i, substep.h);
+        if (near.among_many) {
+            const Box path = grown({low_of(from, to), high_of(from, to)}, reach + length(to - from)); // with lifts
+            near.box = {high_of(path.low, near.of_step.low), low_of(path.high, near.of_step.high)};
+            list_near(near);
+        }
+        near.others = near.finite;
         bool swept = false;
         for (uint64_t left = near.grounds; left != 0 && near.finite != 0; left &= left - 1) {
             const Collider& c = step_->colliders->at(near.candidate[std::countr_zero(left)].slot);
@@ -398,10 +411,10 @@ void ContactGroup::touch_sleeping(uint32_t i, const ContactSubstep& substep) {
 }
 
 void ContactGroup::collect(const ContactSubstep& substep) {
-    if (step_->settings->ground_effect > 0.0f) ground_effect(substep);
     slots_.used = 0;
     std::fill(filled_, filled_ + contact_lanes, uint8_t{0});
     find_others(substep);
+    if (step_->settings->ground_effect > 0.0f) ground_effect(substep);
     find_floors(substep);
     for (uint32_t i = 0; i < count_; ++i) up_[i] = lift(i, pose_of(i), substep.end, substep, lift_[i]);
     stop_before_passing_through(substep);

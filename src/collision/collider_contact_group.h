@@ -197,21 +197,24 @@ public:
     float fall(uint32_t lane) const { return step_->gravity * (wet_[lane] ? water_->fall : 1.0f); }
 
 private:
-    // Candidate list. When it overflows it keeps only planes and heightfields; the others are searched again in each substep, a list at a time.
+    // Candidates in a box: that of the step, or, among many things, the part of it that a substep needs. A list that overflows keeps only planes and
+    // heightfields; the others are searched when they are asked for, a list at a time.
     struct Near {
-        Box box; // all that the body can meet in the step is in the list if it stays in here
+        Box of_step, box;
         uint32_t count;
-        bool overflowed;
+        bool among_many, overflowed;
         // Bits of candidates: planes and heightfields; all others; those of them that the body can meet in this substep.
         uint64_t grounds, finite, others;
         Candidate candidate[most_candidates];
         bool meets_others() const { return overflowed || others != 0; }
+        bool lists(const Box& around) const { return !overflowed && contains(box, around); }
         // Whether a path meets nothing but this collider.
         bool only(uint32_t slot, const Box& path) const {
-            return !overflowed && count > 0 && candidate[0].slot == slot && candidate[count - 1].slot == slot &&
-                   contains(box, path);
+            return lists(path) && count > 0 && candidate[0].slot == slot && candidate[count - 1].slot == slot;
         }
     };
+    static constexpr int among_few = 16; // testing as many costs as much as a search
+    void list_near(Near& near) const;    // what is in its box
     void find_others(const ContactSubstep& substep);
     template <class Found> void each_candidate(uint32_t lane, const Box& around, Found&& found) const;
     template <class Found> void any_order(uint32_t lane, const Box& around, Found&& found) const;
@@ -261,7 +264,7 @@ private:
 // the body can meet in the substep.
 template <class Found> void ContactGroup::each_candidate(uint32_t i, const Box& around, Found&& found) const {
     const Near& near = near_[i];
-    if (!near.overflowed) {
+    if (near.lists(around)) {
         for (uint64_t left = near.grounds | near.others; left != 0; left &= left - 1)
             found(near.candidate[std::countr_zero(left)]);
         return;
@@ -277,7 +280,7 @@ template <class Found> void ContactGroup::each_candidate(uint32_t i, const Box& 
 
 // The same in any order: sorting would be slow on a long path among very many.
 template <class Found> void ContactGroup::any_order(uint32_t i, const Box& around, Found&& found) const {
-    if (near_[i].overflowed)
+    if (!near_[i].lists(around))
         step_->colliders->visit(around, step_->settings->layers, found);
     else
         each_candidate(i, around, found);
