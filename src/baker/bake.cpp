@@ -182,6 +182,9 @@ private:
         if (!sheets.empty()) {
             set_thickness(mesh_, sheets);
             if (!take_once(sheets)) return false;
+            parts_.covered = covered_sheets(parts_, sheets);
+            Faults same;
+            take_double_sheets_once(parts_.mesh, thickness_, false, parts_.covered, same);
         }
         mesh_.faces.resize(solid_faces_);
         mesh_.faces.insert(mesh_.faces.end(), sheets.begin(), sheets.end());

@@ -245,6 +245,28 @@ TEST_CASE("mixed added mass: a book, whose parts touch without common vertices, 
     }
 }
 
+TEST_CASE("mixed added mass: a vane with a quill through it moves no less fluid than the vane alone") {
+    constexpr int n = 24; // rows of 1/12 m: two lie within the quill
+    const Mesh vane = fin(-1, 0, 1, 10, n);
+    Mesh feather = vane;
+    add(feather, box({-0.09, -0.09, -2}, {0.09, 0.09, 10.5}, 8));
+    Faults faults;
+    BodyParts parts = parts_of(feather, faults);
+    const std::vector<Face> outside = outer_skin(parts).sheets();
+    CHECK(outside.size() == 2 * n * (n - 2));
+    parts.covered = covered_sheets(parts, outside);
+    CHECK(parts.covered.size() == 2 * n * 2);
+    parts.mesh.faces.resize(parts.solid_faces);
+    parts.mesh.faces.insert(parts.mesh.faces.end(), outside.begin(), outside.end());
+    AddedMass whole, of_vane;
+    const Vector centre(0, 0, 5);
+    REQUIRE(compute_mixed_added_mass(parts, centre, whole, faults));
+    REQUIRE(compute_sheet_added_mass(vane, centre, {}, of_vane, faults));
+    const double displaced = 0.18 * 0.18 * 12.5;
+    CHECK(whole.value(0, 0) + displaced > 0.999 * of_vane.value(0, 0));
+    CHECK(whole.value(0, 0) < 1.03 * of_vane.value(0, 0));
+}
+
 TEST_CASE("mixed added mass: where no surface can be solved the convex hull is, with an error of half" *
           doctest::test_suite("long")) {
     // Three needles along the axes: as sheets they have no area, and on a coarser surface nothing is left of them.

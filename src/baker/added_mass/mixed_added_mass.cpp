@@ -3,6 +3,7 @@
 #include "baker/added_mass/error_estimates.h"
 #include "baker/eigensystem.h"
 #include "baker/mesh/convex_hull.h"
+#include "baker/mesh/disjoint_sets.h"
 #include "baker/mesh/mesh_check.h"
 #include "baker/mesh/solid_region.h"
 
@@ -10,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
 
 namespace lr::baker {
 namespace {
@@ -72,9 +75,9 @@ Matrix6 fluid_inertia(double volume, const Eigen::Vector3d& arm, const Eigen::Ma
 Matrix6 trapped_fluid(const BodyParts& parts, const Eigen::Vector3d& centre, Matrix6& error) {
     error.setZero();
     Mesh solids{parts.mesh.vertices, parts.solids(), {}};
-    if (solids.faces.empty()) return Matrix6::Zero();
-    const double size = size_of(solids);
     const SolidRegion region(solids, solids.faces);
+    if (region.empty()) return Matrix6::Zero(); // a coarse surface can have nothing left of thin solids
+    const double size = size_of(solids);
     const RegionMoments moments = region.moments(compute_mass_properties(solids));
     if (!(moments.volume > 1e-9 * size * size * size) || !moments.first.allFinite()) return Matrix6::Zero();
     const Eigen::Vector3d centroid = moments.first / moments.volume;
@@ -106,6 +109,22 @@ double make_positive(Matrix6& m, Matrix6& error, double size) {
     const double less = std::max(0.0, -solver.values.minCoeff());
     error.diagonal() += (less + 1e-3 * largest) * back.cwiseAbs2();
     return less / largest;
+}
+
+// Raises `m` to no less than `least` in any motion, within its error as far as that goes.
+void raise_to(const AddedMass& least, double size, Matrix6& m, Matrix6& error) {
+    Eigen::Matrix<double, 6, 1> scale;
+    scale.head<3>().setOnes();
+    scale.tail<3>().setConstant(1.0 / size);
+    const Eigen::Matrix<double, 6, 1> back = scale.cwiseInverse();
+    const Eigensystem<Matrix6> more = eigensystem(Matrix6(scale.asDiagonal() * (m - least.value) * scale.asDiagonal()));
+    const Eigen::Matrix<double, 6, 1> values = more.values.cwiseMax(0.0);
+    if (values == more.values) return;
+    const Matrix6 kept =
+        back.asDiagonal() * (more.vectors * values.asDiagonal() * more.vectors.transpose()) * back.asDiagonal();
+    const Matrix6 raised = least.value + 0.5 * (kept + kept.transpose());
+    error = least.error.cwiseMax(error - (raised - m).cwiseAbs());
+    m = raised;
 }
 
 // The convex hull with few faces; where it is flat, only one side.
@@ -213,6 +232,20 @@ BodyParts outer_skin(const BodyParts& parts) {
     return out;
 }
 
+std::vector<Face> covered_sheets(const BodyParts& parts, std::vector<Face> outside) {
+    DisjointSets sets(parts.mesh.vertices.size());
+    std::vector<Face> all = parts.sheets(), covered;
+    for (const Face& f : all)
+        for (const uint32_t v : f) sets.join(f[0], v);
+    std::set<std::size_t> open;
+    for (const Face& f : outside) open.insert(sets.find(f[0]));
+    std::sort(all.begin(), all.end());
+    std::sort(outside.begin(), outside.end());
+    std::set_difference(all.begin(), all.end(), outside.begin(), outside.end(), std::back_inserter(covered));
+    std::erase_if(covered, [&](const Face& f) { return !open.contains(sets.find(f[0])); });
+    return covered;
+}
+
 void bound_by_hull(const Mesh& mesh, bool is_sheet, AddedMass& out, const AddedMassOptions& options) {
     Hull hull;
     if (make_hull(mesh, hull))
@@ -234,6 +267,12 @@ bool compute_mixed_added_mass(const BodyParts& parts, const Eigen::Vector3d& cen
     }
     if (hollow < nearly_full && solve_hull(hull, hollow, centre, out, faults, progress, options)) return true;
     Faults found;
+    AddedMass of_sheets;
+    Mesh sheets{parts.mesh.vertices, parts.sheets(), {}};
+    sheets.faces.insert(sheets.faces.end(), parts.covered.begin(), parts.covered.end());
+    drop_unused_vertices(sheets);
+    const bool has_least = parts.solid_faces > 0 && parts.has_sheets() &&
+                           compute_sheet_added_mass(sheets, centre, {}, of_sheets, found, {}, options);
     for (std::size_t round = 0; round < std::size(most_faces); ++round) {
         const Shell shell = make_shell(parts, most_faces[round], round > 0);
         if (shell.skin.faces.empty()) break;
@@ -247,6 +286,7 @@ bool compute_mixed_added_mass(const BodyParts& parts, const Eigen::Vector3d& cen
         if (!compute_sheet_added_mass(shell.skin, centre, refinement, out, found, progress, options)) continue;
         Matrix6 error;
         const Matrix6 trapped = trapped_fluid(shell.parts, centre, error);
+        if (has_least) raise_to(of_sheets, size, out.value, out.error);
         out.error += error;
         out.value -= trapped;
         if (has_hull && shell.cube == 0.0 && out.largest_share() > rough) bound(hull, trapped, centre, out, options);

@@ -12,6 +12,7 @@ namespace lr::baker {
 struct BodyParts {
     Mesh mesh; // the vertices, and all faces: those of the solids, then those of the sheets
     std::size_t solid_faces = 0;
+    std::vector<Face> covered; // what sheets have within solids: without mass or loads
     Mesh cavities;      // wound inward in the file and enclosed in a solid, with vertices of its own
     bool clean = false; // the solids pass check_and_repair: they neither cross nor touch each other
 

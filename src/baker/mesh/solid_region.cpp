@@ -106,7 +106,7 @@ void SolidRegion::cross(std::size_t axis, double p, double q, Crossings& out) co
     out.clear();
     const auto a = static_cast<Eigen::Index>((axis + 1) % 3), b = static_cast<Eigen::Index>((axis + 2) % 3);
     const auto along = static_cast<Eigen::Index>(axis);
-    if (p < low_[a] || p > high_[a] || q < low_[b] || q > high_[b]) return;
+    if (empty() || p < low_[a] || p > high_[a] || q < low_[b] || q > high_[b]) return;
     const std::size_t cell = bin(axis, q, b) * bins_[axis] + bin(axis, p, a);
     const Eigen::Vector2d at(p, q);
     // The side of an edge on which the point lies. Ordered by the edge's ends, so that both of its faces agree on a line through it.
