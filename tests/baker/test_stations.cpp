@@ -111,16 +111,17 @@ TEST_CASE("stations: a wing whose weight is at one end has a few strips, which s
     CHECK(whole.stations.at.size() <= 4);
     CHECK(whole.stations.error <= 0.08);
     CHECK(whole.stations.error_one > 0.15);
-    // Forty strips, made without the partition.
+    // Forty strips of eight pieces, made without the partition.
     std::vector<StationData> strips;
-    const int n = 40;
-    for (int i = 0; i < n; ++i) {
-        const Vector3d middle(6.0 * (i + 0.5) / n - 3.0, 0.0, 0.0);
-        const Mesh strip = shapes::rectangle(6.0 / n, 1.0, 1, 4);
+    const int n = 40, rows = 8;
+    for (int i = 0; i < n * rows; ++i) {
+        const Vector3d middle(6.0 * (i / rows + 0.5) / n - 3.0, (i % rows + 0.5) / rows - 0.5, 0.0);
+        const Mesh strip = shapes::rectangle(6.0 / n, 1.0 / rows, 1, 1);
         shape::AerodynamicGeometry g = sheet_geometry(strip, 1e-6, {0, 1, 0, -1, 0, 0, 0, 0, 1}, Vector3d::Zero());
         StationData s = shape::default_station(g, {6.0, 1.0, 6.0});
         const Vector3d at = middle - bar_weight;
         s.place = {at.x(), at.y(), at.z()};
+        s.spin_lift[1] = s.spin_drag[1] = s.spin_drag_stream[1] = 0.0; // it is in the velocities of the pieces
         // Creeping flow is a property of the whole; of no weight at this Reynolds number.
         s.drag_stokes = {};
         strips.push_back(s);
@@ -141,6 +142,21 @@ TEST_CASE("stations: a wing whose weight is at one end has a few strips, which s
         CHECK(std::abs(row(s, 1).x()) == Approx(1.0));
         CHECK(row(s, 2).cross(row(s, 0)).dot(row(s, 1)) == Approx(1.0));
         CHECK(s.camber == Approx(0.0));
+    }
+}
+
+TEST_CASE("stations: the wing behind a weight is cut along its chord too, whatever its triangles") {
+    const Vector3d balanced(-0.6, 0.0, 0.0);
+    for (const int n : {1, 4}) {
+        const Mesh wing = shapes::rectangle(6.0, 1.0, 6 * n, 2 * n);
+        const auto in_row = [](double side) { return [=](const StationData& s) { return side * s.place[1] > 0.1; }; };
+        const std::vector<StationData> seed = made(wing, 0.01, &bar_weight).stations.at;
+        for (const double side : {1.0, -1.0}) {
+            CHECK(std::count_if(seed.begin(), seed.end(), in_row(side)) == 2);
+            const std::vector<StationData> strip = made(wing, 0.01, &balanced).stations.at;
+            CHECK(strip.size() >= 2);
+            CHECK(std::none_of(strip.begin(), strip.end(), in_row(side)));
+        }
     }
 }
 

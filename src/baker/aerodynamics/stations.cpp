@@ -43,6 +43,9 @@ constexpr double long_strip = 2.0; // arms along the span fade from span/chord =
 // They fade in parts that reach across the centre of mass: its distance from their middle, over half their length, is at most 0.4; from 0.6 on they
 // lie behind it.
 constexpr double across_centre = 0.4, behind_centre = 0.6;
+// Offset of the weight from the middle of the area, over the extent, above which the wing behind it is cut along the chord too, as that of a winged
+// seed. In one strip its pitch is not held, and it dives.
+constexpr double weight_aside = 0.15;
 constexpr double hiding = 0.36;         // share of the surface in the lee of the rest; a hemispherical bowl has 1/3
 constexpr double far_from_convex = 0.5; // volume over that of the hull
 // A solid beside sheets is a lump if its faces are tilted by more than this (mean squared sine), and look at each other less.
@@ -61,6 +64,7 @@ struct Plan {
     shape::Wing wing;
     bool curved = false; // along the chord
     bool lump = false;   // one station, whatever its shape
+    bool trails = false; // behind the body's weight, as the wing of a seed: at least two rows along the chord
     double end_on = 1.0; // of lift_arm along the span
 };
 
@@ -70,11 +74,16 @@ double slender_arm(const shape::Wing& wing) {
     return 0.5 - quarter * aspect / (aspect + 0.35);
 }
 
-// End-on a long strip is stalled. An arm would steady it there like an arrow, so that curved ones fell end first while they spun about the span, and
-// ash seeds as darts. The wing of a maple's seed, behind its nut, and walls keep theirs. broadside: the body's normal; the centre of mass is the origin.
-double end_on_share(const Plan& plan, const Vector3d& broadside) {
+// Distance of the centre of mass, which is the origin, from the middle of the span, over half of it.
+double aside_of(const Plan& plan) {
     const auto [low, high] = extent_of(plan.part, plan.span);
-    const double aside = std::abs(high + low) / (high - low), facing = plan.normal.dot(broadside);
+    return std::abs(high + low) / (high - low);
+}
+
+// End-on a long strip is stalled. An arm would steady it there like an arrow, so that curved ones fell end first while they spun about the span, and
+// ash seeds as darts. The wing of a maple's seed, behind its nut, and walls keep theirs. broadside: the body's normal.
+double end_on_share(const Plan& plan, const Vector3d& broadside) {
+    const double aside = aside_of(plan), facing = plan.normal.dot(broadside);
     const double slenderness = std::clamp(plan.wing.span / (long_strip * plan.wing.chord) - 1.0, 0.0, 1.0);
     const double across = std::clamp((behind_centre - aside) / (behind_centre - across_centre), 0.0, 1.0);
     return 1.0 - slenderness * facing * facing * across;
@@ -342,8 +351,9 @@ struct Choice {
 template <class LoadsWith>
 std::vector<Choice> choices_of(Cuts& cuts, std::size_t most, const LoadsWith& loads_with, const Body& body) {
     std::vector<Choice> out;
+    const std::size_t least = cuts.plan.trails && most > 1 ? 2 : 1;
     for (std::size_t n = 1; n <= (cuts.plan.lump ? 1 : most); ++n)
-        for (std::size_t chordwise = 1; chordwise <= (cuts.plan.curved ? n : 1); ++chordwise)
+        for (std::size_t chordwise = least; chordwise <= (cuts.plan.curved || cuts.plan.trails ? n : 1); ++chordwise)
             if (n % chordwise == 0) {
                 const Grid grid{n / chordwise, chordwise};
                 out.push_back({grid, loads_with(stations_of({&cuts, 1}, {grid}, body))});
@@ -359,6 +369,7 @@ std::vector<std::size_t> first_alike(const std::vector<Plan>& plans) {
         out.push_back(static_cast<std::size_t>(std::find_if(plans.begin(), plans.end(),
                                                             [&](const Plan& q) {
                                                                 return q.lump == p.lump && q.curved == p.curved &&
+                                                                       q.trails == p.trails &&
                                                                        close(p.wing.area, q.wing.area) &&
                                                                        close(p.wing.span, q.wing.span) &&
                                                                        close(p.wing.chord, q.wing.chord);
@@ -491,14 +502,20 @@ Stations make_stations(const Mesh& mesh, const AerodynamicData& loads, const Vec
             plans.push_back(plan_of(std::move(part), loads, size));
     }
     join_arms(plans);
-    for (Plan& plan : plans) plan.end_on = end_on_share(plan, normal);
+    const bool one_sided = offset.norm() > weight_aside * size;
+    for (Plan& plan : plans) {
+        plan.end_on = end_on_share(plan, normal);
+        plan.trails = one_sided && !plan.lump && plan.wing.span > long_strip * plan.wing.chord &&
+                      aside_of(plan) > 0.5 * (across_centre + behind_centre);
+    }
     if (plans.size() > options.most) {
         out.fit = StationFit::coarse;
         return out;
     }
     const Body body{size, m.area, options, loads, hollow};
     std::vector<Grid> fine;
-    for (const Plan& plan : plans) fine.push_back(plan.lump ? Grid{} : plan.curved ? Grid{8, 8} : Grid{32, 1});
+    for (const Plan& plan : plans)
+        fine.push_back(plan.lump ? Grid{} : plan.curved || plan.trails ? Grid{8, 8} : Grid{32, 1});
     const std::vector<Motion> motions = test_motions(reynolds * options.viscosity / options.length, size);
     const auto loads_with = [&](const std::vector<StationData>& stations) {
         return sum_of_loads(stations, motions, options.viscosity, options.length);
