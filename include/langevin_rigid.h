@@ -539,7 +539,7 @@ enum {
 
 #define LR_MAX_WIND_SAMPLES 67108864u /* of one grid, all frames together */
 
-/* Samples of wind on a lattice, in one or more frames that are played in a loop. */
+/* Samples of wind on a lattice, in one or more frames that are played in a loop, from the first at world time 0. */
 typedef struct lr_wind_grid_desc {
     uint32_t struct_size;
     lr_wind_outside outside; /* LR_WIND_OUTSIDE_*; default LR_WIND_OUTSIDE_ZERO */

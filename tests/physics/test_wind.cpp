@@ -368,3 +368,25 @@ TEST_CASE("bodies stay finite in any wind at any step, and no faster than the wi
         CHECK(worst < 4.0 * fastest);
     }
 }
+
+TEST_CASE("eddies much smaller than a leaf do not drive it faster than themselves") {
+    for (int32_t loads : {LR_LOADS_LANGEVIN, LR_LOADS_AERODYNAMIC}) {
+        const World world = make(world_desc());
+        lr_batch_desc bd = langevin();
+        bd.load_model = loads;
+        const lr_batch batch = add_batch(world, bd, leaf(), 64);
+        lr_turbulence_desc d = initialised(lr_turbulence_desc_init);
+        d.rms = 1.0f, d.integral_length = 1e-4f;
+        add_source(world, d);
+        const float low[3] = {-1.0f, -1.0f, -1.0f}, high[3] = {1.0f, 1.0f, 1.0f};
+        std::vector<lr_body> ids(64);
+        REQUIRE(lr_batch_spawn_box(world.get(), batch, low, high, 64, ids.data()) == LR_OK);
+        double squares = 0.0;
+        for (int frame = 0; frame < 60; ++frame) {
+            steps(world, 1, 1.0f / 60.0f, 2);
+            for (lr_body id : ids) squares += std::pow(length(vec(state_of(world, id).linear_velocity)), 2.0);
+        }
+        CAPTURE(loads);
+        CHECK(std::sqrt(squares / (60.0 * 64.0)) < 3.0); // it falls at 1 m/s
+    }
+}

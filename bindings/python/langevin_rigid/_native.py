@@ -408,7 +408,7 @@ class lr_turbulence_desc(ctypes.Structure):
 
 
 class lr_wind_grid_desc(ctypes.Structure):
-    """Samples of wind on a lattice, in one or more frames that are played in a loop."""
+    """Samples of wind on a lattice, in one or more frames that are played in a loop, from the first at world time 0."""
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
         ('outside', ctypes.c_int32),

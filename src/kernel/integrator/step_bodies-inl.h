@@ -80,6 +80,7 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
         }
         const VU noise_seed = load1(a.noise_seed, at);
         if constexpr (kAerodynamic) vary(in, noise_seed, held);
+        store1(moving.length, 0, length);
         const VF beta_unit = constant(c.speed_beta) * held.inverse_length;
 
         const uint32_t motions = motions_of<kAerodynamic, kIntegrator>(in);
@@ -98,7 +99,7 @@ HWY_NOINLINE void step_bodies(const StepInput& in, const BatchArrays& a, size_t 
                 if constexpr (kFull || kSheet) held.gravity = load3(moving.gravity, 0);
                 held.uniform = wind->everywhere;
                 held.sheared = !held.uniform;
-                if (held.sheared) held.fluid_spin = length * load3(moving.spin, 0);
+                if (held.sheared) held.fluid_spin = load3(moving.spin, 0);
                 b.t.v = load3(moving.v, 0);
             }
             if constexpr (kSheet) enter_frame(c, frame, b);

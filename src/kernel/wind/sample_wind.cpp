@@ -465,7 +465,9 @@ void enter_wind(const StepInput& in, const WindAlong& along, uint32_t substep, s
             own = load3(b.change, at) + held * own;
             const Matrix m = load_matrix(b.gradient, at);
             const Vec3 curl{m.row[2].y - m.row[1].z, m.row[0].z - m.row[2].x, m.row[1].x - m.row[0].y};
-            store3(s.spin, i, half * curl);
+            // In eddies smaller than itself a body is not turned by the vorticity at one point: its ends move no faster than the field.
+            const Vec3 spin = (half * load1(s.length, i)) * curl, ratio = (half * inverse) * spin;
+            store3(s.spin, i, constant(1.0f) / hn::Sqrt(hn::Max(dot(ratio, ratio), constant(1.0f))) * spin);
             store1(s.inverse_reference, i, inverse);
             store1(s.own_squared, i, own_squared);
         }

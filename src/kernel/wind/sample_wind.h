@@ -78,13 +78,14 @@ struct BodiesInWind {
     alignas(64) float x[3][lane_block]; // m, world
     float q[4][lane_block];
     float v[3][lane_block],
-        u[3][lane_block]; // m/s, body axes, u of the spin times the length; between, v is through the fluid
+        u[3][lane_block];     // m/s, body axes, u of the spin times the length; between, v is through the fluid
+    float length[lane_block]; // m
     // The fluid, in the middle of the substep.
     float wind[3][lane_block];        // m/s
     float half_change[3][lane_block]; // m/s, of the wind along the body's path over half the substep
     float weight[3][lane_block];      // of Held
     float gravity[3][lane_block];     // of Held
-    float spin[3][lane_block];        // rad/s, half the vorticity
+    float spin[3][lane_block];        // m/s, half the vorticity times the length
     float inverse_reference[lane_block],
         own_squared[lane_block]; // s/m; the fluid's own change over that speed, squared
 };

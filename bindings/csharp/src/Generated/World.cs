@@ -265,7 +265,8 @@ namespace LangevinRigid
         }
     }
 
-    /// <summary>Samples of wind on a lattice, in one or more frames that are played in a loop.</summary>
+    /// <summary>Samples of wind on a lattice, in one or more frames that are played in a loop, from the first at world
+    /// time 0.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct WindGridDesc
     {

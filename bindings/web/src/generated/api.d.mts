@@ -450,7 +450,7 @@ export interface TurbulenceDesc {
   eddyLife: number;
 }
 
-/** Samples of wind on a lattice, in one or more frames that are played in a loop. */
+/** Samples of wind on a lattice, in one or more frames that are played in a loop, from the first at world time 0. */
 export interface WindGridDesc {
   /** LR_WIND_OUTSIDE_*; default LR_WIND_OUTSIDE_ZERO */
   outside: number;
