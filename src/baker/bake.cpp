@@ -517,13 +517,25 @@ private:
                              faults_);
     }
 
+    BodySize body_size() const {
+        BodySize size{solid_.extents.maxCoeff(), "--size", side_, options_.size, out_.mass, out_.u0};
+        if (options_.semi_axes) {
+            const std::array<double, 3> axes = in_metres(*options_.semi_axes);
+            size.option = nullptr;
+            size.length = size.side = 2.0 * *std::max_element(axes.begin(), axes.end());
+        } else if (options_.card) {
+            size.option = "--width";
+            size.side = in_metres({options_.card->width, 0.0, 0.0})[0];
+        }
+        return size;
+    }
+
     bool finish() {
         if (out_.u0 <= 1e-6)
             faults_.push_back({FaultId::parameter_not_denser, Severity::warning, "density",
                                "The body is as dense as its fluid: it has no fall speed, which scales the turbulence.",
                                "None needed if it shall float; else check --density and --fluid."});
-        if (!options_.semi_axes && !options_.card)
-            warn_of_size({solid_.extents.maxCoeff(), side_, options_.size, out_.mass, out_.u0}, faults_);
+        warn_of_size(body_size(), faults_);
         // Replaces -0 by 0 in the report.
         for (double& c : out_.center_of_buoyancy) c += 0.0;
         for (double& c : out_.added_mass) c += 0.0;

@@ -57,8 +57,9 @@ bool trace_card(const BakeOptions& o, Mesh& mesh, CardReport& card, InputFiles& 
     if (o.mesh_bytes)
         return read_card_memory(o.mesh_bytes->data(), o.mesh_bytes->size(), how, o.mesh_path, mesh, card, faults);
     std::shared_ptr<const InputFiles::Bytes> image = input.read(o.mesh_path, &faults);
-    if (image && !how.mask_path.empty()) image = input.read(how.mask_path, &faults);
-    const bool good = image && read_card_memory(image->data(), image->size(), how, o.mesh_path, mesh, card, faults);
+    const std::string& traced = how.mask_path.empty() ? o.mesh_path : how.mask_path;
+    if (image && &traced != &o.mesh_path) image = input.read(traced, &faults);
+    const bool good = image && read_card_memory(image->data(), image->size(), how, traced, mesh, card, faults);
     input.forget_bytes();
     return good;
 }

@@ -9,10 +9,11 @@ namespace lr::baker {
 
 struct BodySize {
     double length;               // m, of the body
-    double side;                 // m, the longest of the file's bounding box
+    const char* option;          // that gives a length whatever the unit; null: none
+    double side;                 // m, as that option means it
     std::optional<double> given; // m, BakeOptions::size
     double mass, fall_speed;     // kg, m/s
 };
-// Fault 304 if size, mass or speed are not those of a body that flutters, with the --size to give.
+// Fault 304 if size, mass or speed are not those of a body that flutters, with the option to give.
 void warn_of_size(const BodySize& body, Faults& faults);
 } // namespace lr::baker

@@ -16,13 +16,13 @@ inline constexpr int usage_error = 2;
 
 // The whole text must be a number, in any locale: accepts "1e3"; refuses "1e3x", " 1", "1,5". Accepts infinity and NaN;
 // the range checks refuse them with a numbered fault.
-template <class Number> Number parse_number(std::string_view text, const char* option) {
+template <class Number> Number parse_number(std::string_view text, const char* option, const char* kind = "a number") {
     Number value{};
     const std::from_chars_result end = std::from_chars(text.data(), text.data() + text.size(), value);
     if (end.ec == std::errc::result_out_of_range)
         throw CLI::ValidationError(option, "'" + std::string(text) + "' is too large or too small");
     if (end.ec != std::errc{} || end.ptr != text.data() + text.size())
-        throw CLI::ValidationError(option, "'" + std::string(text) + "' is not a number");
+        throw CLI::ValidationError(option, "'" + std::string(text) + "' is not " + kind);
     return value;
 }
 

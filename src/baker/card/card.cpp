@@ -87,17 +87,18 @@ private:
     void report_specks(const Outlines& outlines) {
         const double largest = outlines.pieces.empty() ? 1.0 : outlines.pieces[0].area;
         const auto sentence = [largest](std::size_t count, double area, const char* what, const char* change) {
-            return std::to_string(count) + what + " (" + rounded(area) + " pixels in all, " +
-                   rounded(100.0 * area / largest) + " % of the largest region) " + change + ".";
+            return std::to_string(count) + what + (count == 1 ? " (" : "s (") + rounded(area) + " pixels in all, " +
+                   rounded(100.0 * area / largest) + " % of the largest region) " + (count == 1 ? "was " : "were ") +
+                   change + ".";
         };
         const char* const remedy = "Clean the alpha channel, or give a lower --speck to keep them.";
         if (outlines.specks > 0)
             faults_.push_back({FaultId::image_specks, Severity::warning, where_,
-                               sentence(outlines.specks, outlines.speck_area, " specks", "were ignored"), remedy});
+                               sentence(outlines.specks, outlines.speck_area, " speck", "ignored"), remedy});
         if (!outlines.pinholes.empty())
             faults_.push_back({FaultId::image_specks, Severity::warning, where_,
-                               sentence(outlines.pinholes.size(), outlines.pinhole_area, " pinholes",
-                                        keeps_pinholes(options_) ? "were closed for the flow" : "were closed"),
+                               sentence(outlines.pinholes.size(), outlines.pinhole_area, " pinhole",
+                                        keeps_pinholes(options_) ? "closed for the flow" : "closed"),
                                remedy});
     }
 

@@ -258,14 +258,14 @@ bool trace_outlines(const AlphaMask& mask, double threshold, double speck, bool 
         return fail(faults, FaultId::image_no_outline, where,
                     "No pixel is opaque: the highest opacity is " +
                         shortest(mask.opacity.empty() ? 0.0 : std::round(*high / 65.535) / 1000.0) + ".",
-                    "Check the alpha channel, or give a lower threshold with --alpha.");
+                    "Check the alpha channel or the mask, or give a lower threshold with --alpha.");
     if (*low >= level)
         return fail(faults, FaultId::image_no_outline, where,
                     "Every pixel is opaque: the lowest opacity is " + shortest(std::round(*low / 65.535) / 1000.0) +
                         ".",
                     "Give the colour around the leaf, as --key white, a mask image, as --mask mask.png, or a higher "
-                    "threshold with "
-                    "--alpha; or cut the leaf out in an image editor.");
+                    "threshold with --alpha; or cut the leaf out in an image editor. Bake a whole rectangle as a mesh "
+                    "of two triangles, with --sheet.");
     std::optional<Tracer> tracer(std::in_place, mask, level, speck);
     bool good = tracer->run();
     const double least = good && keep_pinholes ? least_hole_that_counts(*tracer) : HUGE_VAL;

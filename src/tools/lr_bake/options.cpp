@@ -202,23 +202,25 @@ void read_outputs(const CLI::App& command, const Texts& texts, CommandLine& line
 
 // A number in the unit, or with a unit of its own: 0.2mm, 7cm, 1.5m.
 double parse_length(const std::string& text, const char* option, Unit unit) {
+    constexpr const char* length = "a length, as 0.07, 7cm or 70mm";
     std::string_view number = text;
     for (const Unit own : {Unit::mm, Unit::cm, Unit::m}) {
         const std::string_view suffix = unit_name(own);
         if (!number.ends_with(suffix)) continue;
         number.remove_suffix(suffix.size());
         if (number.ends_with(' ')) number.remove_suffix(1);
-        const double given = parse_number<double>(number, option);
+        const double given = parse_number<double>(number, option, length);
         return own == unit ? given : given / units_per_metre(own) * units_per_metre(unit);
     }
-    return parse_number<double>(number, option);
+    return parse_number<double>(number, option, length);
 }
 
-Unit parse_unit(const CLI::App& command, const Texts& texts, bool ellipsoid) {
+Unit parse_unit(const CLI::App& command, const Texts& texts, bool mesh) {
     for (const Unit unit : {Unit::m, Unit::cm, Unit::mm})
         if (texts.unit == unit_name(unit)) return unit;
-    if ((texts.unit == "file" && !ellipsoid) || command.count("--unit") == 0) return Unit::file;
-    throw CLI::ValidationError("--unit", "'" + texts.unit + "' is not m, cm or mm");
+    if ((texts.unit == "file" && mesh) || command.count("--unit") == 0) return Unit::file;
+    throw CLI::ValidationError("--unit",
+                               "'" + texts.unit + (mesh ? "' is not m, cm, mm or file" : "' is not m, cm or mm"));
 }
 
 std::array<uint8_t, 3> parse_colour(const std::string& text) {
@@ -296,7 +298,6 @@ void read_card_options(const CLI::App& command, const Texts& texts, BakeOptions&
     if (command.count("--islands") > 0 && command.count("--piece") > 0)
         throw CLI::ValidationError("--islands", "excludes --piece");
     if (command.count("--piece") > 0 && !card.all_pieces) card.piece = parse_number<uint32_t>(texts.piece, "--piece");
-    if (texts.unit == "file") throw CLI::ValidationError("--unit", "'file' is not m, cm or mm");
     read_thickness(command, texts, o);
 }
 
@@ -365,7 +366,7 @@ std::optional<CommandLine> parse_command_line(int argc, char** argv, int& exit_c
         }
         const CLI::App& command = mesh->parsed() ? *mesh : card->parsed() ? *card : *ellipsoid;
         read_outputs(command, texts, line, ellipsoid->parsed());
-        line.bake.unit = parse_unit(command, texts, ellipsoid->parsed());
+        line.bake.unit = parse_unit(command, texts, mesh->parsed());
         if (mesh->parsed()) {
             read_mesh_options(*mesh, texts, line.bake);
             read_sheet_options(*mesh, texts, line.bake);

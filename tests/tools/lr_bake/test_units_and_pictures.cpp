@@ -108,6 +108,28 @@ TEST_CASE("lr_bake: every leaf of an atlas by itself, from a mask in a file of i
     CHECK_FALSE(std::filesystem::exists(out));
 }
 
+TEST_CASE(
+    "lr_bake: cards and ellipsoids too are asked whether their unit is right, and messages name file and option") {
+    const Scratch scratch;
+    const std::string out = scratch.path("leaf.lrb");
+    const auto error = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.end(), {"-o", out, "--stations", "1"});
+        return lr_bake(arguments).err;
+    };
+    const test::Opacity disc = test::draw(64, 64, [](double x, double y) { return std::hypot(x - 32, y - 32) < 30; });
+    test::PngKind grey;
+    grey.color = PNG_COLOR_TYPE_GRAY;
+    const std::string image = scratch.write("leaf.png", test::png_file(disc));
+    const std::string mask = scratch.write("mask.png", test::png_file({8, 8, std::vector<double>(64, 0.0)}, grey));
+    CHECK(contains(error({"card", image, "--thickness", "0.2mm", "--width", "8"}), "Give --width 8cm if"));
+    CHECK_FALSE(contains(error({"card", image, "--thickness", "0.2mm", "--width", "8cm"}), "304"));
+    CHECK(contains(error({"card", image, "--thickness", "0.2mm", "--width", "8in"}), "'8in' is not a length, as "));
+    CHECK(
+        contains(error({"card", image, "--thickness", "1mm", "--width", "8cm", "--mask", mask}), "mask.png: No pixel"));
+    CHECK(contains(error({"ellipsoid", "4", "1", "0.005"}), "Give --unit cm if"));
+    CHECK(contains(error({"mesh", image, "--unit", "inch"}), "--unit: 'inch' is not m, cm, mm or file"));
+}
+
 TEST_CASE("lr_bake: --preview draws a picture") {
     const Scratch scratch;
     const std::string mesh = scratch.write("body.obj", test::obj_text(test::ellipsoid(0.03, 0.024, 0.004, 2)));
