@@ -127,7 +127,8 @@ std::optional<Options> parse_options(int argc, char** argv, int& exit_code) {
         ->type_name("X,Y,Z")
         ->default_str("1.5,0,0.5; with --ground 0.4,0,0.1")
         ->check(within(-1000, 1000, "from -1000 to 1000 m/s"));
-    app.add_option("--seed", options.seed, "seed of initial poses and of turbulence");
+    app.add_option("--seed", options.seed, "seed of initial poses and of turbulence")
+        ->check(within(0, 1e19, "from 0 to 1e19"));
     app.add_option("--variation", options.variation, "spread of drag and lift from body to body")
         ->check(within(0, 0.5, "from 0 to 0.5"));
     app.add_option("--noise", options.noise, "factor on the turbulent noise")->check(within(0, 100, "from 0 to 100"));

@@ -122,10 +122,10 @@ Picture draw_tracks(const Options& options) {
     std::snprintf(text, sizeof text, "%zu falls of %s from rest, %.1f s, still air, a mark every %.3f s", count,
                   info.name, options.track_seconds, every * static_cast<double>(ticks));
     const Colour black = from_srgb(40, 40, 44);
-    write_text(picture, {24.0, 36.0}, 15.0, black, text);
     double bar = 10.0; // m; the largest of 1, 2, 5 times a power of ten within a fifth of the width
     for (int k = 0; bar * scale > 0.2 * options.width; ++k) bar /= k % 3 == 1 ? 2.5 : 2.0;
-    const double right = options.width - 24.0;
+    const double right = options.width - 24.0, beside = right - bar * scale - 48.0;
+    write_text(picture, {24.0, 36.0}, 15.0 * std::min(1.0, beside / text_width(15.0, text)), black, text);
     picture.line({right - bar * scale, 40.0}, {right, 40.0}, 2.0, black);
     picture.line({right - bar * scale, 34.0}, {right - bar * scale, 46.0}, 2.0, black);
     picture.line({right, 34.0}, {right, 46.0}, 2.0, black);
