@@ -78,10 +78,9 @@ def contiguous(values: Any, of: Any, name: str) -> NDArray[Any]:
 def vectors(values: Any, width: int, count: int, name: str) -> NDArray[Any]:
     """`count` vectors, from as many or from a single one."""
     array = np.asarray(values, np.float32)
-    try:
-        return np.broadcast_to(array, (count, width))
-    except ValueError:
-        raise ValueError(f"{name}: shape {array.shape} is neither ({width},) nor ({count}, {width})") from None
+    if array.shape not in ((width,), (1, width), (count, width)):
+        raise ValueError(f"{name}: shape {array.shape} is neither ({width},) nor ({count}, {width})")
+    return np.broadcast_to(array, (count, width))
 
 
 def rows(values: Any, width: int, name: str) -> NDArray[Any]:

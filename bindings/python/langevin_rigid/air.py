@@ -9,7 +9,7 @@ import numpy as np
 
 from . import _native as native
 from ._records import Water
-from ._structs import address, assign, init, make, rows, takes
+from ._structs import address, assign, init, make, rows, takes, vectors
 from .callbacks import WaterQuery, WindQuery, field_callback
 
 if TYPE_CHECKING:
@@ -85,7 +85,7 @@ class AirMixin:
 
     def set_uniform_wind(self, velocity: "ArrayLike") -> None:
         """Sets the uniform wind, m/s. The wind changes linearly over the next step."""
-        x, y, z = rows(velocity, 3, "velocity")[0].tolist()
+        x, y, z = vectors(velocity, 3, 1, "velocity")[0].tolist()
         self._change("lr_world_set_uniform_wind", x, y, z)
 
     @property

@@ -243,7 +243,7 @@ class Batch(BatchPlain):
 
     def spawn_box(self, low: ArrayLike, high: ArrayLike, count: int) -> NDArray[Any]:
         """Spawns bodies at rest, evenly in a box and turned at random, without an emitter, all or none; returns their ids."""
-        corners = np.array([low, high], np.float32).reshape(2, 3)
+        corners = np.stack([vectors(low, 3, 1, "low")[0], vectors(high, 3, 1, "high")[0]])
         ids = np.zeros(count, np.uint64)
         self.world._create("lr_batch_spawn_box", self.id, address(corners[0], ctypes.c_float), address(corners[1], ctypes.c_float), count,
                      address(ids, ctypes.c_uint64))

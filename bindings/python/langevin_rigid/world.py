@@ -258,15 +258,15 @@ class World(WorldPlain, AirMixin, ContactMixin, QueryMixin):
                      ctypes.byref(woken))
         return woken.value
 
-    def add_forces(self, bodies: "ArrayLike", force: Any = 0.0, torque: Any = 0.0, point: Any = None,
+    def add_forces(self, bodies: "ArrayLike", force: Any = (0, 0, 0), torque: Any = (0, 0, 0), point: Any = None,
                    mode: int = ForceMode.FORCE, frame: int = ForceFrame.WORLD) -> None:
         """Forces on bodies of any batches, vectors of shape (3,) or (count, 3). point: where `force` acts, else at the centre of
         mass. `Batch.add_forces` is faster for bodies of one batch."""
         ids, _, count = body_ids(bodies)
         forces = elements(native.lr_body_force, count)
         forces["body"], forces["mode"], forces["frame"] = ids, int(mode), int(frame)
-        forces["force"] = vectors(np.broadcast_to(force, (3,)) if np.ndim(force) == 0 else force, 3, count, "force")
-        forces["torque"] = vectors(np.broadcast_to(torque, (3,)) if np.ndim(torque) == 0 else torque, 3, count, "torque")
+        forces["force"] = vectors(force, 3, count, "force")
+        forces["torque"] = vectors(torque, 3, count, "torque")
         if point is not None:
             forces["point"] = vectors(point, 3, count, "point")
             forces["flags"] = int(ForceFlags.AT_POINT)
@@ -275,7 +275,7 @@ class World(WorldPlain, AirMixin, ContactMixin, QueryMixin):
 
 def body_ids(bodies: Any) -> Tuple[NDArray[Any], Any, int]:
     """Ids as an array, with its address and length."""
-    if isinstance(bodies, np.ndarray) and bodies.size and bodies.dtype.kind not in "iu":
-        raise TypeError(f"bodies: ids are integers, not {bodies.dtype}")
-    ids = contiguous(np.atleast_1d(np.asarray(bodies, np.uint64)), ctypes.c_uint64, "bodies").ravel()
+    if np.asarray(bodies).dtype == bool:
+        raise TypeError("bodies: ids are expected, not a mask")
+    ids = contiguous(bodies, ctypes.c_uint64, "bodies").ravel()
     return ids, address(ids, ctypes.c_uint64), ids.size

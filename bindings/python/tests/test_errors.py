@@ -87,8 +87,17 @@ class Statuses(WorldCase):
             self.world.create_batch(thin_leaf(), 1, damping_gian=1)
         with self.assertRaisesRegex(ValueError, "gravity: 2 numbers, but it has 3"):
             lr.World(gravity=(0, 1))
-        with self.assertRaisesRegex(TypeError, "bodies: ids are integers, not float32"):
-            self.world.destroy_bodies(np.zeros(2, np.float32))
+        for ids in (np.zeros(2, np.float32), [1.5], None):
+            with self.assertRaisesRegex(TypeError, "bodies: expected integers, not "):
+                self.world.destroy_bodies(ids)
+        with self.assertRaisesRegex(TypeError, "bodies: ids are expected, not a mask"):
+            self.world.destroy_bodies([True, False])
+        for vector in (9.81, [9.81], (0, 9.81), ((0, 0, 0), (1, 1, 1))):  # a scalar was the vector (9.81, 9.81, 9.81)
+            for name, call in (("gravity", self.world.set_gravity), ("velocity", self.world.set_uniform_wind),
+                               ("low", lambda v: self.batch.spawn_box(v, (9, 9, 9), 1)),
+                               ("force", lambda v: self.world.add_forces(self.batch.create(), v))):
+                with self.assertRaisesRegex(ValueError, rf"{name}: shape .* is neither \(3,\) nor \(1, 3\)"):
+                    call(vector)
         with self.assertRaisesRegex(OverflowError, "worker_count: -1"):
             lr.World(worker_count=-1)
         with self.assertRaises(lr.InvalidArgumentError):
