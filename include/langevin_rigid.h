@@ -507,7 +507,8 @@ LR_API lr_status lr_world_update_blower(lr_world* world, lr_wind_source source, 
 /* Reads a blower as last set. Returns what lr_world_get_gusts would. */
 LR_API lr_status lr_world_get_blower(const lr_world* world, lr_wind_source source, lr_blower_desc* desc);
 
-/* Turbulence: random eddies everywhere, divergence-free, carried along by the uniform wind. */
+/* Turbulence: random eddies everywhere, divergence-free, carried along by the uniform wind. An update continues them;
+ * only another size or velocity moves them. */
 typedef struct lr_turbulence_desc {
     uint32_t struct_size;
     uint32_t seed;         /* combined with the world's; default 0 */

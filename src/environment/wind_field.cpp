@@ -117,9 +117,7 @@ lr_status WindField::update(lr_wind_source handle, const SourceDesc& desc, doubl
     const bool keep = desc.kind == SourceDesc::grid && !desc.samples;
     if (keep && (!std::equal(desc.counts, desc.counts + 3, old.counts) || desc.frames != old.frames))
         return LR_ERROR_NULL_ARGUMENT;
-    // Gusts keep their age: a caller that sets their speed in each frame would otherwise hold them at their start.
-    if (desc.kind == SourceDesc::gusts) time = slot.source->since;
-    return put(slot, desc, time, seed, keep ? slot.source->grid : nullptr);
+    return put(slot, desc, slot.source->since_for(desc, time), seed, keep ? slot.source->grid : nullptr);
 }
 
 bool WindField::remove(lr_wind_source handle) {

@@ -184,6 +184,13 @@ float WindSource::fastest() const {
     }
 }
 
+// Random winds go on, at the same phase in units of their own time: they may be set anew in each frame.
+double WindSource::since_for(const SourceDesc& next, double now) const {
+    if (desc.kind != SourceDesc::gusts && desc.kind != SourceDesc::turbulence) return now;
+    const double ratio = duration(next) / duration(desc);
+    return ratio == 1.0 ? since : now - std::min(ratio * (now - since), most_time);
+}
+
 namespace {
 
 // One instant for each octave.
@@ -208,7 +215,7 @@ void turbulence_at(const SourceDesc& desc, double time, double age, uint64_t wor
         s.inverse_spacing[0] = narrow(1.0 / cell);
         double way[3];
         for (size_t k = 0; k < 3; ++k) {
-            way[k] = carried.way[k] + age * static_cast<double>(desc.velocity[k]);
+            way[k] = carried.way[k] + time * static_cast<double>(desc.velocity[k]);
             s.motion[k] = narrow(carried.velocity[k] + static_cast<double>(desc.velocity[k]));
         }
         for (size_t i = 0; i < 3; ++i) {
@@ -229,7 +236,7 @@ void turbulence_at(const SourceDesc& desc, double time, double age, uint64_t wor
             const auto cells = static_cast<int64_t>(std::fmod(whole, 4294967296.0));
             s.cell[i] = static_cast<int32_t>(static_cast<uint32_t>(cells));
         }
-        s.turn = narrow(fraction_of(time / (slow_beats * life)));
+        s.turn = narrow(fraction_of(age / (slow_beats * life)));
         s.turn_rate = narrow(1.0 / (slow_beats * life));
         out[o] = s;
     }

@@ -221,13 +221,14 @@ struct Carried {
 
 struct WindSource {
     SourceDesc desc;   // without samples
-    double since;      // s, world time when it was at desc.position, or its gusts began
+    double since;      // s, world time when it was at desc.position, or gusts and turbulence began
     GridSamples* grid; // null for other kinds
     Gusts gusts;
 
-    uint64_t hash() const { return grid ? grid->hash : 0; } // of its samples
-    uint32_t instants() const;                              // how many SourceInstants it makes
-    float fastest() const;                                  // m/s, bound of its velocities, or a typical speed
+    uint64_t hash() const { return grid ? grid->hash : 0; }     // of its samples
+    uint32_t instants() const;                                  // how many SourceInstants it makes
+    double since_for(const SourceDesc& next, double now) const; // if it becomes `next` now
+    float fastest() const;                                      // m/s, bound of its velocities, or a typical speed
     void at(double time, uint64_t world_seed, const Carried& carried, SourceInstant* out) const; // instants() of them
 };
 } // namespace lr

@@ -313,6 +313,38 @@ TEST_CASE("turbulence has no divergence" * doctest::test_suite("exact")) {
     CHECK(std::sqrt(gradient / 5000.0) > 1.0);
 }
 
+TEST_CASE("random winds that are set anew in each frame go on as smoothly as others, however old they are") {
+    const World world = make(world_desc());
+    lr_turbulence_desc eddies = initialised(lr_turbulence_desc_init);
+    lr_gusts_desc gusts = initialised(lr_gusts_desc_init);
+    eddies.velocity[0] = 1.0f;
+    const lr_wind_source sources[] = {add_source(world, eddies), add_source(world, gusts)};
+    steps(world, 1000, 1.0f, 1);
+    const auto roughness = [&](float factor) { // root mean square change of a step of 1/60 s
+        double squares = 0.0;
+        Vec before = wind_at(world, {});
+        for (int i = 0; i < 120; ++i) {
+            eddies.rms *= factor;
+            gusts.integral_time = 4.0f * factor;
+            REQUIRE(lr_world_update_turbulence(world.get(), sources[0], &eddies) == LR_OK);
+            REQUIRE(lr_world_update_gusts(world.get(), sources[1], &gusts) == LR_OK);
+            CHECK(length(wind_at(world, {}) - before) < 0.05); // the update by itself
+            steps(world, 1, 1.0f / 60.0f, 1);
+            const Vec now = wind_at(world, {});
+            squares += dot(now - before, now - before);
+            before = now;
+        }
+        return std::sqrt(squares / 120.0);
+    };
+    CHECK(roughness(1.0f) < 0.5);
+    CHECK(roughness(0.999f) < 0.5);
+    CHECK(roughness(1.001f) < 0.5);
+    const std::vector<unsigned char> saved = snapshot_of(world);
+    const World fresh = make(world_desc());
+    REQUIRE(lr_world_snapshot_restore(fresh.get(), saved.data(), saved.size()) == LR_OK);
+    CHECK(length(wind_at(fresh, {}) - wind_at(world, {})) == 0.0);
+}
+
 TEST_CASE("turbulence goes along with the uniform wind, and changes on the way") {
     lr_turbulence_desc d = initialised(lr_turbulence_desc_init);
     d.integral_length = 1.0f, d.eddy_life = 1e6f; // as good as frozen

@@ -395,7 +395,9 @@ class lr_blower_desc(ctypes.Structure):
 
 
 class lr_turbulence_desc(ctypes.Structure):
-    """Turbulence: random eddies everywhere, divergence-free, carried along by the uniform wind."""
+    """Turbulence: random eddies everywhere, divergence-free, carried along by the uniform wind. An update continues them;
+    only another size or velocity moves them.
+    """
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
         ('seed', ctypes.c_uint32),

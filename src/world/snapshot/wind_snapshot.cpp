@@ -54,7 +54,7 @@ lr_status WindSnapshot::read(const Head& head, const unsigned char* from, uint64
         SourceDesc desc{};
         std::memcpy(static_cast<void*>(&desc), saved.desc, source_bytes);
         if (saved.slot >= WindField::capacity || sources_[saved.slot] || kept_[saved.slot] ||
-            !in_range(saved.since, 0.0, time) || check_wind_source(desc).refused())
+            !in_range(saved.since, -most_time, time) || check_wind_source(desc).refused())
             return LR_ERROR_SNAPSHOT_FORMAT;
         if (is_there(saved, seed)) {
             kept_[saved.slot] = true;

@@ -236,7 +236,8 @@ namespace LangevinRigid
         }
     }
 
-    /// <summary>Turbulence: random eddies everywhere, divergence-free, carried along by the uniform wind.</summary>
+    /// <summary>Turbulence: random eddies everywhere, divergence-free, carried along by the uniform wind. An update
+    /// continues them; only another size or velocity moves them.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct TurbulenceDesc
     {

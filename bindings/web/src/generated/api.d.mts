@@ -434,7 +434,10 @@ export interface BlowerDesc {
   spread: number;
 }
 
-/** Turbulence: random eddies everywhere, divergence-free, carried along by the uniform wind. */
+/**
+ * Turbulence: random eddies everywhere, divergence-free, carried along by the uniform wind. An update continues them;
+ * only another size or velocity moves them.
+ */
 export interface TurbulenceDesc {
   /** combined with the world's; default 0 */
   seed: number;
