@@ -143,7 +143,7 @@ void finish(void* user, void* token);
 def fragments():
     """The pages' fragments of C compile, each within a function; functions in them before it."""
     with tempfile.TemporaryDirectory() as folder:
-        for page in ("guide/recipes", "reference/bodies", "reference/stepping", "reference/snapshots", "reference/wind_and_water"):
+        for page in ("guide/recipes", "guide/concepts", "reference/bodies", "reference/stepping", "reference/snapshots", "reference/wind_and_water"):
             text = (ROOT / f"docs/{page}.md").read_text(encoding="utf-8")
             for i, fragment in enumerate(re.findall(r"^```c\n(.*?)^```$", text, re.M | re.S)):
                 functions = "".join(re.findall(r"^static .*?^}\n", fragment, re.M | re.S))
