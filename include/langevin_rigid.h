@@ -445,8 +445,8 @@ LR_API lr_status lr_world_add_gusts(lr_world* world, const lr_gusts_desc* desc, 
  * lr_world_add_gusts but LR_ERROR_CAPACITY. */
 LR_API lr_status lr_world_update_gusts(lr_world* world, lr_wind_source source, const lr_gusts_desc* desc);
 
-/* Reads a source of this kind as it was added or last updated. desc: initialised, or with struct_size set; unchanged
- * after an error.
+/* Reads a source of this kind as it was added or last updated, but with the position where it is now. desc:
+ * initialised, or with struct_size set; unchanged after an error.
  * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_STALE_WIND_SOURCE, LR_ERROR_INVALID_ARGUMENT (a source
  * of another kind). */
 LR_API lr_status lr_world_get_gusts(const lr_world* world, lr_wind_source source, lr_gusts_desc* desc);

@@ -49,7 +49,11 @@ lr_status get_source(const lr_world* world, const char* name, lr_wind_source sou
     const auto get = [&](const lr_world& w, Wind at) -> Outcome {
         if (const lr_status status = check_size(out, type.size); status != LR_OK) return status;
         if (is_other(w, at, type)) return invalid(other_kind);
-        desc_of(type, w.wind.find(at.source)->desc, out);
+        const WindSource& held = *w.wind.find(at.source);
+        SourceDesc now = held.desc;
+        put(to_float(held.place(w.time)),
+            now.position); // a caller that changes something and updates does not move it back
+        desc_of(type, now, out);
         return {};
     };
     return query(world, name, args(source), get);

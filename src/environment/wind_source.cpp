@@ -243,10 +243,14 @@ void turbulence_at(const SourceDesc& desc, double time, double age, uint64_t wor
 }
 } // namespace
 
+Double3 WindSource::place(double time) const {
+    return to_double(vector_of(desc.position)) + (time - since) * to_double(vector_of(desc.velocity));
+}
+
 void WindSource::at(double time, uint64_t world_seed, const Carried& carried, SourceInstant* out) const {
     SourceInstant s{};
     const double age = time - since;
-    const Double3 position = to_double(vector_of(desc.position)) + age * to_double(vector_of(desc.velocity));
+    const Double3 position = place(time);
     Double3 direction{}, side{};
     normalise(desc.direction, direction);
     if (desc.kind == SourceDesc::line_blower) slot_of(desc, side);

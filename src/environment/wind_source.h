@@ -225,8 +225,9 @@ struct WindSource {
     GridSamples* grid; // null for other kinds
     Gusts gusts;
 
-    uint64_t hash() const { return grid ? grid->hash : 0; }     // of its samples
-    uint32_t instants() const;                                  // how many SourceInstants it makes
+    uint64_t hash() const { return grid ? grid->hash : 0; } // of its samples
+    uint32_t instants() const;                              // how many SourceInstants it makes
+    Double3 place(double time) const;
     double since_for(const SourceDesc& next, double now) const; // if it becomes `next` now
     float fastest() const;                                      // m/s, bound of its velocities, or a typical speed
     void at(double time, uint64_t world_seed, const Carried& carried, SourceInstant* out) const; // instants() of them

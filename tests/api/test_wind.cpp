@@ -229,7 +229,19 @@ TEST_CASE("a source is read back as it was set, and is of its kind for good") {
                 std::memset(&got.struct_size + 1, 0x5a, sizeof got - sizeof got.struct_size);
                 if constexpr (requires { given.samples; }) given.samples = nullptr;
                 CHECK(get_wind(world.get(), ids[i], &got) == LR_OK);
+                if constexpr (requires {
+                                  given.position;
+                                  given.velocity;
+                              }) // where it is now
+                    for (size_t k = 0; k < 3; ++k) {
+                        const float moved = given.position[k] + 0.3f * given.velocity[k];
+                        CHECK(got.position[k] == doctest::Approx(moved));
+                        given.position[k] = got.position[k];
+                    }
                 CHECK(std::memcmp(&got, &given, sizeof got) == 0);
+                const Vec before_update = wind_at(world, {0.4, -0.3, 0.2});
+                CHECK(update_wind(world.get(), ids[i], &got) == LR_OK);
+                CHECK(length(wind_at(world, {0.4, -0.3, 0.2}) - before_update) < 1e-5);
                 const uint64_t hash = hash_of(world);
                 for (size_t k = 0; k < all.size(); ++k) {
                     const bool same = all[k].index() == all[i].index();

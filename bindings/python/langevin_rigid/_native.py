@@ -1855,11 +1855,12 @@ PROTOTYPES = {
         ('world', 'source', 'desc'),
         """lr_status lr_world_get_gusts(const lr_world* world, lr_wind_source source, lr_gusts_desc* desc)
 
-        Reads a source of this kind as it was added or last updated.
+        Reads a source of this kind as it was added or last updated, but with the position where it is now. desc:
+        initialised, or with struct_size set; unchanged after an error.
 
         world: the world
         source: handle of a wind source of the world
-        desc: initialised, or with struct_size set; unchanged after an error.
+        desc: initialised by its `_init` function, or with struct_size set
 
         Returns LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_STALE_WIND_SOURCE, LR_ERROR_INVALID_ARGUMENT (a source of another kind).
         """,

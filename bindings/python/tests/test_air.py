@@ -48,6 +48,13 @@ class Wind(WorldCase):
         with self.assertRaises(ValueError):
             self.world.add_wind_grid(samples=np.zeros((3, 3)))
 
+    def test_an_update_does_not_move_a_source_back(self):
+        source = self.world.add_vortex(circulation=6, core_radius=0.3, velocity=(10, 0, 0))
+        self.world.step(1)
+        source.update(circulation=12)
+        self.assertEqual(source.get()["position"], (10, 0, 0))
+        self.assertLess(self.world.sample_wind((10.3, 0, 0))[2], -4)
+
     def test_a_callback_in_numpy_is_a_field(self):
         asked = []
 

@@ -109,10 +109,11 @@ namespace LangevinRigid
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl, ExactSpelling = true)]
         public static extern Status lr_world_update_gusts(IntPtr world, WindSourceId source, GustsDesc* desc);
 
-        /// <summary>Reads a source of this kind as it was added or last updated.</summary>
+        /// <summary>Reads a source of this kind as it was added or last updated, but with the position where it is now.
+        /// desc: initialised, or with struct_size set; unchanged after an error.</summary>
         /// <param name="world">the world</param>
         /// <param name="source">handle of a wind source of the world</param>
-        /// <param name="desc">initialised, or with struct_size set; unchanged after an error.</param>
+        /// <param name="desc">initialised by its <c>_init</c> function, or with struct_size set</param>
         /// <returns><see cref="Status.Ok"/>, <see cref="Status.NullArgument"/>, <see cref="Status.StructSize"/>,
         /// <see cref="Status.StaleWindSource"/>, <see cref="Status.InvalidArgument"/> (a source of another
         /// kind).</returns>

@@ -1345,7 +1345,8 @@ export interface RawFunctions {
    */
   lr_world_update_gusts(world: number, source: number, desc: number): number;
   /**
-   * Reads a source of this kind as it was added or last updated.
+   * Reads a source of this kind as it was added or last updated, but with the position where it is now. desc:
+   * initialised, or with struct_size set; unchanged after an error.
    * LR_OK, LR_ERROR_NULL_ARGUMENT, LR_ERROR_STRUCT_SIZE, LR_ERROR_STALE_WIND_SOURCE, LR_ERROR_INVALID_ARGUMENT (a source
    * of another kind).
    */
