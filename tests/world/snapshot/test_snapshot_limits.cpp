@@ -95,7 +95,7 @@ TEST_CASE("a snapshot with a value beyond the limit of its setter is refused, an
     using Wind = lr::WindSnapshot::Head;
     refused(head, offsetof(Head, wind_field) + offsetof(Wind, before), -1000.1f);
     refused(head, offsetof(Head, wind_field) + offsetof(Wind, drift), 1e26);
-    for (double since : {-1.0, 0.0301}) refused(sources, 8, since); // behind the slot
+    for (double since : {-1.1e22, 0.0301}) refused(sources, 8, since); // behind the slot
     const size_t frequencies = offsetof(Head, surface) + offsetof(lr::Water::Record, frequency);
     for (double frequency : {-1.0, 110.0}) refused(head, frequencies, frequency);
     refused(head, frequencies + 8, 1.0); // of no wave
