@@ -6,6 +6,7 @@
 #include "world/world.h"
 
 #include <algorithm>
+#include <limits>
 #include <span>
 
 namespace lr {
@@ -20,6 +21,13 @@ constexpr float heap_still = 3.0f;
 constexpr float heap_place = 5.0f;
 float place_in_heap(const BodyAfter& body, float least_gap, const BodyShape& shape, float scale, float fall) {
     return lies_deep(least_gap, shape, scale, fall) ? body.place : heap_place * body.place;
+}
+
+// A body that others push out has no velocity. A solid is not still if this would take it out of its place before it falls asleep. Sheets in high
+// heaps are pushed to and fro for ever.
+float speed_pushed(const Batch& batch, const BodyAfter& body, float least_gap, float h) {
+    const bool pushed = least_gap < -stay_way * body.reach && length(body.way) * time_to_sleep > body.place * h;
+    return pushed && !batch.pair_hull().flat ? std::numeric_limits<float>::infinity() : body.speed;
 }
 
 // How a body moves away from sleeping ones, which may lie on it; world frame.
@@ -115,8 +123,8 @@ void BodyContactStep::hold_group(const BodyContactBatch& member, uint32_t first,
         const float fall = member.run.step.gravity * taken.h;
         const Vector v0 = vector_in(began_rows, field_vx, i), w0 = vector_in(began_rows, field_wx, i);
         const Vector v = vector_in(field, field_vx, i), w = vector_in(field, field_wx, i);
+        float least = 0.0f;
         if (std::count(body.now, body.now + most_touches, touching_body) != 0) {
-            float least = 0.0f;
             for (uint32_t k = 0; k < group.contacts(i); ++k)
                 if (const SlotContact s = group.contact(i, k); s.collider == sleeping_body)
                     least = std::min(least, s.gap);
@@ -126,6 +134,7 @@ void BodyContactStep::hold_group(const BodyContactBatch& member, uint32_t first,
         const bool carried = group.carried(i, body.moving);
         const Leaving leaves = leaving(member.run.step, vector_of(world_->gravity), member.run.book, body,
                                        pose_in(field, i), v0, w0, v, taken.h, carried);
+        body.speed = speed_pushed(*member.item.batch, body, least, taken.h);
         enter_body(member.run.book, body, !carried && may_sleep(*member.run.step.settings), taken.h, last(substep),
                    [&](uint32_t collider) { return group.touch_with(i, collider, taken); });
         group.visit_asleep(i, [&](const ContactGroup::Asleep& other, const SlotContact& s, bool touched) {
@@ -335,6 +344,7 @@ void BodyContactStep::put_back(uint32_t place, uint32_t substep) {
     }
     if (c.deepest[place] < no_contact) touched.take(touching_body, 0.0f);
     std::copy_n(touched.id, most_touches, body.now);
+    body.speed = speed_pushed(*member.item.batch, body, least, h);
     enter_body(member.run.book, body, !carried && may_sleep(*member.run.step.settings), h, last(substep),
                [&](uint32_t collider) { return touch_with(place, collider); });
 }

@@ -21,11 +21,23 @@ Vector farthest(const PairBody& body, Vector direction) {
     const Vector d = rotate(inverse(body.to.rotation), direction);
     return body.scale * (s.point(farthest_point(s.x, s.y, s.z, s.count, d)) + s.radius * d);
 }
+// Solids that fall together meet if the ground stops the lower one. Sheets do not count: in gales their planes would hold them in the air.
+bool solids(const PairBody& a, const PairBody& b) {
+    return !a.shape->flat && !b.shape->flat;
+}
+
+// Whether a body that goes on alone meets the other one.
+bool meets(Vector way, const PairContact& c, float margin, float beside) {
+    const float along = dot(c.normal, way);
+    return c.gap + along < margin && length(way - along * c.normal) < beside;
+}
 } // namespace
 
 float near_enough(const PairBody& a, const PairBody& b, float margin) {
     // Bound of the approach of any two of their points.
-    return margin + length(a.shift - b.shift) + a.turns + b.turns;
+    float way = length(a.shift - b.shift);
+    if (solids(a, b)) way = std::max({way, length(a.shift), length(b.shift)});
+    return margin + way + a.turns + b.turns;
 }
 
 PlacedBox placed_box(const PairBody& body, float margin) {
@@ -42,7 +54,7 @@ PlacedBox placed_box(const PairBody& body, float margin) {
             {body.shift.x, body.shift.y, body.shift.z},
             body.turns,
             margin + slack,
-            0.0f};
+            hull.flat ? 0.0f : length(body.shift)};
 }
 
 uint32_t keep_way_contacts(const PairBody& a, const PairBody& b, float margin, const Manifold& found,
@@ -50,12 +62,15 @@ uint32_t keep_way_contacts(const PairBody& a, const PairBody& b, float margin, c
     if (found.count == 0) return 0;
     uint32_t kept = 0;
     float least = margin, gap = found.contact[0].gap;
+    const float beside = solids(a, b) ? 0.25f * std::min(a.reach(), b.reach()) : 0.0f;
     for (uint32_t k = 0; k < found.count; ++k) {
         const PairContact& c = found.contact[k];
-        const float end = c.gap + dot(c.normal, moved(a, c.arm_a) - moved(b, c.arm_b));
+        const Vector of_a = moved(a, c.arm_a), of_b = moved(b, c.arm_b);
+        const float end = c.gap + dot(c.normal, of_a - of_b);
         gap = std::min(gap, c.gap);
         least = std::min(least, end);
-        if (end < margin) out[kept++] = {c, end, k};
+        if (end < margin || meets(of_a, c, margin, beside) || meets(-of_b, c, margin, beside))
+            out[kept++] = {c, end, k};
     }
     if (a.turns + b.turns == 0.0f) return kept;
     // The plane that separates them at the beginning must do so at the end too, since fast rotation brings other points near.

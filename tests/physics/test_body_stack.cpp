@@ -238,3 +238,38 @@ TEST_CASE("bodies that touch are met at once as a new scale or min_thickness mak
     CHECK(std::abs(pitch(thicken) - 3e-3) < slack);
     CHECK(std::abs(pitch(grow) - 2.5e-3) < slack);
 }
+
+TEST_CASE("solids that fall one above the other do not enter each other where the ground stops the lowest") {
+    for (const bool ball : {false, true})
+        for (const uint32_t substeps : {1u, 2u}) {
+            Stack s;
+            const double half = 0.01;
+            const lr_batch batch =
+                s.add(ball ? make(ellipsoid(half, half, half, 900.0)) : make(vacuum_box(0.02, 0.02, 0.02, 900.0)));
+            for (int i = 0; i < 3; ++i) s.put_at(batch, {0.0, 0.05 + 0.03 * i, 0.0});
+            double deepest = 0.0;
+            for (int n = 0; n < 60; ++n) {
+                steps(s.world, 1, frame, substeps);
+                for (size_t i = 0; i < 2; ++i)
+                    deepest = std::max(deepest, 2.0 - length(s.position(i + 1) - s.position(i)) / half);
+            }
+            CAPTURE(ball);
+            CAPTURE(substeps);
+            CHECK(deepest < 0.06);
+        }
+}
+
+TEST_CASE("bodies created inside each other part before they fall asleep") {
+    for (const double radius : {0.01, 0.1})
+        for (const uint32_t rate : {30u, 60u, 240u}) {
+            Stack s;
+            const lr_batch batch = s.add(make(ellipsoid(radius, radius, radius, 900.0)));
+            for (int i = 0; i < 2; ++i) s.put_at(batch, {0.2 * radius * i, radius, 0.0});
+            for (uint32_t n = 0; n < 5 * rate && s.awake() != 0; ++n)
+                steps(s.world, 1, 1.0f / static_cast<float>(rate), 1);
+            CAPTURE(radius);
+            CAPTURE(rate);
+            CHECK(s.awake() == 0);
+            CHECK(length(s.position(1) - s.position(0)) > 1.85 * radius);
+        }
+}

@@ -308,18 +308,18 @@ HWY_INLINE void plate_manifold(const SearchHull& a, const SearchHull& b, SearchB
 }
 
 constexpr size_t fields_of_box = sizeof(PlacedBox) / sizeof(float);
-enum : size_t { at_middle = 0, at_q = 3, at_half = 7, at_shift = 10, at_turns = 13, at_margin = 14 };
-static_assert(offsetof(PlacedBox, margin) == at_margin * sizeof(float));
+enum : size_t { at_middle = 0, at_q = 3, at_half = 7, at_shift = 10, at_turns = 13, at_margin = 14, at_alone = 15 };
+static_assert(offsetof(PlacedBox, alone) == at_alone * sizeof(float));
 
 struct Boxes {
     Vec middle, half, shift, axis[3]; // columns
-    Number turns, margin;
+    Number turns, margin, alone;
 
     // number(f): field f of each lane.
     template <class Field> explicit HWY_INLINE Boxes(const Field& number) {
         const auto vector = [&](size_t f) HWY_ATTR { return Vec{number(f), number(f + 1), number(f + 2)}; };
         middle = vector(at_middle), half = vector(at_half), shift = vector(at_shift);
-        turns = number(at_turns), margin = number(at_margin);
+        turns = number(at_turns), margin = number(at_margin), alone = number(at_alone);
         const Vec q = vector(at_q), q2 = Lanes::number(2.0f) * q;
         const Number w = number(at_q + 3), one = Lanes::number(1.0f);
         const Number xx = q2.x * q.x, yy = q2.y * q.y, zz = q2.z * q.z;
@@ -335,7 +335,10 @@ struct Boxes {
 // near side.
 HWY_INLINE hw::Mask<Tag> apart(const Boxes& a, const Boxes& b) {
     const Vec shifted = a.shift - b.shift, way = b.middle - a.middle;
-    const Number within = hw::Min(a.margin, b.margin) + hw::Sqrt(dot(shifted, shifted)) + (a.turns + b.turns);
+    const auto both = hw::Min(a.alone, b.alone) > Lanes::number(0.0f);
+    const Number stopped = hw::IfThenElseZero(both, hw::Max(a.alone, b.alone));
+    const Number nearer = hw::Max(hw::Sqrt(dot(shifted, shifted)), stopped);
+    const Number within = hw::Min(a.margin, b.margin) + nearer + (a.turns + b.turns);
     const Number half_a[3] = {a.half.x, a.half.y, a.half.z}, half_b[3] = {b.half.x, b.half.y, b.half.z};
     Number along_a[3], turn[3][3], size[3][3];
     for (size_t i = 0; i < 3; ++i) {

@@ -43,7 +43,7 @@ struct alignas(64) PlacedBox {
     float shift[3];  // m: displacement of the centre of mass in the substep
     float turns;     // m: displacement of the farthest point about it
     float margin;    // m: two bodies can touch when nearer than the smaller of their margins
-    float spare;
+    float alone;     // m: length of `shift`; 0 for sheets, which count as if nothing stopped the other body
 };
 
 // Keeps those of others[0 .. count), in order, that may come near boxes[one] within the substep; returns their number. Never drops a pair that can
