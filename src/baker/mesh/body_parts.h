@@ -13,8 +13,8 @@ struct BodyParts {
     Mesh mesh; // the vertices, and all faces: those of the solids, then those of the sheets
     std::size_t solid_faces = 0;
     std::vector<Face> covered; // what sheets have within solids: without mass or loads
-    Mesh cavities;      // wound inward in the file and enclosed in a solid, with vertices of its own
-    bool clean = false; // the solids pass check_and_repair: they neither cross nor touch each other
+    Mesh cavities;             // wound inward in the file and enclosed in a solid, with vertices of its own
+    bool clean = false;        // the solids pass check_and_repair: they neither cross nor touch each other
 
     bool has_sheets() const { return mesh.faces.size() > solid_faces; }
     std::vector<Face> solids() const {
