@@ -79,7 +79,7 @@ ContactGroup::ContactGroup(const ContactStep& step, const StepInput& in, const B
         Near& near = near_[i];
         near.box = near.of_step = vicinity(step, arrays, i, step.dt);
         list_near(near);
-        near.among_many = near.overflowed || std::popcount(near.finite) > among_few;
+        near.among_many = near.overflowed || near.count > among_few;
         for (uint64_t left = near.grounds; left != 0; left &= left - 1) {
             const uint32_t slot = near.candidate[std::countr_zero(left)].slot;
             uint32_t* const end = grounds_ + ground_count_;

@@ -213,8 +213,8 @@ private:
             return lists(path) && count > 0 && candidate[0].slot == slot && candidate[count - 1].slot == slot;
         }
     };
-    static constexpr int among_few = 16; // testing as many costs as much as a search
-    void list_near(Near& near) const;    // what is in its box
+    static constexpr uint32_t among_few = 16; // testing as many costs as much as a search
+    void list_near(Near& near) const;         // what is in its box
     void find_others(const ContactSubstep& substep);
     template <class Found> void each_candidate(uint32_t lane, const Box& around, Found&& found) const;
     template <class Found> void any_order(uint32_t lane, const Box& around, Found&& found) const;
