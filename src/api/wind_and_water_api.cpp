@@ -50,9 +50,9 @@ lr_status get_source(const lr_world* world, const char* name, lr_wind_source sou
         if (const lr_status status = check_size(out, type.size); status != LR_OK) return status;
         if (is_other(w, at, type)) return invalid(other_kind);
         const WindSource& held = *w.wind.find(at.source);
+        // Where it is now: a caller that changes something and updates does not move it back.
         SourceDesc now = held.desc;
-        put(to_float(held.place(w.time)),
-            now.position); // a caller that changes something and updates does not move it back
+        put(to_float(held.place(w.time)), now.position);
         desc_of(type, now, out);
         return {};
     };

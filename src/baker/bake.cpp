@@ -181,8 +181,9 @@ private:
         solid_faces_ = skin.solid_faces;
         if (!sheets.empty()) {
             set_thickness(mesh_, sheets);
+            parts_.covered =
+                covered_sheets(parts_, sheets); // before backs of double sheets, which lie outside, are left out
             if (!take_once(sheets)) return false;
-            parts_.covered = covered_sheets(parts_, sheets);
             Faults same;
             take_double_sheets_once(parts_.mesh, thickness_, false, parts_.covered, same);
         }

@@ -90,39 +90,45 @@ Matrix6 trapped_fluid(const BodyParts& parts, const Eigen::Vector3d& centre, Mat
     return fluid_inertia(moments.volume, centroid - centre, own);
 }
 
+// Eigenvalues of an inertia whose lengths are in units of the body's size, so that turns and translations compare.
+struct Modes {
+    using Values = Eigen::Matrix<double, 6, 1>;
+    Values scale;
+    Eigensystem<Matrix6> found;
+
+    Modes(const Matrix6& m, double size) {
+        scale.head<3>().setOnes();
+        scale.tail<3>().setConstant(1.0 / size);
+        found = eigensystem(Matrix6(scale.asDiagonal() * m * scale.asDiagonal()));
+    }
+    Matrix6 with(const Values& values) const {
+        const Values back = scale.cwiseInverse();
+        const Matrix6 m =
+            back.asDiagonal() * (found.vectors * values.asDiagonal() * found.vectors.transpose()) * back.asDiagonal();
+        return 0.5 * (m + m.transpose());
+    }
+};
+
 // Raises eigenvalues below a thousandth of the largest: rounding and coarseness can make them negative in directions in which the body hardly moves
 // fluid. Adds the change to the error of all such directions. Returns the most negative one over the largest.
 double make_positive(Matrix6& m, Matrix6& error, double size) {
-    Eigen::Matrix<double, 6, 1> scale;
-    scale.head<3>().setOnes();
-    scale.tail<3>().setConstant(1.0 / size);
-    const Matrix6 scaled = scale.asDiagonal() * m * scale.asDiagonal();
-    const Eigensystem<Matrix6> solver = eigensystem(scaled);
-    const double largest = solver.values.maxCoeff();
+    const Modes modes(m, size);
+    const double largest = modes.found.values.maxCoeff();
     if (!(largest > 0.0)) return HUGE_VAL;
-    const Eigen::Matrix<double, 6, 1> values = solver.values.cwiseMax(1e-3 * largest);
-    if (values == solver.values) return 0.0;
-    const Eigen::Matrix<double, 6, 1> back = scale.cwiseInverse();
-    const Matrix6 vectors = solver.vectors;
-    const Matrix6 good = back.asDiagonal() * (vectors * values.asDiagonal() * vectors.transpose()) * back.asDiagonal();
-    m = 0.5 * (good + good.transpose());
-    const double less = std::max(0.0, -solver.values.minCoeff());
-    error.diagonal() += (less + 1e-3 * largest) * back.cwiseAbs2();
+    const Modes::Values values = modes.found.values.cwiseMax(1e-3 * largest);
+    if (values == modes.found.values) return 0.0;
+    m = modes.with(values);
+    const double less = std::max(0.0, -modes.found.values.minCoeff());
+    error.diagonal() += (less + 1e-3 * largest) * modes.scale.cwiseInverse().cwiseAbs2();
     return less / largest;
 }
 
 // Raises `m` to no less than `least` in any motion, within its error as far as that goes.
 void raise_to(const AddedMass& least, double size, Matrix6& m, Matrix6& error) {
-    Eigen::Matrix<double, 6, 1> scale;
-    scale.head<3>().setOnes();
-    scale.tail<3>().setConstant(1.0 / size);
-    const Eigen::Matrix<double, 6, 1> back = scale.cwiseInverse();
-    const Eigensystem<Matrix6> more = eigensystem(Matrix6(scale.asDiagonal() * (m - least.value) * scale.asDiagonal()));
-    const Eigen::Matrix<double, 6, 1> values = more.values.cwiseMax(0.0);
-    if (values == more.values) return;
-    const Matrix6 kept =
-        back.asDiagonal() * (more.vectors * values.asDiagonal() * more.vectors.transpose()) * back.asDiagonal();
-    const Matrix6 raised = least.value + 0.5 * (kept + kept.transpose());
+    const Modes more(m - least.value, size);
+    const Modes::Values values = more.found.values.cwiseMax(0.0);
+    if (values == more.found.values) return;
+    const Matrix6 raised = least.value + more.with(values);
     error = least.error.cwiseMax(error - (raised - m).cwiseAbs());
     m = raised;
 }
@@ -246,6 +252,20 @@ std::vector<Face> covered_sheets(const BodyParts& parts, std::vector<Face> outsi
     return covered;
 }
 
+namespace {
+
+// Of the sheets of a body that has solids too, with what they have within these.
+bool solve_sheets(const BodyParts& parts, const Eigen::Vector3d& centre, AddedMass& out,
+                  const AddedMassOptions& options) {
+    if (parts.solid_faces == 0 || !parts.has_sheets()) return false;
+    Mesh sheets{parts.mesh.vertices, parts.sheets(), {}};
+    sheets.faces.insert(sheets.faces.end(), parts.covered.begin(), parts.covered.end());
+    drop_unused_vertices(sheets);
+    Faults found;
+    return compute_sheet_added_mass(sheets, centre, {}, out, found, {}, options);
+}
+} // namespace
+
 void bound_by_hull(const Mesh& mesh, bool is_sheet, AddedMass& out, const AddedMassOptions& options) {
     Hull hull;
     if (make_hull(mesh, hull))
@@ -268,11 +288,7 @@ bool compute_mixed_added_mass(const BodyParts& parts, const Eigen::Vector3d& cen
     if (hollow < nearly_full && solve_hull(hull, hollow, centre, out, faults, progress, options)) return true;
     Faults found;
     AddedMass of_sheets;
-    Mesh sheets{parts.mesh.vertices, parts.sheets(), {}};
-    sheets.faces.insert(sheets.faces.end(), parts.covered.begin(), parts.covered.end());
-    drop_unused_vertices(sheets);
-    const bool has_least = parts.solid_faces > 0 && parts.has_sheets() &&
-                           compute_sheet_added_mass(sheets, centre, {}, of_sheets, found, {}, options);
+    const bool has_least = solve_sheets(parts, centre, of_sheets, options);
     for (std::size_t round = 0; round < std::size(most_faces); ++round) {
         const Shell shell = make_shell(parts, most_faces[round], round > 0);
         if (shell.skin.faces.empty()) break;
