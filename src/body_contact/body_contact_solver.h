@@ -6,13 +6,14 @@
 #include "base/step_workers.h"
 #include "kernel/contact/body_contact.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
 namespace lr {
 
 struct BodyContactPoint {
-    Vector arm_a, arm_b;  // m, body frames, from the centres of mass
+    Vector arm_a, arm_b;  // m, body frames, from the centres of mass; time as for the gap
     float gap;            // m: between bodies at the beginning of the substep; to a fixed thing at its end
     float pressed = 0.0f; // warm start of the path projection: impulse over the lighter body's mass unit, m
     uint32_t from = 0;    // which contact of the pair's manifold, or WayContact::swept
@@ -75,10 +76,12 @@ public:
     bool solve(const BodyContactTarget& target, float h, float gravity, const BodyContactScene& scene,
                const Workers& workers);
 
-    // After solve(): the impulse along the normal over a's mass unit, m/s; negative if they do not touch.
+    // After solve(): the impulse along the normal over a's mass unit, m/s; negative if they do not touch. Below the solver's tolerance impulses are
+    // not corrected: a contact that carries nothing can have a small negative one.
     float pressed(const BodyContactPair& unit, uint32_t contact) const {
         const PairBlock& block = blocks_[unit.block];
-        return block.place[contact].touching[unit.lane] > 0.0f ? block.row[contact].pressed[unit.lane] : -1.0f;
+        const bool touching = block.place[contact].touching[unit.lane] > 0.0f;
+        return touching ? std::max(block.row[contact].pressed[unit.lane], 0.0f) : -1.0f;
     }
     // After solve(): the impulse of the path projection, as BodyContactPoint::pressed. 0 after a blow faster than `slow` (m/s): it does not
     // come again.

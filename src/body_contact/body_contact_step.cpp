@@ -46,7 +46,8 @@ bool BodyContactStep::prepare() {
         if (member->sleeping.any()) member->run.step.sleeping = &member->sleeping;
         const WaterBody* const water = batch.step.water;
         for (SolverBodyKind& kind : member->kind)
-            kind = {&batch.step.body, batch.asset().shape.reach, rolling_of(batch.contact(), batch.asset().shape)};
+            kind = {&batch.step.body, batch.asset().shape.reach, batch.pair_hull().shape.radius,
+                    rolling_of(batch.contact(), batch.asset().shape)};
         if (water) member->kind[1].body = &water->water;
         first += batch.padded_awake();
     }

@@ -42,7 +42,7 @@ struct SleepingTouch {
     uint32_t batch, index; // of the sleeping body: batch slot and dense index
     float friction, restitution;
     uint32_t count;
-    PairContact contact[most_pair_contacts]; // a: the awake body; gaps at the end of the substep
+    PairContact contact[most_pair_contacts]; // a: the awake body; its arms and the gaps at the end of the substep
 };
 
 class SleepingContacts {

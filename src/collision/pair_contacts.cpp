@@ -11,9 +11,19 @@ namespace {
 // Times the reach: impulses at points farther out would spin the body without bounds.
 constexpr float off_body = 4.0f;
 
-Vector moved(const PairBody& body, Vector arm) {
-    return body.shift + (arm.x * body.turned[0] + arm.y * body.turned[1] + arm.z * body.turned[2]);
-}
+// The two ends of a substep, as the solver sees them: a rounding does not turn with its body (roll_of in body_contact_solver-inl.h).
+struct Moved {
+    const PairBody& body;
+    Vector roll; // m, body frame: of the surface's point that is farthest against the normal, beside the body's
+    Moved(const PairBody& of, Vector normal)
+        : body(of), roll(of.scale * of.shape->shape.radius *
+                         (rotate(inverse(of.from.rotation), normal) - rotate(inverse(of.to.rotation), normal))) {}
+
+    Vector operator()(Vector arm) const {
+        const Vector turned = arm.x * body.turned[0] + arm.y * body.turned[1] + arm.z * body.turned[2];
+        return body.shift + (turned + rotate(body.to.rotation, roll));
+    }
+};
 
 // The body's point farthest along a direction at the end of the substep, body frame.
 Vector farthest(const PairBody& body, Vector direction) {
@@ -63,18 +73,19 @@ uint32_t keep_way_contacts(const PairBody& a, const PairBody& b, float margin, c
     uint32_t kept = 0;
     float least = margin, gap = found.contact[0].gap;
     const float beside = solids(a, b) ? 0.25f * std::min(a.reach(), b.reach()) : 0.0f;
+    const Vector n = found.contact[0].normal;
+    const Moved moved_a(a, n), moved_b(b, -n);
     for (uint32_t k = 0; k < found.count; ++k) {
         const PairContact& c = found.contact[k];
-        const Vector of_a = moved(a, c.arm_a), of_b = moved(b, c.arm_b);
+        const Vector of_a = moved_a(c.arm_a), of_b = moved_b(c.arm_b);
         const float end = c.gap + dot(c.normal, of_a - of_b);
         gap = std::min(gap, c.gap);
         least = std::min(least, end);
         if (end < margin || meets(of_a, c, margin, beside) || meets(-of_b, c, margin, beside))
-            out[kept++] = {c, end, k};
+            out[kept++] = {c, end, k, c.arm_a + moved_a.roll};
     }
     if (a.turns + b.turns == 0.0f) return kept;
     // The plane that separates them at the beginning must do so at the end too, since fast rotation brings other points near.
-    const Vector n = found.contact[0].normal;
     const float slop = 1e-3f * std::min(a.reach(), b.reach());
     if (!(gap > -slop)) return kept;
     const Vector on_a = to_outer(a.to, farthest(a, -n)), on_b = to_outer(b.to, farthest(b, n));
@@ -93,7 +104,9 @@ uint32_t keep_way_contacts(const PairBody& a, const PairBody& b, float margin, c
     } else {
         ++kept;
     }
-    out[at] = {{arm_a, arm_b, n, apart - dot(n, moved(a, arm_a) - moved(b, arm_b))}, apart, WayContact::swept};
+    const Vector began_a = arm_a - moved_a.roll, began_b = arm_b - moved_b.roll;
+    const float before = apart - dot(n, moved_a(began_a) - moved_b(began_b));
+    out[at] = {{began_a, began_b, n, before}, apart, WayContact::swept, arm_a};
     return kept;
 }
 

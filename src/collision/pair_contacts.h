@@ -81,6 +81,7 @@ struct WayContact {
     PairContact begin;
     float end;     // m, gap at the end of the substep
     uint32_t from; // index of the contact in the manifold; swept: none, made for the end of the substep
+    Vector end_a;  // m: a's arm at the end of the substep
 };
 // All contacts of a pair at the beginning of the substep.
 struct Manifold {

@@ -25,7 +25,7 @@ struct Pair {
     lr_body body[2] = {};
     lr_batch batch[2] = {};
 
-    Pair(const lr_rigid_desc& a, const lr_rigid_desc& b, float friction, float restitution) {
+    template <class A, class B> Pair(const A& a, const B& b, float friction, float restitution) {
         asset[0] = make(a), asset[1] = make(b);
         for (size_t i = 0; i < 2; ++i) {
             batch[i] = add_batch(world, unloaded(), asset[i], 1);
@@ -132,6 +132,53 @@ TEST_CASE("in oblique hits momentum and angular momentum are kept and no energy 
     CHECK(angular < 0.02);
     CHECK(over[0] < 1e-3);
     CHECK(over[1] < 0.02); // restitution and friction together can add energy (Kane 1984)
+}
+
+TEST_CASE("balls that meet off centre, without friction, part along the line of their centres as spheres do") {
+    Random random(5);
+    double tilt = 0.0, size_error = 0.0, bounce = 0.0, spin = 0.0;
+    int hits = 0;
+    for (int i = 0; i < rounds; ++i) {
+        const double size = random.logarithmic(0.005, 0.5), ratio = random.logarithmic(0.2, 5.0),
+                     e = random.below(3) * 0.5;
+        const auto ball = [](double radius) {
+            lr_ellipsoid_desc d = ellipsoid(radius, radius, radius, 500.0);
+            d.fluid_density = 1e-3;
+            return d;
+        };
+        Pair p(ball(size), ball(ratio * size), 0.0f, narrow(e));
+        const double both = (1.0 + ratio) * size, speed = 5.0 * both, beside = random.uniform(0.0, 0.9) * both;
+        lr_body_desc d = at_rest_at({-1.2 * both, beside, 0.0});
+        put(d.orientation, any_turn(random));
+        put(d.linear_velocity, Vec{speed, 0.0, 0.0});
+        p.place(0, d);
+        d = at_rest_at({0.0, 0.0, 0.0});
+        put(d.orientation, any_turn(random));
+        p.place(1, d);
+        for (int n = 0; n < 4000; ++n) {
+            const Moving a = p.at(0), b = p.at(1);
+            steps(p.world, 1, narrow(short_h));
+            const Moving c = p.at(0), g = p.at(1);
+            const Vec impulse = c.momentum() - a.momentum();
+            if (length(impulse) < 0.1 * std::min(a.mass, b.mass) * speed) continue;
+            const Vec line = a.position - b.position;
+            const double apart = length(line);
+            ++hits;
+            tilt = std::max(tilt, std::acos(std::min(1.0, dot(impulse, line) / (length(impulse) * apart))));
+            size_error = std::max(size_error, std::abs(apart / both - 1.0));
+            const double before = dot(a.velocity - b.velocity, line), after = dot(c.velocity - g.velocity, line);
+            bounce = std::max(bounce, std::abs(after / before + e));
+            spin = std::max(spin, length(c.spin) * size / speed);
+            break;
+        }
+    }
+    MESSAGE(hits << " hits: normal off by " << 180.0 / std::numbers::pi * tilt << " degrees, distance by " << size_error
+                 << ", restitution by " << bounce << ", spin " << spin);
+    CHECK(hits == rounds);
+    CHECK(tilt < 0.006);
+    CHECK(size_error < 0.003);
+    CHECK(bounce < 0.03);
+    CHECK(spin < 0.01);
 }
 
 // A box hits the face of a much heavier one, edge or corner first: along its normal and across it.

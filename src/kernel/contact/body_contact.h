@@ -62,8 +62,9 @@ struct PairBlock {
     };
     // A contact's own data.
     struct Place {
-        alignas(64) LaneRow arm_a[3], arm_b[3]; // m, body frames, from the centres of mass
-        LaneRow gap; // m: given as in BodyContactPoint, then at the end of the substep; no_contact: none
+        alignas(64) LaneRow arm_a[3],
+            arm_b[3]; // as in BodyContactPoint; of pairs, set_gaps() moves them to the end of the substep
+        LaneRow gap;  // m: given as in BodyContactPoint, then at the end of the substep; no_contact: none
         LaneRow before, bounce, touching;
         LaneRow start; // m: impulse of the path projection: its warm start, then the result
         LaneRow came;  // m/s, along the normal, before the velocity projection
@@ -104,8 +105,8 @@ struct PairBlock {
 // Bodies of one kind belong to one batch.
 struct SolverBodyKind {
     const BodyConstants* body;
-    float reach;   // m, at scale 1
-    float rolling; // ContactBodies::rolling
+    float reach, rounding; // m, at scale 1
+    float rolling;         // ContactBodies::rolling
 };
 struct BodyContactInput {
     float h, gravity;

@@ -37,12 +37,19 @@ struct PairState {
     Quaternion began_a, began_b;
     Size size_a, size_b;
     Vec3 moved_a, moved_b;
+    Vec3 roll_a, roll_b; // body frames: displacement of the surface's point at a contact beside that of the body
     Twist way[2], met[2], before[2];
     decltype(VF() > VF()) pair; // both are bodies
     VF slop, reach;             // of the smaller body
 };
 HWY_INLINE Twist twist_of(const LaneRow* row, size_t field, size_t at, VF length) {
     return {load3(row + field, at), length * load3(row + field + 3, at)};
+}
+// A rounding does not turn with its body: the point of a ball that is nearest to another ball stays on the line between them. With points that turn
+// along, balls that spin sank into each other.
+HWY_INLINE Vec3 roll_of(const SolverBodyKind& kind, const LaneRow* row, size_t at, const Matrix& turn, Vec3 normal) {
+    const VF radius = load1(row[at_scale], at) * constant(kind.rounding);
+    return radius * (to_body(load4(row + at_q0, at), normal) - transposed_times(turn, normal));
 }
 HWY_INLINE PairState state_of(const BodyContactInput& in, const PairBlock& block, const Gathered& g, size_t at) {
     const SolverBodyKind &kind_a = in.kinds[block.kind_a], &kind_b = in.kinds[block.kind_b];
@@ -55,6 +62,9 @@ HWY_INLINE PairState state_of(const BodyContactInput& in, const PairBlock& block
     s.began_a = load4(g.a + at_q0, at), s.began_b = load4(g.b + at_q0, at);
     s.moved_a = load3(g.a + at_x, at) - load3(g.a + at_x0, at);
     s.moved_b = load3(g.b + at_x, at) - load3(g.b + at_x0, at);
+    const Vec3 normal = load3(block.normal, at);
+    s.roll_a = select(s.pair, roll_of(kind_a, g.a, at, s.turn_a, normal), zero3());
+    s.roll_b = select(s.pair, roll_of(kind_b, g.b, at, s.turn_b, constant(-1.0f) * normal), zero3());
     s.way[0] = load6(g.a + at_way, at), s.way[1] = load6(g.b + at_way, at);
     s.met[0] = twist_of(g.a, at_v, at, s.size_a.length), s.met[1] = twist_of(g.b, at_v, at, s.size_b.length);
     s.before[0] = twist_of(g.a, at_v0, at, s.size_a.length), s.before[1] = twist_of(g.b, at_v0, at, s.size_b.length);
@@ -62,8 +72,15 @@ HWY_INLINE PairState state_of(const BodyContactInput& in, const PairBlock& block
 }
 
 // Contacts act at the middle between the points on both surfaces: impulses at two points would turn the pair. Each point is
-// drawn there by at most this: after a large rotation the two no longer say how the surfaces move.
-constexpr float most_joined = 0.2f; // of the smaller reach
+// drawn there by at most this: after a large rotation the two no longer say how the surfaces move. Not so far on a rounding: no impulse along
+// its normal turns a ball.
+constexpr float most_joined = 0.2f; // of the smaller reach without the rounding
+HWY_INLINE Vec3 joined(const SolverBodyKind& kind, const LaneRow* row, size_t at, VF smaller, Vec3 half) {
+    const VF core = load1(row[at_scale], at) * constant(kind.reach - kind.rounding);
+    const VF part =
+        constant(most_joined) * hn::Min(smaller, core) / hn::Max(hn::Sqrt(dot(half, half)), constant(1e-30f));
+    return hn::Min(part, constant(1.0f)) * half;
+}
 
 // Sets the contact frame, its axes and middle on both bodies, and all gains.
 HWY_NOINLINE void set_frame(const BodyContactInput& in, const Gathered& g, PairBlock& block, size_t at,
@@ -83,7 +100,7 @@ HWY_NOINLINE void set_frame(const BodyContactInput& in, const Gathered& g, PairB
     store_matrix(block.axes_b, at, seen_from(turn_b));
     store1(block.lengths, at, size_a.length * size_b.inverse);
     const Vec3 apart = load3(g.a + at_x, at) - load3(g.b + at_x, at);
-    const VF most = constant(most_joined) * hn::Min(size_a.reach, size_b.reach);
+    const VF smaller = hn::Min(size_a.reach, size_b.reach);
     Vec3 on_a[block_contacts], sum_a = zero3(), sum_b = zero3();
     VF there[block_contacts], count = zero;
     for (uint32_t k = 0; k < block.used; ++k) {
@@ -92,10 +109,9 @@ HWY_NOINLINE void set_frame(const BodyContactInput& in, const Gathered& g, PairB
         on_a[k] = turn_a * load3(c.arm_a, at);
         if (pairs) {
             const Vec3 on_b = turn_b * load3(c.arm_b, at);
-            Vec3 half = constant(0.5f) * (apart + (on_a[k] - on_b));
-            half = hn::Min(most / hn::Max(hn::Sqrt(dot(half, half)), constant(1e-30f)), one) * half;
-            on_a[k] = on_a[k] - half;
-            sum_b += there[k] * (on_b + half);
+            const Vec3 half = constant(0.5f) * (apart + (on_a[k] - on_b));
+            on_a[k] = on_a[k] - joined(in.kinds[block.kind_a], g.a, at, smaller, half);
+            sum_b += there[k] * (on_b + joined(in.kinds[block.kind_b], g.b, at, smaller, half));
         }
         sum_a += there[k] * on_a[k];
         count += there[k];
@@ -133,20 +149,23 @@ HWY_INLINE void set_gaps(const PairState& s, VF h, const PairBlock& block, PairB
     const Vec3 normal = load3(block.normal, at), surface = load3(block.surface, at);
     const Vec3 path = load3(block.lag, at) + h * surface;
     const Vec3 arm_a = load3(c.arm_a, at), arm_b = load3(c.arm_b, at);
+    const Vec3 end_a = arm_a + s.roll_a, end_b = arm_b + s.roll_b;
     const Vec3 over_a = s.size_a.inverse * arm_a, over_b = s.size_b.inverse * arm_b;
+    store3(c.arm_a, at, end_a);
+    store3(c.arm_b, at, end_b);
     const VF given = load1(c.gap, at);
     const auto empty = given >= constant(0.5f * no_contact);
-    const Vec3 went_a = s.moved_a + s.turn_a * arm_a - to_world(s.began_a, arm_a);
-    const Vec3 went_b = s.moved_b + s.turn_b * arm_b - to_world(s.began_b, arm_b);
+    const Vec3 went_a = s.moved_a + s.turn_a * end_a - to_world(s.began_a, arm_a);
+    const Vec3 went_b = s.moved_b + s.turn_b * end_b - to_world(s.began_b, arm_b);
     const VF closed = dot(normal, select(s.pair, went_b, path) - went_a);
     const VF gap = hn::IfThenElse(empty, given, hn::IfThenElse(s.pair, given - closed, given));
     const VF before = hn::IfThenElse(empty, given, hn::IfThenElse(s.pair, given, given + closed));
     store1(c.gap, at, gap);
     store1(c.before, at, before);
     const Vec3 first = select(s.pair, to_world(s.began_b, velocity_at(s.before[1], over_b)), surface);
-    const Vec3 last = select(s.pair, s.turn_b * velocity_at(s.met[1], over_b), surface);
+    const Vec3 last = select(s.pair, s.turn_b * velocity_at(s.met[1], s.size_b.inverse * end_b), surface);
     const VF from = dot(normal, to_world(s.began_a, velocity_at(s.before[0], over_a)) - first);
-    const VF to = dot(normal, s.turn_a * velocity_at(s.met[0], over_a) - last);
+    const VF to = dot(normal, s.turn_a * velocity_at(s.met[0], s.size_a.inverse * end_a) - last);
     const auto closes = hn::And(before > s.slop, closed > zero);
     const VF time = before / hn::Max(closed, constant(1e-30f));
     const VF part = hn::IfThenElseZero(closes, hn::Min(time, constant(1.0f)));
@@ -188,6 +207,7 @@ void body_contact_way(const BodyContactInput& in, PairBlock& block) {
     for (size_t at = 0; at < block.lanes; at += hn::Lanes(DF())) {
         const PairState s = state_of(in, block, g, at);
         store1(block.dust, at, constant(1e-3f) * s.slop);
+        for (uint32_t k = 0; k < block.used; ++k) set_gaps(s, constant(in.h), block, block.place[k], at);
         Side a, b;
         set_frame(in, g, block, at, s.size_a, s.size_b, a, b);
         const Matrix frame = frame_of(block, at);
@@ -197,8 +217,7 @@ void body_contact_way(const BodyContactInput& in, PairBlock& block) {
         const Reduced way = relative_motion(a, b, s.way[0], s.way[1]);
         VF guess[block_contacts];
         for (uint32_t k = 0; k < block.used; ++k) {
-            PairBlock::Place& c = block.place[k];
-            set_gaps(s, constant(in.h), block, c, at);
+            const PairBlock::Place& c = block.place[k];
             const VF gap = load1(c.gap, at), began = load1(c.before, at);
             const auto solid = load1(block.solid, at) > hn::Zero(DF());
             const VF out = push_out(gap, began, s.slop, s.reach, solid);
@@ -405,12 +424,16 @@ void body_contact_move(const BodyContactInput& in, uint32_t kind, uint32_t begin
 void body_contact_touch(const BodyContactInput& in, PairBlock& block) {
     const Gathered g(in, block);
     const VF zero = hn::Zero(DF()), one = constant(1.0f), empty = constant(0.5f * no_contact);
-    const VF within = constant(0.5f * in.gravity * (in.h * in.h)); // weight presses bodies into each other by this much
+    const VF presses =
+        constant(0.5f * in.gravity * (in.h * in.h)); // weight presses bodies into each other by this much
     alignas(64) LaneRow carried, shallow, touching;
     for (size_t at = 0; at < block.lanes; at += hn::Lanes(DF())) {
         const Size size_a = size_of(in.kinds[block.kind_a], g.a, at), size_b = size_of(in.kinds[block.kind_b], g.b, at);
         const auto pair = load1(block.ratio, at) > zero, solid = load1(block.solid, at) > zero;
         const VF slop = hn::Min(size_a.slop, hn::IfThenElse(pair, size_b.slop, size_a.slop));
+        // Limited, or small solids at 30 Hz would rest half in each other.
+        const VF reach = hn::Min(size_a.reach, hn::IfThenElse(pair, size_b.reach, size_a.reach));
+        const VF within = hn::IfThenElseZero(hn::Not(solid), hn::Min(presses, constant(0.1f) * reach));
         const Side a = side_a(in, block, at), b = side_b(in, block, at);
         const Reduced moved = relative_motion(a, b, load6(g.a + at_correction, at), load6(g.b + at_correction, at));
         const Reduced came = relative_motion(a, b, load6(g.a + at_way, at), load6(g.b + at_way, at));
@@ -430,7 +453,7 @@ void body_contact_touch(const BodyContactInput& in, PairBlock& block) {
             store1(c.gap, at, gap);
             store1(c.touching, at, hn::IfThenElseZero(touches, one));
             any = hn::IfThenElse(touches, one, any);
-            const VF began = load1(c.before, at) + hn::IfThenElse(solid, zero, within);
+            const VF began = load1(c.before, at) + within;
             least = hn::Min(least, hn::IfThenElseZero(touches, began));
         }
         store1(carried, at, any * greatest(load3(block.surface, at)));

@@ -160,6 +160,7 @@ uint32_t SleepingNeighbours::touched_by(uint32_t noise_seed, float scale, const 
         out[n].count = count;
         for (uint32_t k = 0; k < count; ++k) {
             out[n].contact[k] = contacts[k].begin;
+            out[n].contact[k].arm_a = contacts[k].end_a;
             out[n].contact[k].gap = contacts[k].end - nearer_ * moving.reach();
         }
     };
