@@ -134,16 +134,15 @@ lr_status lr_batch_get_turbulence_table(const lr_world* world, lr_batch batch, l
 }
 
 lr_status lr_batch_set_rate(lr_world* world, lr_batch batch, uint32_t divisor) {
-    const auto set = [](lr_world&, Batch& b, uint32_t n) -> Outcome {
+    return change(world, __func__, args(batch, divisor), [](lr_world&, Batch& b, uint32_t n) -> Outcome {
         if (n < 1 || n > BatchClock::largest_of_all) return invalid("divisor is not 1 to 1024");
         b.pace.set_divisor(n);
         return {};
-    };
-    return change(world, __func__, args(batch, divisor), set);
+    });
 }
 
 lr_status lr_batch_get_pace(const lr_world* world, lr_batch batch, lr_batch_pace* pace) {
-    const auto get = [](const lr_world&, const Batch& b, lr_batch_pace& out) {
+    return query(world, __func__, args(batch, pace), [](const lr_world&, const Batch& b, lr_batch_pace& out) {
         const BatchClock::Record& r = b.pace.record();
         out.divisor = r.divisor;
         out.substeps = b.pace.granted();
@@ -151,20 +150,18 @@ lr_status lr_batch_get_pace(const lr_world* world, lr_batch batch, lr_batch_pace
         out.behind = r.behind;
         out.lost = r.lost;
         out.body_substeps = r.taken;
-    };
-    return query(world, __func__, args(batch, pace), get);
+    });
 }
 
 lr_status lr_batch_set_divergence_policy(lr_world* world, lr_batch batch, int32_t policy) {
-    const auto set = [](lr_world&, Batch& b, int32_t p) -> Outcome {
+    return change(world, __func__, args(batch, policy), [](lr_world&, Batch& b, int32_t p) -> Outcome {
         BatchOptions options = b.options;
         options.divergence_policy = p;
         if (const char* why = wrong_in(options)) return invalid(why);
         if (p == LR_DIVERGENCE_REMOVE && !b.reserve_lifecycle()) return LR_ERROR_OUT_OF_MEMORY;
         b.options = options;
         return {};
-    };
-    return change(world, __func__, args(batch, policy), set);
+    });
 }
 
 lr_status lr_batch_get_divergence_policy(const lr_world* world, lr_batch batch, int32_t* policy) {
@@ -173,7 +170,7 @@ lr_status lr_batch_get_divergence_policy(const lr_world* world, lr_batch batch, 
 }
 
 lr_status lr_batch_get_view(const lr_world* world, lr_batch batch, lr_batch_view* view) {
-    const auto get = [](const lr_world&, const Batch& b, lr_batch_view& out) {
+    return query(world, __func__, args(batch, view), [](const lr_world&, const Batch& b, lr_batch_view& out) {
         const BatchArrays& a = b.arrays();
         out.count = b.count();
         out.capacity = b.capacity();
@@ -186,8 +183,7 @@ lr_status lr_batch_get_view(const lr_world* world, lr_batch batch, lr_batch_view
         out.user = b.users();
         out.revision = b.revision();
         out.awake_count = b.awake();
-    };
-    return query(world, __func__, args(batch, view), get);
+    });
 }
 
 lr_status lr_batch_get_bounds(const lr_world* world, lr_batch batch, float* low, float* high) {
@@ -204,7 +200,7 @@ lr_status lr_batch_get_bounds(const lr_world* world, lr_batch batch, float* low,
 lr_status lr_batch_write_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst, uint64_t stride,
                                     uint32_t count, uint32_t* written) {
     if (written) *written = 0;
-    const auto write = [&](const lr_world& w, const Batch& b) -> Outcome {
+    return query(world, __func__, args(batch), [&](const lr_world& w, const Batch& b) -> Outcome {
         const uint32_t bytes = transform_bytes(format);
         if (bytes == 0) return invalid("unknown format");
         const uint64_t step = step_of(stride, bytes, dst);
@@ -215,14 +211,13 @@ lr_status lr_batch_write_transforms(const lr_world* world, lr_batch batch, int32
         write_transforms(w.target->simd, b.arrays(), n, static_cast<float>(b.pace.behind()), format, dst, step);
         if (written) *written = n;
         return {};
-    };
-    return query(world, __func__, args(batch), write);
+    });
 }
 
 lr_status lr_batch_write_velocities(const lr_world* world, lr_batch batch, void* dst, uint64_t stride, uint32_t count,
                                     uint32_t* written) {
     if (written) *written = 0;
-    const auto write = [&](const lr_world&, const Batch& b) -> Outcome {
+    return query(world, __func__, args(batch), [&](const lr_world&, const Batch& b) -> Outcome {
         const uint64_t step = step_of(stride, 6 * sizeof(float), dst);
         if (step == 0) return invalid("stride or alignment is wrong for 6 floats");
         const uint32_t n = std::min(count, b.count());
@@ -237,8 +232,7 @@ lr_status lr_batch_write_velocities(const lr_world* world, lr_batch batch, void*
         }
         if (written) *written = n;
         return {};
-    };
-    return query(world, __func__, args(batch), write);
+    });
 }
 
 lr_status lr_batch_set_aerodynamics(lr_world* world, lr_batch batch, const lr_aerodynamics* aerodynamics) {
@@ -258,7 +252,7 @@ lr_status lr_batch_get_aerodynamics(const lr_world* world, lr_batch batch, lr_ae
 }
 
 lr_status lr_batch_set_load_gains(lr_world* world, lr_batch batch, const lr_load_gains* gains) {
-    const auto set = [](lr_world&, Batch& b, const lr_load_gains* given) -> Outcome {
+    return change(world, __func__, args(batch, gains), [](lr_world&, Batch& b, const lr_load_gains* given) -> Outcome {
         lr_load_gains g{};
         lr_load_gains_init(&g, sizeof g);
         if (given) g = *given;
@@ -271,22 +265,20 @@ lr_status lr_batch_set_load_gains(lr_world* world, lr_batch batch, const lr_load
         all.turbulence = static_cast<double>(g.turbulence);
         if (const char* why = wrong_in(all)) return invalid(why);
         return b.set_aerodynamics(b.aerodynamics(), all) ? LR_OK : LR_ERROR_INTERNAL;
-    };
-    return change(world, __func__, args(batch, gains), set);
+    });
 }
 
 lr_status lr_batch_get_load_gains(const lr_world* world, lr_batch batch, lr_load_gains* gains) {
-    const auto get = [](const lr_world&, const Batch& b, lr_load_gains& out) {
+    return query(world, __func__, args(batch, gains), [](const lr_world&, const Batch& b, lr_load_gains& out) {
         out.drag = static_cast<float>(b.gains().drag);
         out.lift = static_cast<float>(b.gains().lift);
         out.spin_drag = static_cast<float>(b.gains().spin_drag);
         out.turbulence = static_cast<float>(b.gains().turbulence);
-    };
-    return query(world, __func__, args(batch, gains), get);
+    });
 }
 
 lr_status lr_batch_set_rules(lr_world* world, lr_batch batch, const lr_batch_rules* rules) {
-    const auto set = [](lr_world&, Batch& b, const lr_batch_rules* r) -> Outcome {
+    return change(world, __func__, args(batch, rules), [](lr_world&, Batch& b, const lr_batch_rules* r) -> Outcome {
         if (!r) {
             if (b.lifecycle()) b.lifecycle()->set_rules(nullptr);
             return {};
@@ -298,8 +290,7 @@ lr_status lr_batch_set_rules(lr_world* world, lr_batch batch, const lr_batch_rul
         b.lifecycle()->set_rules(r);
         if (b.sleeping()) b.sleeping()->ask_again();
         return {};
-    };
-    return change(world, __func__, args(batch, rules), set);
+    });
 }
 
 lr_status lr_batch_get_rules(const lr_world* world, lr_batch batch, lr_batch_rules* rules, int32_t* present) {
@@ -311,7 +302,7 @@ lr_status lr_batch_get_rules(const lr_world* world, lr_batch batch, lr_batch_rul
 }
 
 lr_status lr_batch_set_emitter(lr_world* world, lr_batch batch, const lr_emitter_desc* desc) {
-    const auto set = [](lr_world&, Batch& b, const lr_emitter_desc* d) -> Outcome {
+    return change(world, __func__, args(batch, desc), [](lr_world&, Batch& b, const lr_emitter_desc* d) -> Outcome {
         if (!d) {
             if (b.lifecycle() && b.lifecycle()->respawns()) return invalid("the rules respawn: change them first");
             if (b.lifecycle()) b.lifecycle()->set_emitter(nullptr);
@@ -321,8 +312,7 @@ lr_status lr_batch_set_emitter(lr_world* world, lr_batch batch, const lr_emitter
         if (!b.reserve_lifecycle()) return LR_ERROR_OUT_OF_MEMORY;
         b.lifecycle()->set_emitter(d);
         return {};
-    };
-    return change(world, __func__, args(batch, desc), set);
+    });
 }
 
 lr_status lr_batch_get_emitter(const lr_world* world, lr_batch batch, lr_emitter_desc* desc, int32_t* present) {
@@ -358,12 +348,11 @@ lr_status lr_batch_spawn_box(lr_world* world, lr_batch batch, const float* low, 
 }
 
 lr_status lr_batch_get_counts(const lr_world* world, lr_batch batch, lr_batch_counts* counts) {
-    const auto get = [](const lr_world&, const Batch& b, lr_batch_counts& out) {
+    return query(world, __func__, args(batch, counts), [](const lr_world&, const Batch& b, lr_batch_counts& out) {
         if (b.lifecycle()) b.lifecycle()->report(out);
         out.diverged = b.faults.last;
         out.total_diverged = b.faults.total;
-    };
-    return query(world, __func__, args(batch, counts), get);
+    });
 }
 
 } // extern "C"

@@ -231,7 +231,7 @@ int32_t lr_body_is_valid(const lr_world* world, lr_body body) {
 }
 
 lr_status lr_body_get_state(const lr_world* world, lr_body body, lr_body_state* state) {
-    const auto get = [](const lr_world&, Body at, lr_body_state& out) {
+    return query(world, __func__, args(body, state), [](const lr_world&, Body at, lr_body_state& out) {
         const BodyState s = at.batch.read(at.index);
         const Rotation q = rotation_of(s.value + field_qx);
         put(vector_of(s.value + field_x), out.position);
@@ -245,8 +245,7 @@ lr_status lr_body_get_state(const lr_world* world, lr_body body, lr_body_state* 
         out.sleep_state = at.batch.asleep(at.index) ? LR_SLEEP_ASLEEP
                           : at.batch.held(at.index) ? LR_SLEEP_HELD
                                                     : LR_SLEEP_AWAKE;
-    };
-    return query(world, __func__, args(body, state), get);
+    });
 }
 
 lr_status lr_body_get_loads(const lr_world* world, lr_body body, lr_body_loads* loads) {
@@ -255,7 +254,7 @@ lr_status lr_body_get_loads(const lr_world* world, lr_body body, lr_body_loads* 
 }
 
 lr_status lr_body_set_state(lr_world* world, lr_body body, const lr_body_state* state) {
-    const auto set = [](lr_world& w, Body at, const lr_body_state& s) -> Outcome {
+    return change(world, __func__, args(body, state), [](lr_world& w, Body at, const lr_body_state& s) -> Outcome {
         if (const Outcome outcome = check(s); outcome.refused()) return outcome;
         if (s.user != 0 && !at.batch.reserve_users()) return LR_ERROR_OUT_OF_MEMORY;
         const uint32_t index = at.batch.asleep(at.index) ? at.batch.wake(at.index) : at.index;
@@ -266,8 +265,7 @@ lr_status lr_body_set_state(lr_world* world, lr_body body, const lr_body_state* 
         at.batch.set_user(index, s.user);
         w.wake_left();
         return {};
-    };
-    return change(world, __func__, args(body, state), set);
+    });
 }
 
 lr_status lr_body_set_sleep(lr_world* world, const lr_body* bodies, uint32_t count, int32_t sleep_state) {
@@ -321,7 +319,7 @@ lr_status lr_body_add_force(lr_world* world, const lr_body_force* forces, uint32
 }
 
 lr_status lr_batch_add_forces(lr_world* world, lr_batch batch, const lr_force_arrays* arrays) {
-    const auto add = [](lr_world& w, Batch& b, const lr_force_arrays& a) -> Outcome {
+    return change(world, __func__, args(batch, arrays), [](lr_world& w, Batch& b, const lr_force_arrays& a) -> Outcome {
         if (const char* why = unknown_in(a.mode, a.frame)) return invalid(why);
         if (a.stride % sizeof(float) != 0 || misaligned(a.force) || misaligned(a.torque))
             return invalid("stride or alignment is wrong for floats");
@@ -343,12 +341,11 @@ lr_status lr_batch_add_forces(lr_world* world, lr_batch batch, const lr_force_ar
         // In ascending order: waking body i swaps it with one below i, whose force is already applied.
         for (uint32_t i = 0; i < a.count; ++i) apply(w, b, a.first + i, push(i));
         return {};
-    };
-    return change(world, __func__, args(batch, arrays), add);
+    });
 }
 
 lr_status lr_batch_set_force(lr_world* world, lr_batch batch, const lr_batch_force* force) {
-    const auto set = [](lr_world&, Batch& b, const lr_batch_force* f) -> Outcome {
+    return change(world, __func__, args(batch, force), [](lr_world&, Batch& b, const lr_batch_force* f) -> Outcome {
         float values[force_components] = {};
         if (f) {
             each_force(*f, [&](const float(&v)[3], size_t at) { std::copy(v, v + 3, values + at); });
@@ -360,15 +357,13 @@ lr_status lr_batch_set_force(lr_world* world, lr_batch batch, const lr_batch_for
         if (!std::equal(values, values + force_components, b.external.batch())) b.wake_all();
         b.external.set_batch(values);
         return {};
-    };
-    return change(world, __func__, args(batch, force), set);
+    });
 }
 
 lr_status lr_batch_get_force(const lr_world* world, lr_batch batch, lr_batch_force* force) {
-    const auto get = [](const lr_world&, const Batch& b, lr_batch_force& out) {
+    return query(world, __func__, args(batch, force), [](const lr_world&, const Batch& b, lr_batch_force& out) {
         each_force(out, [&](float(&v)[3], size_t at) { std::copy_n(b.external.batch() + at, 3, v); });
-    };
-    return query(world, __func__, args(batch, force), get);
+    });
 }
 
 } // extern "C"

@@ -246,16 +246,15 @@ lr_status lr_batch_get_body_contact(const lr_world* world, lr_batch a, lr_batch 
 }
 
 lr_status lr_world_set_events(lr_world* world, uint32_t capacity, uint32_t kinds) {
-    const auto set = [](lr_world& w, uint32_t most, uint32_t wanted) -> Outcome {
+    return change(world, __func__, args(capacity, kinds), [](lr_world& w, uint32_t most, uint32_t wanted) -> Outcome {
         if ((wanted & ~uint32_t{LR_EVENTS_ALL}) != 0) return invalid("unknown kinds of events");
         if (most != 0 && wanted == 0) return invalid("capacity is not 0, but kinds is");
         return w.set_events(most, wanted);
-    };
-    return change(world, __func__, args(capacity, kinds), set);
+    });
 }
 
 lr_status lr_world_get_events(const lr_world* world, lr_event_list* list) {
-    const auto get = [](const lr_world& w, lr_event_list& out) {
+    return query(world, __func__, args(list), [](const lr_world& w, lr_event_list& out) {
         const EventList& from = w.events;
         out.count = from.count;
         out.events = from.items.data();
@@ -263,8 +262,7 @@ lr_status lr_world_get_events(const lr_world* world, lr_event_list* list) {
         out.total_lost = from.total_lost;
         out.capacity = static_cast<uint32_t>(from.items.size());
         out.kinds = from.kinds;
-    };
-    return query(world, __func__, args(list), get);
+    });
 }
 
 } // extern "C"

@@ -36,17 +36,16 @@ bool is_other(const lr_world& w, Wind at, const SourceType& type) {
 constexpr const char* other_kind = "the source is of another kind";
 
 lr_status update_source(lr_world* world, const char* name, lr_wind_source source, const SourceOf& desc) {
-    const auto update = [&](lr_world& w, Wind at, const SourceDesc& d) -> Outcome {
+    return change(world, name, args(source, desc), [&](lr_world& w, Wind at, const SourceDesc& d) -> Outcome {
         if (is_other(w, at, desc.type)) return invalid(other_kind);
         const Outcome outcome = check(d, true);
         return outcome.refused() ? outcome : w.wind.update(at.source, d, w.time, w.seed);
-    };
-    return change(world, name, args(source, desc), update);
+    });
 }
 
 lr_status get_source(const lr_world* world, const char* name, lr_wind_source source, const SourceType& type,
                      void* out) {
-    const auto get = [&](const lr_world& w, Wind at) -> Outcome {
+    return query(world, name, args(source), [&](const lr_world& w, Wind at) -> Outcome {
         if (const lr_status status = check_size(out, type.size); status != LR_OK) return status;
         if (is_other(w, at, type)) return invalid(other_kind);
         const WindSource& held = *w.wind.find(at.source);
@@ -55,17 +54,15 @@ lr_status get_source(const lr_world* world, const char* name, lr_wind_source sou
         put(to_float(held.place(w.time)), now.position);
         desc_of(type, now, out);
         return {};
-    };
-    return query(world, name, args(source), get);
+    });
 }
 
 template <class Function, class Field>
 lr_status set_callback(lr_world* world, const char* function, Function callback, void* user, Field lr_world::*field) {
-    const auto set = [&](lr_world& w, uint32_t) {
+    return change(world, function, args(callback ? 1u : 0u), [&](lr_world& w, uint32_t) {
         (w.*field).set_callback(callback, user);
         if (w.recorder) w.recorder->listen(w);
-    };
-    return change(world, function, args(callback ? 1u : 0u), set);
+    });
 }
 } // namespace
 } // namespace lr::api
@@ -76,14 +73,13 @@ using namespace lr::api;
 extern "C" {
 
 lr_status lr_world_set_uniform_wind(lr_world* world, float x, float y, float z) {
-    const auto set = [](lr_world& w, float vx, float vy, float vz) -> Outcome {
+    return change(world, __func__, args(x, y, z), [](lr_world& w, float vx, float vy, float vz) -> Outcome {
         const float velocity[3] = {vx, vy, vz};
         if (!finite(velocity)) return LR_ERROR_NOT_FINITE;
         if (const char* why = wrong_wind(velocity)) return invalid(why);
         std::copy(velocity, velocity + 3, w.wind.uniform.wind);
         return {};
-    };
-    return change(world, __func__, args(x, y, z), set);
+    });
 }
 
 lr_status lr_world_get_uniform_wind(const lr_world* world, float* velocity) {
@@ -120,7 +116,7 @@ lr_status lr_world_set_wind_callback(lr_world* world, lr_wind_fn callback, void*
 }
 
 lr_status lr_world_sample_wind(const lr_world* world, const float* positions, uint32_t count, float* velocities) {
-    const auto sample = [&](const lr_world& w) -> Outcome {
+    return query(world, __func__, args(), [&](const lr_world& w) -> Outcome {
         if (count == 0) return {};
         if (!positions || !velocities) return LR_ERROR_NULL_ARGUMENT;
         for (uint64_t i = 0; i < uint64_t{3} * count; ++i) {
@@ -129,12 +125,11 @@ lr_status lr_world_sample_wind(const lr_world* world, const float* positions, ui
         }
         w.sample_wind(positions, count, velocities);
         return {};
-    };
-    return query(world, __func__, args(), sample);
+    });
 }
 
 lr_status lr_world_set_water(lr_world* world, const lr_water_desc* desc) {
-    const auto set = [](lr_world& w, const lr_water_desc* d) -> Outcome {
+    return change(world, __func__, args(desc), [](lr_world& w, const lr_water_desc* d) -> Outcome {
         if (d)
             if (const Outcome outcome = check_water(*d); outcome.refused()) return outcome;
         if (d && !w.reserve_scratch()) return LR_ERROR_OUT_OF_MEMORY;
@@ -145,8 +140,7 @@ lr_status lr_world_set_water(lr_world* world, const lr_water_desc* desc) {
             w.surface.clear();
         w.wake_in_water(before);
         return {};
-    };
-    return change(world, __func__, args(desc), set);
+    });
 }
 
 lr_status lr_world_get_water(const lr_world* world, lr_water_desc* desc, int32_t* present) {

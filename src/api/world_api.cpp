@@ -133,7 +133,7 @@ void lr_world_destroy(lr_world* world) {
 }
 
 lr_status lr_world_get_info(const lr_world* world, lr_world_info* info) {
-    const auto get = [](const lr_world& w, lr_world_info& out) {
+    return query(world, __func__, args(info), [](const lr_world& w, lr_world_info& out) {
         out.simd_target = w.target->simd;
         out.worker_count = w.step_workers.helpers();
         w.each_batch([&out](const Batch& batch, uint32_t) {
@@ -147,33 +147,30 @@ lr_status lr_world_get_info(const lr_world* world, lr_world_info* info) {
         out.collider_count = w.colliders.count();
         out.budget = w.pacing.record().budget;
         std::copy(w.gravity, w.gravity + 3, out.gravity);
-    };
-    return query(world, __func__, args(info), get);
+    });
 }
 
 lr_status lr_world_set_gravity(lr_world* world, const float* gravity) {
-    const auto set = [](lr_world& w, Triple to) -> Outcome {
+    return change(world, __func__, args(gravity), [](lr_world& w, Triple to) -> Outcome {
         if (const char* why = wrong_gravity(to)) return invalid(why);
         w.set_gravity(to);
         return {};
-    };
-    return change(world, __func__, args(gravity), set);
+    });
 }
 
 lr_status lr_world_set_simd_target(lr_world* world, int32_t target) {
-    const auto set = [](lr_world& w, int32_t to) -> Outcome {
+    return change(world, __func__, args(target), [](lr_world& w, int32_t to) -> Outcome {
         if (!known_simd(to)) return invalid("unknown target");
         const KernelTarget* const found = find_target(to);
         if (!found) return LR_ERROR_UNSUPPORTED;
         w.target = found;
         return {};
-    };
-    return change(world, __func__, args(target), set);
+    });
 }
 
 lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps) {
     const FloatMode mode; // saves the caller's float mode and restores it while the caller's job system runs
-    const auto step = [&mode](lr_world& w, float t, uint32_t n) -> Outcome {
+    return change(world, __func__, args(dt, substeps), [&mode](lr_world& w, float t, uint32_t n) -> Outcome {
         if (!std::isfinite(t)) return LR_ERROR_TIMESTEP_NOT_FINITE;
         if (t == 0.0f) return LR_ERROR_TIMESTEP_ZERO;
         if (t < 0.0f) return LR_ERROR_TIMESTEP_NEGATIVE;
@@ -181,17 +178,15 @@ lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps) {
         if (static_cast<double>(t) / n > static_cast<double>(LR_MAX_SUBSTEP)) return LR_ERROR_TIMESTEP_TOO_LARGE;
         if (w.step(t, n, mode)) return {};
         return {LR_ERROR_OUT_OF_MEMORY, "out of memory: the step was taken, but bodies can pass through each other"};
-    };
-    return change(world, __func__, args(dt, substeps), step);
+    });
 }
 
 lr_status lr_world_set_budget(lr_world* world, uint64_t body_substeps) {
-    const auto set = [](lr_world& w, uint64_t most) -> Outcome {
+    return change(world, __func__, args(body_substeps), [](lr_world& w, uint64_t most) -> Outcome {
         if (most > StepScheduler::largest_budget) return invalid("body_substeps is over 2^48");
         w.pacing.set_budget(most);
         return {};
-    };
-    return change(world, __func__, args(body_substeps), set);
+    });
 }
 
 lr_status lr_world_get_step_report(const lr_world* world, lr_step_report* report) {
@@ -218,23 +213,21 @@ uint64_t lr_world_snapshot_size(const lr_world* world) {
 
 lr_status lr_world_snapshot_save(const lr_world* world, void* memory, uint64_t size, uint64_t* written) {
     if (written) *written = 0;
-    const auto save = [&](const lr_world& w) -> Outcome {
+    return query(world, __func__, args(), [&](const lr_world& w) -> Outcome {
         return memory ? snapshot_save(w, memory, size, written) : LR_ERROR_NULL_ARGUMENT;
-    };
-    return query(world, __func__, args(), save);
+    });
 }
 
 lr_status lr_world_snapshot_restore(lr_world* world, const void* memory, uint64_t size) {
-    const auto restore = [](lr_world& w, Snapshot from) -> Outcome {
+    return change(world, __func__, args(Snapshot{memory, size}), [](lr_world& w, Snapshot from) -> Outcome {
         if (!from.memory) return LR_ERROR_NULL_ARGUMENT;
         if (!snapshot_is_whole(from.memory, from.size)) return LR_ERROR_SNAPSHOT_FORMAT;
         return accepted(w) ? snapshot_restore(w, from.memory) : LR_ERROR_OUT_OF_MEMORY;
-    };
-    return change(world, __func__, args(Snapshot{memory, size}), restore);
+    });
 }
 
 lr_status lr_world_record_start(lr_world* world, const lr_recording_desc* desc) {
-    const auto start = [world](const lr_world&, const lr_recording_desc& d) -> Outcome {
+    return query(world, __func__, args(desc), [world](const lr_world&, const lr_recording_desc& d) -> Outcome {
         if (!d.write) return {LR_ERROR_NULL_ARGUMENT, "desc->write is null"};
         if ((d.flags & ~uint32_t{LR_RECORD_CALLBACKS}) != 0 || d.reserved != 0)
             return invalid("unknown flags, or reserved is not 0");
@@ -248,17 +241,15 @@ lr_status lr_world_record_start(lr_world* world, const lr_recording_desc* desc) 
         }
         recording::Recorder::destroy(recorder);
         return {status, status == LR_ERROR_INVALID_ARGUMENT ? "`write` returned an error" : nullptr};
-    };
-    return query(world, __func__, args(desc), start);
+    });
 }
 
 lr_status lr_world_record_stop(lr_world* world) {
-    const auto stop = [world](const lr_world&) -> Outcome {
+    return query(world, __func__, args(), [world](const lr_world&) -> Outcome {
         if (!world->recorder) return invalid("the world is not being recorded");
         end_recording(*world, nullptr);
         return {};
-    };
-    return query(world, __func__, args(), stop);
+    });
 }
 
 lr_status lr_world_ray_cast(const lr_world* world, const lr_ray* rays, uint32_t count, lr_ray_hit* hits) {
