@@ -11,13 +11,6 @@ namespace lr {
 namespace {
 
 constexpr size_t max_asset_bytes = size_t{1} << 30;
-constexpr char const* rebake = "Bake the asset again.";
-
-// Returns false.
-bool fail(Faults& faults, FaultId id, std::string where, std::string what, std::string remedy = rebake) {
-    faults.push_back({id, Severity::error, std::move(where), std::move(what), std::move(remedy)});
-    return false;
-}
 
 uint64_t checksum_without(const uint8_t* bytes, size_t size, size_t field_offset) {
     Fnv1a hash;

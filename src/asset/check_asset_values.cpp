@@ -44,9 +44,8 @@ public:
                     return fail(FaultId::asset_not_symmetric, entry(field, i, j), "The matrix is not symmetric.");
             }
     }
-    void fail(FaultId id, std::string where, std::string what, std::string remedy = "Bake the asset again.") {
-        faults_.push_back({id, Severity::error, std::move(where), std::move(what), std::move(remedy)});
-        ok_ = false;
+    void fail(FaultId id, std::string where, std::string what) {
+        ok_ = lr::fail(faults_, id, std::move(where), std::move(what));
     }
     static std::string entry(const char* field, size_t i, size_t j) {
         return std::string(field) + "[" + std::to_string(i) + "][" + std::to_string(j) + "]";
@@ -288,10 +287,6 @@ bool check_asset(const AssetData& d, Faults& faults) {
 // Refuses combinations that no body has, though each number alone is possible.
 namespace {
 
-void fail(Faults& faults, const char* where, const char* what) {
-    faults.push_back({FaultId::asset_inconsistent, Severity::error, where, what, "Bake the asset again."});
-}
-
 // The second moments of mass, trace/2 - I, are sums of squares. Those across a flat body are zero, and rounding can make them slightly negative.
 bool has_moments_of_mass(const AssetData& d) {
     const double half_trace = 0.5 * (d.inertia[0] + d.inertia[4] + d.inertia[8]);
@@ -323,22 +318,24 @@ double extent(const HullData& hull) {
 
 bool check_plausible(const AssetData& d, Faults& faults) {
     const size_t before = faults.size();
+    const auto unfit = [&](const char* where, const char* what) {
+        fail(faults, FaultId::asset_inconsistent, where, what);
+    };
     const double d1 = d.length_d, d2 = d1 * d1;
     // Ten cubes of side d: layers of a folded sheet can displace more than their hull contains.
-    if (d.volume > 10.0 * d2 * d1) fail(faults, "volume", "The volume is far too large for the length d.");
-    if (d.projected_area > 10.0 * d2) fail(faults, "projected_area", "The area is far too large for the length d.");
-    if (d.length_b > 10.0 * d1) fail(faults, "lengths.b", "The thickness is far larger than the length d.");
-    if (d.length_l > 10.0 * d1) fail(faults, "lengths.l", "The turbulence length is far larger than the length d.");
+    if (d.volume > 10.0 * d2 * d1) unfit("volume", "The volume is far too large for the length d.");
+    if (d.projected_area > 10.0 * d2) unfit("projected_area", "The area is far too large for the length d.");
+    if (d.length_b > 10.0 * d1) unfit("lengths.b", "The thickness is far larger than the length d.");
+    if (d.length_l > 10.0 * d1) unfit("lengths.l", "The turbulence length is far larger than the length d.");
     // Paper Eq. 1: the scale of the body's turbulence.
     const double u0 = shape::speed_scale(d.density, d.fluid_density, d.length_b);
-    if (d.u0 > 10.0 * u0 || d.u0 < 0.1 * u0)
-        fail(faults, "u0", "The speed does not fit the densities and the thickness.");
+    if (d.u0 > 10.0 * u0 || d.u0 < 0.1 * u0) unfit("u0", "The speed does not fit the densities and the thickness.");
     if (!has_moments_of_mass(d))
-        fail(faults, "inertia",
-             "A principal moment of inertia is larger than the other two together: no mass distribution has that.");
-    if (!has_spread(d)) fail(faults, "inertia", "A moment of inertia is far too small for the thickness.");
+        unfit("inertia",
+              "A principal moment of inertia is larger than the other two together: no mass distribution has that.");
+    if (!has_spread(d)) unfit("inertia", "A moment of inertia is far too small for the thickness.");
     if (!d.hull.vertices.empty() && extent(d.hull) < 0.5 * d1)
-        fail(faults, "hull.vertices", "The hull is far smaller than the length d.");
+        unfit("hull.vertices", "The hull is far smaller than the length d.");
     return faults.size() == before;
 }
 

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lr {
@@ -82,6 +83,13 @@ struct Fault {
 };
 
 using Faults = std::vector<Fault>;
+
+// Adds an error. Returns false.
+inline bool fail(Faults& faults, FaultId id, std::string where, std::string what,
+                 std::string remedy = "Bake the asset again.") {
+    faults.push_back({id, Severity::error, std::move(where), std::move(what), std::move(remedy)});
+    return false;
+}
 
 // The fewest digits that read back as the same number, in any locale. std::to_chars() of doubles came late to the libraries of Apple and Emscripten.
 inline std::string shortest(double value) {

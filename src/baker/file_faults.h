@@ -8,14 +8,8 @@
 #include <string>
 #include <string_view>
 #include <system_error>
-#include <utility>
 
 namespace lr::baker {
-
-inline bool fail(Faults& faults, FaultId id, const std::string& path, std::string what, std::string remedy) {
-    faults.push_back({id, Severity::error, path, std::move(what), std::move(remedy)});
-    return false;
-}
 
 // Repositories with Git LFS hold these in place of large files.
 inline bool is_placeholder(std::string_view file) {

@@ -13,10 +13,9 @@ namespace lr::shape {
 
 bool in_range(double value, double low, double high, const char* name, Faults& faults) {
     if (value >= low && value <= high) return true; // false for NaN
-    faults.push_back({FaultId::parameter_out_of_range, Severity::error, name,
-                      "The value " + shortest(value) + " is outside its range.",
-                      "Give a value from " + shortest(low) + " to " + shortest(high) + "."});
-    return false;
+    return fail(faults, FaultId::parameter_out_of_range, name,
+                "The value " + shortest(value) + " is outside its range.",
+                "Give a value from " + shortest(low) + " to " + shortest(high) + ".");
 }
 
 namespace {
@@ -90,18 +89,14 @@ bool ellipsoid_body(const EllipsoidSpec& spec, AssetData& out, Faults& faults) {
     if (!ok) return false;
 
     const auto [smallest, largest] = std::minmax({a[0], a[1], a[2]});
-    if (largest > 1e4 * smallest) {
-        faults.push_back({FaultId::parameter_out_of_range, Severity::error, "semi-axes",
-                          "The largest is more than 10000 times the smallest.", "Give a thicker body."});
-        return false;
-    }
+    if (largest > 1e4 * smallest)
+        return fail(faults, FaultId::parameter_out_of_range, "semi-axes",
+                    "The largest is more than 10000 times the smallest.", "Give a thicker body.");
     double depth = 0.0; // 1 on the surface
     for (size_t i = 0; i < 3; ++i) depth += spec.center_of_mass[i] * spec.center_of_mass[i] / (a[i] * a[i]);
-    if (!(depth < 1.0)) {
-        faults.push_back({FaultId::parameter_out_of_range, Severity::error, "center of mass",
-                          "It does not lie inside the ellipsoid.", "Give an offset from the centre that does."});
-        return false;
-    }
+    if (!(depth < 1.0))
+        return fail(faults, FaultId::parameter_out_of_range, "center of mass", "It does not lie inside the ellipsoid.",
+                    "Give an offset from the centre that does.");
     out = AssetData{};
     out.name = "ellipsoid";
     out.volume = 4.0 / 3.0 * std::numbers::pi * a[0] * a[1] * a[2];
