@@ -187,6 +187,23 @@ double fluid_inertia(const AssetData& a, const AerodynamicData& loads, const Mat
     return most;
 }
 
+template <class T> void put(const std::array<double, 3>& from, double factor, T (&to)[3]) {
+    for (size_t i = 0; i < 3; ++i) to[i] = static_cast<T>(from[i] * factor);
+}
+
+// Coefficients that bodies and stations have alike. drag, lift, spin_drag: rho over the mass unit with the gains; 1 for a station.
+template <class Loads, class Constants>
+void set_coefficients(const Loads& loads, double d, double drag, double lift, double spin_drag, Constants& out) {
+    put(loads.drag, 0.5 * drag * d, out.drag);
+    put(loads.drag_blunt, 0.5 * drag * d, out.drag_blunt);
+    put(loads.drag_layer, drag * d * std::sqrt(d), out.drag_layer);
+    put(loads.drag_stokes, drag * d * d, out.drag_stokes);
+    put(loads.spin_lift, lift, out.spin_lift);
+    put(loads.spin_drag, spin_drag / (d * d), out.spin_drag);
+    put(loads.spin_drag_stream, spin_drag / d, out.spin_drag_stream);
+    put(loads.spin_drag_stokes, spin_drag, out.spin_drag_stokes);
+}
+
 // Of the drag broadside.
 template <class Loads> double plate_share(const Loads& loads) {
     const double whole = loads.plate_drag + loads.drag[2] + loads.drag_blunt[2];
@@ -241,22 +258,12 @@ bool make_aerodynamics(const AssetData& a, const AerodynamicData& data, const Ga
     set_weight(a, rho, c);
     AerodynamicConstantsOf<double>& out = c.aerodynamics;
     out.viscosity = viscosity;
-    const auto scaled = [](const std::array<double, 3>& from, double factor, double* to) {
-        for (size_t i = 0; i < 3; ++i) to[i] = from[i] * factor;
-    };
     const double per_unit = rho / c.unit_mass, drag = gains.drag * per_unit, lift = gains.lift * per_unit;
     const double layer = drag * d * std::sqrt(d), stokes = drag * d * d, spin_drag = gains.spin_drag * per_unit;
-    scaled(loads.drag, 0.5 * drag * d, out.drag);
-    scaled(loads.drag_blunt, 0.5 * drag * d, out.drag_blunt);
-    scaled(loads.drag_layer, layer, out.drag_layer);
-    scaled(loads.drag_stokes, stokes, out.drag_stokes);
-    scaled(loads.lift, lift * d, out.lift);
-    scaled(loads.spin_lift, lift, out.spin_lift);
-    scaled(loads.broadside, 1.0, out.broadside);
-    scaled(loads.spin_drag, spin_drag / (d * d), out.spin_drag);
-    scaled(loads.spin_drag_stream, spin_drag / d, out.spin_drag_stream);
-    scaled(loads.spin_drag_layer, spin_drag / std::sqrt(d), out.spin_drag_layer);
-    scaled(loads.spin_drag_stokes, spin_drag, out.spin_drag_stokes);
+    set_coefficients(loads, d, drag, lift, spin_drag, out);
+    put(loads.lift, lift * d, out.lift);
+    put(loads.broadside, 1.0, out.broadside);
+    put(loads.spin_drag_layer, spin_drag / std::sqrt(d), out.spin_drag_layer);
     const double strongest = std::max({loads.spin_drag[0], loads.spin_drag[1], loads.spin_drag[2]});
     for (size_t k = 0; k < 3; ++k) {
         const size_t i = (k + 1) % 3, j = (k + 2) % 3;
@@ -460,42 +467,28 @@ bool make_water_body(const AssetData& a, const AerodynamicData& loads, const Gai
 
 namespace {
 
-using Vector = std::array<double, 3>;
-
-Vector cross(const Vector& a, const Vector& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-void put(const Vector& from, double factor, float* to) {
-    for (size_t i = 0; i < 3; ++i) to[i] = static_cast<float>(from[i] * factor);
-}
-
 // Upper triangle of s + sign a a^T.
-void put_outer(double s, double sign, const Vector& a, float* to) {
+void put_outer(double s, double sign, const double* a, float* to) {
     for (size_t i = 0; i < 3; ++i)
         for (size_t j = i; j < 3; ++j) *to++ = static_cast<float>((i == j ? s : 0.0) + sign * a[i] * a[j]);
 }
 
 void make_station(const StationData& from, double d, double start_drag, StationConstants& to) {
-    Vector r{}, axis[3];
-    for (size_t i = 0; i < 3; ++i) r[i] = from.place[i] / d;
-    for (size_t k = 0; k < 3; ++k) {
-        std::copy_n(from.axes.begin() + static_cast<std::ptrdiff_t>(3 * k), 3, axis[k].begin());
-        put(axis[k], 1.0, to.along[k]);
-        put(cross(r, axis[k]), 1.0, to.along[k] + 3);
-        put(axis[k], 1.0, to.axes + 3 * k);
-        put_outer(0.0, 1.0, axis[k], to.outer[k]);
+    double r[3], along[6];
+    for (size_t i = 0; i < 3; ++i) {
+        r[i] = from.place[i] / d;
+        to.place[i] = static_cast<float>(r[i]);
     }
-    put(r, 1.0, to.place);
+    for (size_t k = 0; k < 3; ++k) {
+        const double* const axis = from.axes.data() + 3 * k;
+        std::copy_n(axis, 3, along);
+        derived::cross3(r, axis, along + 3);
+        for (size_t i = 0; i < 6; ++i) to.along[k][i] = static_cast<float>(along[i]);
+        put_outer(0.0, 1.0, axis, to.outer[k]);
+    }
+    narrow(from.axes, to.axes);
     put_outer(r[0] * r[0] + r[1] * r[1] + r[2] * r[2], -1.0, r, to.spread);
-    put(from.drag, 0.5 * d, to.drag);
-    put(from.drag_blunt, 0.5 * d, to.drag_blunt);
-    put(from.drag_layer, d * std::sqrt(d), to.drag_layer);
-    put(from.drag_stokes, d * d, to.drag_stokes);
-    put(from.spin_lift, 1.0, to.spin_lift);
-    put(from.spin_drag, 1.0 / (d * d), to.spin_drag);
-    put(from.spin_drag_stream, 1.0 / d, to.spin_drag_stream);
-    put(from.spin_drag_stokes, 1.0, to.spin_drag_stokes);
+    set_coefficients(from, d, 1.0, 1.0, 1.0, to);
     const double strongest = std::max({from.spin_drag[0], from.spin_drag[1], from.spin_drag[2]});
     put(from.spin_drag, strongest > 0.0 ? 1.0 / strongest : 0.0, to.spin_weight);
     for (size_t k = 0; k < 2; ++k) {
@@ -508,7 +501,7 @@ void make_station(const StationData& from, double d, double start_drag, StationC
     to.plate_drag = static_cast<float>(0.5 * d * from.plate_drag);
     to.start_drag = static_cast<float>(0.5 * d * from.plate_drag * start_drag);
     to.separated_shedding = static_cast<float>(from.separated_shedding);
-    put(from.hollow, 1.0, to.hollow);
+    narrow(from.hollow, to.hollow);
     to.camber = static_cast<float>(from.camber);
 }
 } // namespace
