@@ -221,7 +221,21 @@ lr_status lr_body_create(lr_world* world, lr_batch batch, const lr_body_desc* de
 
 lr_status lr_body_destroy(lr_world* world, const lr_body* bodies, uint32_t count) {
     const auto destroy = [](lr_world& w, const Handles<lr_body>& all) -> Outcome {
-        return w.destroy_bodies(all.first, all.count);
+        // All or none: marks every body first; a stale or marked one ends the call.
+        uint32_t index = 0, marked = 0;
+        for (; marked < all.count; ++marked) {
+            Batch* const batch = w.find(all.first[marked], index);
+            if (!batch || !batch->mark(index)) break;
+        }
+        for (uint32_t i = 0; i < marked; ++i) w.find(all.first[i], index)->unmark(index);
+        if (marked < all.count) return LR_ERROR_STALE_BODY;
+        for (uint32_t i = 0; i < all.count; ++i) {
+            Batch& batch = *w.find(all.first[i], index);
+            w.leave(batch, index);
+            batch.remove(all.first[i]);
+        }
+        w.wake_left();
+        return {};
     };
     return change(world, __func__, args(Handles{bodies, count}), destroy);
 }
@@ -272,7 +286,24 @@ lr_status lr_body_set_sleep(lr_world* world, const lr_body* bodies, uint32_t cou
     const auto set = [](lr_world& w, int32_t to, const Handles<lr_body>& all) -> Outcome {
         if (to != LR_SLEEP_AWAKE && to != LR_SLEEP_ASLEEP)
             return invalid("sleep_state is neither LR_SLEEP_AWAKE nor LR_SLEEP_ASLEEP");
-        return w.set_sleep(all.first, all.count, to == LR_SLEEP_ASLEEP);
+        const bool asleep = to == LR_SLEEP_ASLEEP;
+        uint32_t index = 0;
+        for (uint32_t i = 0; i < all.count; ++i)
+            if (!w.find(all.first[i], index)) return LR_ERROR_STALE_BODY;
+        for (uint32_t i = 0; i < all.count && asleep; ++i)
+            if (!w.find(all.first[i], index)->reserve_sleep()) return LR_ERROR_OUT_OF_MEMORY;
+        for (uint32_t i = 0; i < all.count; ++i) {
+            Batch& batch = *w.find(all.first[i], index);
+            if (batch.asleep(index) == asleep) continue;
+            if (!asleep) {
+                batch.wake(index);
+                continue;
+            }
+            index = batch.fall_asleep(index);
+            if (batch.events()) batch.events()->take_back(unpack(batch.ids()[index]).slot, noted_waking);
+            batch.sleeping()->ask_again(); // the rules may never have checked it
+        }
+        return {};
     };
     return change(world, __func__, args(sleep_state, Handles{bodies, count}), set);
 }
@@ -286,7 +317,12 @@ lr_status lr_world_wake_box(lr_world* world, const float* low, const float* high
             if (!finite(from[k], to[k])) return LR_ERROR_NOT_FINITE;
         if (from.x > to.x || from.y > to.y || from.z > to.z) return invalid("low is above high");
         if (!accepted(w)) return LR_ERROR_OUT_OF_MEMORY;
-        const uint32_t count = w.wake_box({from, to});
+        uint32_t count = 0;
+        w.each_batch([&](Batch& batch, uint32_t) {
+            count -= batch.awake();
+            batch.wake_in({from, to});
+            count += batch.awake();
+        });
         if (out.first) *out.first = count;
         return {};
     };

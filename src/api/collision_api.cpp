@@ -136,7 +136,9 @@ lr_status lr_collider_destroy(lr_world* world, const lr_collider* colliders, uin
         for (uint32_t i = 0; i < all.count && sleeping; ++i)
             if (w.colliders.find(all.first[i], slot)) w.wake_at(slot);
         w.colliders.destroy(all.first, all.count);
-        w.recheck_contacts();
+        w.each_batch([](Batch& batch, uint32_t) {
+            if (batch.events()) batch.events()->recheck();
+        });
         return {};
     };
     return change(world, __func__, args(Handles{colliders, count}), destroy);
@@ -249,7 +251,22 @@ lr_status lr_world_set_events(lr_world* world, uint32_t capacity, uint32_t kinds
     return change(world, __func__, args(capacity, kinds), [](lr_world& w, uint32_t most, uint32_t wanted) -> Outcome {
         if ((wanted & ~uint32_t{LR_EVENTS_ALL}) != 0) return invalid("unknown kinds of events");
         if (most != 0 && wanted == 0) return invalid("capacity is not 0, but kinds is");
-        return w.set_events(most, wanted);
+        Buffer<lr_event> room;
+        const bool on = w.events.on();
+        bool enough = room.allocate(w.allocator, most);
+        w.each_batch([&](Batch& batch, uint32_t) { enough = enough && (most == 0 || batch.reserve_events()); });
+        w.each_batch([&](Batch& batch, uint32_t) {
+            if (most == 0 || (!enough && !on))
+                batch.drop_events();
+            else if (enough && !on)
+                batch.events()->resume(batch, w.colliders);
+        });
+        if (!enough) return LR_ERROR_OUT_OF_MEMORY;
+        w.events.items.swap(room);
+        w.events.kinds = wanted;
+        w.events.begin_step();
+        w.events.total_lost = 0;
+        return {};
     });
 }
 

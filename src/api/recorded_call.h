@@ -93,10 +93,6 @@ public:
         write(out);
         return true;
     }
-    template <class T> bool structure(const T* given) {
-        T unused{};
-        return structure(given, unused);
-    }
     // `each` records the arrays that an element points to.
     template <class T, class Each> void structures(const T* given, uint32_t count, Each&& each) {
         value(count);
@@ -109,9 +105,6 @@ public:
             write(one);
             each(one);
         }
-    }
-    template <class T> void structures(const T* given, uint32_t count) {
-        structures(given, count, [](const T&) {});
     }
     // The number of an asset. A new asset becomes a record of its own.
     uint32_t asset(const lr_asset& asset) {
@@ -218,13 +211,14 @@ template <Handle H> void record_argument(Call& call, H handle) {
     call.value(handle.id);
 }
 template <Sized S> void record_argument(Call& call, const S* s) {
-    call.structure(s);
+    S unused{};
+    call.structure(s, unused);
 }
 inline void record_argument(Call& call, const float* three) {
     call.array(three, 3 * sizeof(float));
 }
 template <class S> void record_argument(Call& call, const Structs<S>& all) {
-    call.structures(all.first, all.count);
+    call.structures(all.first, all.count, [](const S&) {});
 }
 template <class H> void record_argument(Call& call, const Handles<H>& all) {
     call.value(all.count);

@@ -153,7 +153,9 @@ lr_status lr_world_get_info(const lr_world* world, lr_world_info* info) {
 lr_status lr_world_set_gravity(lr_world* world, const float* gravity) {
     return change(world, __func__, args(gravity), [](lr_world& w, Triple to) -> Outcome {
         if (const char* why = wrong_gravity(to)) return invalid(why);
-        w.set_gravity(to);
+        if (std::equal(to, to + 3, w.gravity)) return {};
+        std::copy(to, to + 3, w.gravity);
+        w.each_batch([](Batch& batch, uint32_t) { batch.wake_all(); });
         return {};
     });
 }

@@ -9,7 +9,6 @@
 
 namespace lr {
 
-static_assert(most_waves == LR_MAX_WAVES);
 namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;

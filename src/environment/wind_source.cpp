@@ -8,8 +8,6 @@
 
 namespace lr {
 
-static_assert(int{outside_zero} == LR_WIND_OUTSIDE_ZERO && int{outside_clamp} == LR_WIND_OUTSIDE_CLAMP &&
-              int{outside_repeat} == LR_WIND_OUTSIDE_REPEAT);
 namespace {
 
 // Octaves of turbulence have energies 1, e, e^2, e^3, e = 2^(-2/3) (Kolmogorov's spectrum). Eddies of half the size live 2^(-2/3) as long.
@@ -31,9 +29,6 @@ constexpr double lattice_turn[9] = {0.49820051967655058,  -0.69698542553354191, 
 
 float narrow(double x) {
     return static_cast<float>(x);
-}
-double fraction_of(double x) {
-    return x - std::floor(x);
 }
 bool normalise(const float (&v)[3], Double3& out) {
     const Double3 given = to_double(vector_of(v));
@@ -114,11 +109,6 @@ void sin_cos_turns(double turns, double& sine, double& cosine) {
     default:
         sine = -c, cosine = s;
     }
-}
-
-// Longitudinal von Karman spectrum over 4 rms^2 period, of f times the period.
-double spectrum(double f) {
-    return shape::portable_pow(1.0 + 70.8 * f * f, -5.0 / 6.0);
 }
 } // namespace
 
@@ -209,7 +199,7 @@ void turbulence_at(const SourceDesc& desc, double time, double age, uint64_t wor
             for (size_t k = 0; k < 3; ++k) turned[i] += lattice_turn[i / 3 * 3 + k] * axes[3 * k + i % 3];
         std::copy(turned, turned + 9, axes);
         SourceInstant s{};
-        s.kind = SourceKind::turbulence;
+        s.kind = SourceInstant::turbulence;
         s.strength = narrow(strength);
         s.seed = static_cast<uint32_t>(random_bits(world_seed ^ 0x7475726275ull, desc.seed + (uint64_t{o} << 32)));
         s.inverse_spacing[0] = narrow(1.0 / cell);
@@ -236,7 +226,8 @@ void turbulence_at(const SourceDesc& desc, double time, double age, uint64_t wor
             const auto cells = static_cast<int64_t>(std::fmod(whole, 4294967296.0));
             s.cell[i] = static_cast<int32_t>(static_cast<uint32_t>(cells));
         }
-        s.turn = narrow(fraction_of(age / (slow_beats * life)));
+        const double beats = age / (slow_beats * life);
+        s.turn = narrow(beats - std::floor(beats));
         s.turn_rate = narrow(1.0 / (slow_beats * life));
         out[o] = s;
     }
@@ -249,6 +240,7 @@ Double3 WindSource::place(double time) const {
 
 void WindSource::at(double time, uint64_t world_seed, const Carried& carried, SourceInstant* out) const {
     SourceInstant s{};
+    s.kind = static_cast<SourceInstant::Kind>(desc.kind);
     const double age = time - since;
     const Double3 position = place(time);
     Double3 direction{}, side{};
@@ -273,7 +265,6 @@ void WindSource::at(double time, uint64_t world_seed, const Carried& carried, So
     switch (desc.kind) {
     case SourceDesc::rankine:
     case SourceDesc::lamb_oseen:
-        s.kind = desc.kind == SourceDesc::rankine ? SourceKind::rankine : SourceKind::lamb_oseen;
         s.strength = narrow(static_cast<double>(desc.circulation) * 0.15915494309189533577);
         s.inverse_radius_sq = limit(desc.radius);
         s.inverse_length_sq = limit(desc.half_length);
@@ -282,7 +273,6 @@ void WindSource::at(double time, uint64_t world_seed, const Carried& carried, So
         break;
     case SourceDesc::point_blower:
     case SourceDesc::line_blower: {
-        s.kind = desc.kind == SourceDesc::point_blower ? SourceKind::point_blower : SourceKind::line_blower;
         s.strength = desc.speed;
         s.spread = desc.spread;
         s.range = desc.range;
@@ -294,7 +284,6 @@ void WindSource::at(double time, uint64_t world_seed, const Carried& carried, So
         break;
     }
     case SourceDesc::grid: {
-        s.kind = SourceKind::grid;
         double span = 0.0;
         for (uint32_t i = 0; i < 3; ++i) {
             s.inverse_spacing[i] = 1.0f / desc.spacing[i];
@@ -316,7 +305,6 @@ void WindSource::at(double time, uint64_t world_seed, const Carried& carried, So
         break;
     }
     case SourceDesc::ground:
-        s.kind = SourceKind::ground;
         s.inverse_roughness = 1.0f / desc.size;
         s.inverse_log = narrow(1.0 / shape::portable_log(1.0 + static_cast<double>(desc.reference_height) / size));
         break;
@@ -335,7 +323,8 @@ Gusts::Gusts(const SourceDesc& desc, uint64_t world_seed) {
     double edge = lowest;
     for (size_t i = 0; i < modes; ++i, edge *= ratio) {
         const double f = edge * random.between(1.0, ratio);
-        energy[i] = spectrum(f) * edge * (ratio - 1.0);
+        // Longitudinal von Karman spectrum over 4 rms^2 period.
+        energy[i] = shape::portable_pow(1.0 + 70.8 * f * f, -5.0 / 6.0) * edge * (ratio - 1.0);
         mode_[i].frequency = f / period;
         mode_[i].growth = std::max(f, 1.0 / youth) / period;
         mode_[i].phase = random.uniform();

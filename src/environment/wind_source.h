@@ -19,8 +19,7 @@ namespace lr {
 
 // Any kind of wind source in one struct, for snapshots, recordings and hashes, with conversions from and to the descs of the API. Unused fields keep
 // their initial values.
-struct SourceDesc {
-    enum Kind : int32_t { gusts = 1, rankine, lamb_oseen, point_blower, line_blower, turbulence, grid, ground };
+struct SourceDesc : SourceKinds {
     uint32_t struct_size = 144; // also where pointers have 32 bits
     int32_t kind = 0;
     float position[3] = {}, direction[3] = {1.0f, 0.0f, 0.0f}, side[3] = {0.0f, 0.0f, 1.0f}, velocity[3] = {};

@@ -36,27 +36,18 @@ inline bool is_sane(const BatchArrays& a, size_t i, bool gusts) {
     return sane && (!gusts || squared(field_gust_x) <= fastest_squared);
 }
 
-// Sets the flag; once per step is enough. Any thread. to: can be null.
-inline void note_divergence(uint32_t* to) {
-    if (to) __atomic_store_n(to, 1u, __ATOMIC_RELAXED);
-}
-
-// before(field): the body's last valid values, from x to w of its orientation.
-template <class Before> void hold_body(const BatchArrays& a, size_t i, float mark, const Before& before) {
-    for (size_t f = field_x; f <= field_qw; ++f) a.field[f][i] = before(f);
-    for (size_t f = field_vx; f <= field_wz; ++f) a.field[f][i] = 0.0f;
-    for (size_t f = field_gust_x; f < field_count && a.field[f]; ++f) a.field[f][i] = 0.0f;
-    a.field[field_age_remainder][i] = mark;
-}
-
-// Call after each change that can make a body diverge. Returns whether it is held.
+// Call after each change that can make a body diverge. Returns whether it is held. before(field): its last valid values, from x to w of its
+// orientation. faults: set if it diverged; can be null.
 template <class Before>
 bool hold_if_insane(const BatchArrays& a, size_t i, uint32_t* faults, const Before& before, bool gusts = false) {
     const float age_remainder = a.field[field_age_remainder][i];
     const bool held = is_held(age_remainder);
     if (!held && is_sane(a, i, gusts)) return false;
-    hold_body(a, i, held ? age_remainder : diverged_mark, before);
-    if (!held) note_divergence(faults);
+    for (size_t f = field_x; f <= field_qw; ++f) a.field[f][i] = before(f);
+    for (size_t f = field_vx; f <= field_wz; ++f) a.field[f][i] = 0.0f;
+    for (size_t f = field_gust_x; f < field_count && a.field[f]; ++f) a.field[f][i] = 0.0f;
+    a.field[field_age_remainder][i] = held ? age_remainder : diverged_mark;
+    if (!held && faults) __atomic_store_n(faults, 1u, __ATOMIC_RELAXED); // any thread
     return true;
 }
 

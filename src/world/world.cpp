@@ -5,7 +5,6 @@
 #include "base/last_error.h"
 #include "world/batch/lifecycle.h"
 #include "world/sleep/afloat.h"
-#include "world/sleep/shelter.h"
 #include "world/sleep/wake.h"
 #include "world/snapshot/snapshot_bytes.h"
 #include "world/step/step_in_wind.h"
@@ -126,10 +125,7 @@ lr_status lr_world::create_batch(const lr_asset& asset, uint32_t capacity, const
         Batch::destroy(slot.batch);
         return LR_ERROR_OUT_OF_MEMORY;
     }
-    slot.batch->on_waking({[](void* world, Batch& batch, uint32_t index, const Box& box) {
-                               uncover(*static_cast<lr_world*>(world), batch, index, box);
-                           },
-                           this});
+    slot.batch->enter(*this);
     batches[at] = slot;
     batch_slots = std::max(batch_slots, at + 1);
     out = pack(BatchHandle{at, slot.generation});
@@ -165,54 +161,6 @@ bool lr_world::set_pair(uint32_t a, uint32_t b, bool on) {
     return true;
 }
 
-lr_status lr_world::destroy_bodies(const lr_body* bodies, uint32_t count) {
-    // All or none: marks every body first; a stale or marked one ends the call.
-    uint32_t index = 0, marked = 0;
-    for (; marked < count; ++marked) {
-        Batch* const batch = find(bodies[marked], index);
-        if (!batch || !batch->mark(index)) break;
-    }
-    for (uint32_t i = 0; i < marked; ++i) find(bodies[i], index)->unmark(index);
-    if (marked < count) return LR_ERROR_STALE_BODY;
-    for (uint32_t i = 0; i < count; ++i) {
-        Batch& batch = *find(bodies[i], index);
-        leave(batch, index);
-        batch.remove(bodies[i]);
-    }
-    wake_left();
-    return LR_OK;
-}
-
-lr_status lr_world::set_sleep(const lr_body* bodies, uint32_t count, bool asleep) {
-    uint32_t index = 0;
-    for (uint32_t i = 0; i < count; ++i)
-        if (!find(bodies[i], index)) return LR_ERROR_STALE_BODY;
-    for (uint32_t i = 0; i < count && asleep; ++i)
-        if (!find(bodies[i], index)->reserve_sleep()) return LR_ERROR_OUT_OF_MEMORY;
-    for (uint32_t i = 0; i < count; ++i) {
-        Batch& batch = *find(bodies[i], index);
-        if (batch.asleep(index) == asleep) continue;
-        if (!asleep) {
-            batch.wake(index);
-            continue;
-        }
-        index = batch.fall_asleep(index);
-        if (batch.events()) batch.events()->take_back(unpack(batch.ids()[index]).slot, noted_waking);
-        batch.sleeping()->ask_again(); // the rules may never have checked it
-    }
-    return LR_OK;
-}
-
-uint32_t lr_world::wake_box(const Box& box) {
-    uint32_t woken = 0;
-    each_batch([&](Batch& batch, uint32_t) {
-        woken -= batch.awake();
-        batch.wake_in(box);
-        woken += batch.awake();
-    });
-    return woken;
-}
-
 void lr_world::leave(const Batch& batch, uint32_t index) {
     const uint32_t slot = unpack(batch.ids()[index]).batch;
     if (!pairs.has_contact(slot)) return;
@@ -225,12 +173,6 @@ void lr_world::wake_left() {
     for (uint32_t i = 0; i < left_count; ++i)
         pairs.visit_partners(left[i].slot, [&](uint32_t other) { batches[other].batch->wake_on(left[i].box); });
     left_count = 0;
-}
-
-void lr_world::set_gravity(const float (&to)[3]) {
-    if (std::equal(to, to + 3, gravity)) return;
-    std::copy(to, to + 3, gravity);
-    each_batch([](Batch& batch, uint32_t) { batch.wake_all(); });
 }
 
 uint32_t lr_world::take_key() {
@@ -512,7 +454,8 @@ uint64_t lr_world::hash() const {
             mix(may_sleep(c));
             if (c.min_thickness != 0.0f) mix(bit_cast<uint32_t>(c.min_thickness));
         }
-        lr::hash(batch.options, mix);
+        if (batch.options.divergence_policy != LR_DIVERGENCE_AUTO)
+            mix(static_cast<uint32_t>(batch.options.divergence_policy));
         if (batch.awake() < batch.count()) {
             const SleepingBodies::State& sleep = batch.sleeping()->state();
             mix(bit_cast<uint64_t>(sleep.clock));

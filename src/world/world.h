@@ -78,11 +78,6 @@ struct lr_world {
     void destroy_batch(lr_batch batch);
     // Switches body contact between two batches, by slot; a change wakes their bodies. Returns false and changes nothing when out of memory.
     bool set_pair(uint32_t a, uint32_t b, bool on);
-    lr_status destroy_bodies(const lr_body* bodies, uint32_t count);
-
-    // For all or none: LR_OK, LR_ERROR_STALE_BODY, LR_ERROR_OUT_OF_MEMORY.
-    lr_status set_sleep(const lr_body* bodies, uint32_t count, bool asleep);
-    uint32_t wake_box(const lr::Box& box); // returns their number
     // Called before a body is removed or placed elsewhere: wake_left() then wakes the bodies that may lie on it.
     void leave(const lr::Batch& batch, uint32_t index);
     void wake_left();
@@ -92,7 +87,6 @@ struct lr_world {
         each_batch([&](const lr::Batch& batch, uint32_t slot) { count += meets(slot) ? batch.capacity() : 0; });
         return lr::grow(allocator, left, count);
     }
-    void set_gravity(const float (&to)[3]); // a change wakes all bodies
 
     uint32_t take_key(); // the noise seed of the next body
 
@@ -106,10 +100,7 @@ struct lr_world {
     void wake_in_water(const lr::Water::Record& before); // the water has changed
     bool flow_may_wake() const;                          // whether wind or water may wake any body
     bool any_asleep() const;
-    // capacity 0 switches events off.
-    lr_status set_events(uint32_t capacity, uint32_t kinds);
-    void recheck_contacts(); // after colliders were destroyed
-    bool reserve_contact();  // of all batches; false when out of memory
+    bool reserve_contact(); // of all batches; false when out of memory
     // Needed for steps with colliders, body contact or water, and of bodies that touched something. False when out of memory.
     bool reserve_scratch() { return step_workers.reserve_scratch(allocator); }
     float contact_reach(float dt) const; // m, for the broad phase

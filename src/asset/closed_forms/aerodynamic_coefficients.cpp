@@ -68,11 +68,6 @@ double compactness(const AerodynamicGeometry& g) {
     return rest * rest * (3.0 - 2.0 * rest);
 }
 
-// From a disc's coefficient towards that of a long strip.
-double by_slenderness(double disc, double strip, double slenderness) {
-    return disc + (strip - disc) * share(slenderness, strip_half);
-}
-
 // Lift slope of a wing over that of a long one, by its aspect ratio (Helmbold 1942).
 double slope_of(double aspect) {
     return aspect / (2.0 + std::sqrt(aspect * aspect + 4.0));
@@ -155,7 +150,7 @@ Circulation set_spin(const AerodynamicGeometry& g, size_t k, double span, double
     const double chord = total > 0.0 ? (g.area[j] * g.extent[i] + g.area[i] * g.extent[j]) / total : 0.0;
     const double thick = 1.0 - std::max(sheetness(g, i), sheetness(g, j));
     const auto over = [&](double width) { return width > 0.0 ? std::max(0.0, span / width - 1.0) : 0.0; };
-    const double moment = by_slenderness(plate.spin_disc, plate.spin_strip, over(chord));
+    const double moment = plate.spin_disc + (plate.spin_strip - plate.spin_disc) * share(over(chord), strip_half);
     // Not over the chord, by which a disc would be the slenderer the thicker it is.
     const double slenderness = over(std::max(g.extent[i], g.extent[j]));
     const double damping = plate.spin_stream_strip +

@@ -159,8 +159,6 @@ void loads_on_body(const StepInput& in, const BodyConstants& body, const BatchAr
     HWY_STATIC_DISPATCH(loads_of_body)(in, body, a, fluid, out);
 }
 
-static_assert(most_kill_volumes == LR_MAX_KILL_VOLUMES);
-
 const KernelTarget* built_targets(size_t& count) {
 #define LR_TARGET(simd, target) N_##target::functions(simd),
     static constexpr KernelTarget targets[] = {LR_FOR_BUILT_TARGETS(LR_TARGET)};

@@ -7,10 +7,10 @@
 #include "kernel/contact/gjk_pairs.h"
 #include "kernel/water/water_loads.h"
 #include "kernel/wind/sample_wind.h"
+#include "langevin_rigid.h"
 
 #include <cstdint>
 
-struct lr_batch_rules;
 struct lr_body_loads;
 
 namespace lr {
@@ -57,10 +57,9 @@ StepFunction step_rk4;
 void loads_on_body(const StepInput& in, const BodyConstants& body, const BatchArrays& arrays, const float (&fluid)[3],
                    lr_body_loads& out);
 
-inline constexpr uint32_t most_kill_volumes = 8;
 // Causes for a body's end; the kill volumes follow in order.
 enum Cause : uint32_t { cause_none, cause_not_finite, cause_age, cause_volume };
-inline constexpr uint32_t cause_count = cause_volume + most_kill_volumes;
+inline constexpr uint32_t cause_count = cause_volume + LR_MAX_KILL_VOLUMES;
 // Writes for each body of [begin, end), multiples of lane_block, its first cause. Returns whether any body ends.
 using EndedFunction = bool(const lr_batch_rules&, const BatchArrays&, size_t begin, size_t end, uint32_t* cause);
 
@@ -68,10 +67,6 @@ using EndedFunction = bool(const lr_batch_rules&, const BatchArrays&, size_t beg
 using PredictFunction = void(const BatchArrays&, size_t begin, size_t end, float h, FieldBlock* out);
 // Winds at the positions of `count` bodies.
 using EvaluateFunction = void(const FieldInstant&, size_t count, FieldBlock* blocks);
-// Before and after a substep in a wind field, for the bodies from `first` on.
-using EnterWindFunction = void(const StepInput&, const WindAlong&, uint32_t substep, size_t first, size_t lanes,
-                               BodiesInWind& bodies);
-using LeaveWindFunction = void(const StepInput&, const WindAlong&, size_t first, size_t lanes, BodiesInWind& bodies);
 
 struct KernelTarget {
     int32_t simd; // LR_SIMD_*

@@ -14,8 +14,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace lr::HWY_NAMESPACE {
 
-EnterWindFunction enter_wind; // sample_wind.cpp
-LeaveWindFunction leave_wind;
+// In sample_wind.cpp: before and after a substep in a wind field, for the bodies from `first` on.
+void enter_wind(const StepInput&, const WindAlong&, uint32_t substep, size_t first, size_t lanes, BodiesInWind& bodies);
+void leave_wind(const StepInput&, const WindAlong&, size_t first, size_t lanes, BodiesInWind& bodies);
 } // namespace lr::HWY_NAMESPACE
 namespace lr::LR_KERNEL_NAMESPACE {
 

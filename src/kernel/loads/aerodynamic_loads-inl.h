@@ -15,10 +15,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace lr::LR_KERNEL_NAMESPACE {
 
-template <class T> HWY_INLINE Twist rows6(const T* m, Vec3 a) {
-    return {rows(m, a), rows(m + 9, a)};
-}
-
 // Positive, so that the direction exists; far below any visible speed.
 HWY_INLINE VF speed_squared(Vec3 v) {
     return dot(v, v) + constant(1e-20f);
@@ -247,9 +243,6 @@ HWY_INLINE Vec3 next_gust(Vec3 gust, VF alpha, VF variance, float h, const VF ga
 HWY_INLINE VF eased(VF x) {
     return x / (constant(1.0f) + hn::Sqrt(constant(2.0f) * x + constant(1.0f)));
 }
-HWY_INLINE VF over_one_and(VF r, VF e) {
-    return r / (constant(1.0f) + e);
-}
 
 HWY_INLINE Vec3 bounded(Vec3 v, VF most, VF least) {
     return each_axis([&](VF x) LR_LAMBDA { return hn::Max(hn::Min(x, most), least); }, v);
@@ -345,7 +338,7 @@ template <class C> static HWY_NOINLINE Twist external_answer(const C& c, const E
 
 // Response of the load centre's twist to a vector along body axes.
 template <bool kFull, class T> HWY_INLINE Twist answer_to(const T* m, Vec3 f) {
-    if constexpr (kFull) return rows6(m, f);
+    if constexpr (kFull) return {rows(m, f), rows(m + 9, f)};
     return {{constant(m[0]) * f.x + constant(m[1]) * f.y, constant(m[3]) * f.x + constant(m[4]) * f.y,
              constant(m[8]) * f.z},
             {constant(m[11]) * f.z, constant(m[14]) * f.z, constant(m[15]) * f.x + constant(m[16]) * f.y}};
@@ -418,7 +411,7 @@ HWY_INLINE Twist middle_by(float h, const C& c, const Moment& m, VF drag, Vec3 s
     out.v += lost;
     out.u += coupled<!kFull>(a.spin_of_force, lost);
     const Vec3 before = out.u;
-    const auto less = [&](VF y, VF by, VF more) LR_LAMBDA { return over_one_and(more - y * by, by); };
+    const auto less = [&](VF y, VF by, VF more) LR_LAMBDA { return (more - y * by) / (constant(1.0f) + by); };
     out.u = answering<kFull, 0>(n, less(out.u.x, spin.x, push.x), out.u);
     out.u = answering<kFull, 1>(n, less(out.u.y, spin.y, push.y), out.u);
     out.u = answering<kFull, 2>(n, less(out.u.z, spin.z, push.z), out.u);

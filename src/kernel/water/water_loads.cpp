@@ -43,7 +43,7 @@ HWY_INLINE SurfaceSample sample_surface(const SurfaceInstant& s, const WaterBody
                                         Vec3 x) {
     const VF zero = hn::Zero(DF()), one = constant(1.0f);
     const Vec3 up = broadcast(s.up), from = x - broadcast(s.point);
-    VF sine[most_waves], cosine[most_waves];
+    VF sine[LR_MAX_WAVES], cosine[LR_MAX_WAVES];
     Vec3 slope = zero3(), turning = zero3(); // slope: minus the gradient of the height; -turning: its rate
     VF height = zero, lift = zero;
     for (uint32_t i = 0; i < s.wave_count; ++i) {
@@ -88,29 +88,33 @@ struct Immersion {
     VF fraction;    // of the volume in water
     Vec3 lowered;   // m, body frame: fraction times the submerged part's centre, from the centre of buoyancy
     VF half_height; // m, of the ellipsoid along the surface's normal
-    VF second;      // 3/16 (1 - s^2)^2
+    VF second;      // 3/16 (1 - level^2)^2, level: depth of the centre over half_height
     Vec3 normal;    // body frame
 };
 
-// blur: m. A body thinner than its fall in a substep counts as that thick; else it would jump over the surface. It is raised to float, lying flat, at
+// A body thinner than its fall in a substep, `blur`, counts as that thick; else it would jump over the surface. It is raised to float, lying flat, at
 // its own draught, not at that of a thick one.
-HWY_INLINE Immersion immersed(const WaterBody& w, const SurfaceInstant& plane, VF body_scale, Quaternion q, Vec3 x,
-                              VF height, Vec3 normal, float blur) {
+HWY_NOINLINE Immersion immersed_at(const StepInput& in, const WetSubstep& s, const SurfaceBlock& b, size_t at,
+                                   VF body_scale, Quaternion q, Vec3 x) {
+    const WaterBody& w = *s.body;
+    const float* const g = s.gravity;
+    const float blur = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]) * (in.h * in.h);
     const VF one = constant(1.0f);
+    const Vec3 normal = load3(b.normal, at);
     Immersion out;
     out.normal = to_body(q, normal);
     const Vec3 along = rows(w.axes, out.normal);
     const Vec3 stretched = body_scale * body_scale * scaled_by(w.semi_axes_squared, along);
     out.half_height = hn::Sqrt(dot(stretched, along) + constant(blur * blur));
     const Vec3 middle = body_scale * broadcast(w.center);
-    const Vec3 up = broadcast(plane.up);
-    const VF above = dot(up, x + to_world(q, middle) - broadcast(plane.point));
+    const Vec3 up = broadcast(s.plane->up);
+    const VF above = dot(up, x + to_world(q, middle) - broadcast(s.plane->point));
     const VF thin = body_scale * constant(w.thin);
     const VF raised = constant(w.draught) * (hn::Sqrt(thin * thin + constant(blur * blur)) - thin);
-    const VF depth = (height - above) * dot(up, normal) + raised;
-    const VF s = hn::Max(hn::Min(depth / out.half_height, one), constant(-1.0f));
-    const VF s2 = s * s, rest = one - s2;
-    out.fraction = constant(0.25f) * (s * (constant(3.0f) - s2) + constant(2.0f));
+    const VF depth = (load1(b.height, at) - above) * dot(up, normal) + raised;
+    const VF level = hn::Max(hn::Min(depth / out.half_height, one), constant(-1.0f));
+    const VF level2 = level * level, rest = one - level2;
+    out.fraction = constant(0.25f) * (level * (constant(3.0f) - level2) + constant(2.0f));
     out.second = constant(0.1875f) * (rest * rest);
     const VF lowered = -(out.second / out.half_height);
     out.lowered = lowered * columns(w.axes, stretched);
@@ -155,12 +159,6 @@ struct Shares {
     }
 };
 
-// The water's share of the displaced mass.
-HWY_INLINE VF water_share(const WaterBody& w, VF f) {
-    const VF wet = f * constant(w.water_density);
-    return wet / ((constant(1.0f) - f) * constant(w.air_density) + wet);
-}
-
 // For structs of numbers alone. Unrolled, since a loop takes a hundredth of a wet body's step.
 template <template <class> class Numbers, class Function> HWY_INLINE void each_of(const Function& function) {
     [&]<size_t... kIndex>(std::index_sequence<kIndex...>) LR_LAMBDA {
@@ -175,11 +173,13 @@ template <template <class> class Numbers> HWY_INLINE VF* numbers(Numbers<VF>& of
     return reinterpret_cast<VF*>(&of);
 }
 
-HWY_INLINE void blend_aerodynamics(const AerodynamicConstants& a, const AerodynamicConstants& w, const Shares& mean,
-                                   VF wet, AerodynamicConstantsOf<VF>& out) {
-    // The dynamic viscosity is linear in the share.
-    out.viscosity = Shares{constant(1.0f) - wet, wet}(a.viscosity, w.viscosity);
-    const float *const loads = numbers<FluidLoadsOf>(a), *const wet_loads = numbers<FluidLoadsOf>(w);
+HWY_INLINE void blend_aerodynamics(const AerodynamicConstants& a, const WaterBody& w, const Shares& mean, VF f,
+                                   AerodynamicConstantsOf<VF>& out) {
+    // The dynamic viscosity is linear in the water's share of the displaced mass.
+    const VF one = constant(1.0f), water = f * constant(w.water_density);
+    const VF wet = water / ((one - f) * constant(w.air_density) + water);
+    out.viscosity = Shares{one - wet, wet}(a.viscosity, w.water.aerodynamics.viscosity);
+    const float *const loads = numbers<FluidLoadsOf>(a), *const wet_loads = numbers<FluidLoadsOf>(w.water.aerodynamics);
     each_of<FluidLoadsOf>([&](size_t i) LR_LAMBDA { numbers<FluidLoadsOf>(out)[i] = mean(loads[i], wet_loads[i]); });
     each_of<ShapeLoadsOf>([&](size_t i)
                               LR_LAMBDA { numbers<ShapeLoadsOf>(out)[i] = constant(numbers<ShapeLoadsOf>(a)[i]); });
@@ -272,7 +272,7 @@ static HWY_NOINLINE void blend(bool damped, const BodyConstants& a, const WaterB
     mean(a.mass, w.water.mass, c.mass);
     mean(a.spin_mass, w.water.spin_mass, c.spin_mass);
     if constexpr (kAerodynamic)
-        blend_aerodynamics(a.aerodynamics, w.water.aerodynamics, mean, water_share(w, f), c.aerodynamics);
+        blend_aerodynamics(a.aerodynamics, w, mean, f, c.aerodynamics);
     else if constexpr (kFull) // resolve_motion() reads them
         for (int i = 0; i < 3; ++i) c.aerodynamics.normal[i] = c.aerodynamics.normal_arm[i] = hn::Zero(DF());
     if constexpr (kFull) {
@@ -321,17 +321,6 @@ void evaluate_surface(const SurfaceInstant& plane, const WaterBody& body, const 
         store3(b.velocity, at, s.velocity);
         store3(b.rate, at, s.rate);
     }
-}
-
-HWY_INLINE float blur_of(const StepInput& in, const WetSubstep& s) {
-    const float* const g = s.gravity;
-    const float squared = g[0] * g[0] + g[1] * g[1] + g[2] * g[2];
-    return std::sqrt(squared) * (in.h * in.h);
-}
-
-HWY_NOINLINE Immersion immersed_at(const StepInput& in, const WetSubstep& s, const SurfaceBlock& b, size_t at,
-                                   VF body_scale, Quaternion q, Vec3 x) {
-    return immersed(*s.body, *s.plane, body_scale, q, x, load1(b.height, at), load3(b.normal, at), blur_of(in, s));
 }
 
 // Loss of motion along the surface's normal by the waves that the body makes (docs/reference/wind_and_water.md, "Waves that bodies make"): minus the

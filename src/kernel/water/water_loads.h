@@ -4,6 +4,7 @@
 #include "base/lane_arrays.h"
 #include "kernel/body_constants.h"
 #include "kernel/wind/sample_wind.h"
+#include "langevin_rigid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +14,6 @@
 namespace lr {
 
 struct StepInput;
-
-inline constexpr uint32_t most_waves = 8;
 
 struct WaveInstant {
     float direction[3]; // unit, in the plane
@@ -29,7 +28,7 @@ struct SurfaceInstant {
     float point[3], up[3]; // of the plane
     float current[3];      // m/s
     uint32_t wave_count;
-    WaveInstant waves[most_waves];
+    WaveInstant waves[LR_MAX_WAVES];
 };
 
 // Surface and motion of the water at a block of bodies.

@@ -10,6 +10,7 @@
 #include "kernel/integrator/equations_of_motion-inl.h"
 #include "kernel/integrator/step.h"
 #include "kernel/wind/sample_wind.h"
+#include "langevin_rigid.h"
 
 #include <cstring>
 
@@ -167,7 +168,7 @@ HWY_INLINE bool vortex(const SourceInstant& s, Vec3 x, Flow& out) {
 
     const float core = 1.0f / (s.core * s.core);
     VF g, slope; // f and df/dr^2 of an endless vortex, over the strength
-    if (s.kind == SourceKind::lamb_oseen) {
+    if (s.kind == SourceInstant::lamb_oseen) {
         g = lamb_oseen(r2 * constant(core), slope) * constant(core);
         slope *= constant(core * core);
     } else {
@@ -196,7 +197,7 @@ HWY_INLINE bool vortex(const SourceInstant& s, Vec3 x, Flow& out) {
 
 // A turbulent jet: Gaussian across, b = b0 + spread z wide, with constant momentum along the axis.
 HWY_INLINE bool blower(const SourceInstant& s, Vec3 x, Flow& out) {
-    const bool line = s.kind == SourceKind::line_blower;
+    const bool line = s.kind == SourceInstant::line_blower;
     const VF zero = hn::Zero(DF()), one = constant(1.0f);
     const Vec3 a = broadcast(s.axis), side = broadcast(s.side), d = x - broadcast(s.position);
     const VF z = dot(a, d);
@@ -254,12 +255,12 @@ HWY_INLINE bool grid(const SourceInstant& s, Vec3 x, Flow& out) {
         VF p = at[i] * constant(s.inverse_spacing[i]);
         slope[i] = constant(s.inverse_spacing[i]);
         const VF last = constant(samples - 1.0f);
-        if (s.outside == outside_repeat) {
+        if (s.outside == LR_WIND_OUTSIDE_REPEAT) {
             p -= hn::Floor(p * constant(1.0f / samples)) * constant(samples);
             p = hn::Max(p, zero); // rounding can pass either end
         } else {
             const auto inside = hn::And(p >= zero, p <= last);
-            if (s.outside == outside_zero) in = hn::And(in, inside);
+            if (s.outside == LR_WIND_OUTSIDE_ZERO) in = hn::And(in, inside);
             slope[i] = hn::IfThenElseZero(inside, slope[i]);
             p = hn::Min(hn::Max(p, zero), last);
         }
@@ -267,7 +268,7 @@ HWY_INLINE bool grid(const SourceInstant& s, Vec3 x, Flow& out) {
         low[i] = hn::Max(hn::Min(hn::ConvertTo(di, p), top), hn::Zero(di));
         part[i] = clamp_unit(p - hn::ConvertTo(DF(), low[i]));
         const VI next = low[i] + hn::Set(di, 1);
-        const VI beyond = s.outside == outside_repeat ? hn::Zero(di) : top;
+        const VI beyond = s.outside == LR_WIND_OUTSIDE_REPEAT ? hn::Zero(di) : top;
         high[i] = hn::IfThenElse(next > top, beyond, next);
         if (s.count[i] == 1) slope[i] = zero;
     }
@@ -340,21 +341,20 @@ HWY_INLINE VF ground_factor(const SourceInstant& s, Vec3 x, Vec3& slopes) {
 
 HWY_INLINE bool flow_of(const SourceInstant& s, Vec3 x, Flow& flow) {
     switch (s.kind) {
-    case SourceKind::rankine:
-    case SourceKind::lamb_oseen:
+    case SourceInstant::rankine:
+    case SourceInstant::lamb_oseen:
         return vortex(s, x, flow);
-    case SourceKind::point_blower:
-    case SourceKind::line_blower:
+    case SourceInstant::point_blower:
+    case SourceInstant::line_blower:
         return blower(s, x, flow);
-    case SourceKind::grid:
+    case SourceInstant::grid:
         return grid(s, x, flow);
-    case SourceKind::turbulence:
+    case SourceInstant::turbulence:
         turbulence(s, x, flow);
         return true;
-    case SourceKind::ground:
-        break;
+    default:
+        return false;
     }
-    return false;
 }
 
 // The sums at one vector of places.
@@ -394,11 +394,11 @@ void evaluate(const FieldInstant& instant, size_t count, FieldBlock* blocks) {
         const Vec3 x = load3(b.position, at), none = zero3();
         Sum sum{broadcast(instant.wind), broadcast(instant.change), none, {{none, none, none}}, constant(1.0f)};
         for (const SourceInstant* s = instant.sources; s != end; ++s)
-            if (s->kind == SourceKind::ground) put_ground(*s, x, sum);
+            if (s->kind == SourceInstant::ground) put_ground(*s, x, sum);
         for (const SourceInstant* s = instant.sources; s != end; ++s) {
             Flow flow;
             flow.rate = none;
-            if (s->kind == SourceKind::ground || out_of_reach(*s, x) || !flow_of(*s, x, flow)) continue;
+            if (s->kind == SourceInstant::ground || out_of_reach(*s, x) || !flow_of(*s, x, flow)) continue;
             sum.gradient = sum.gradient + flow.gradient;
             sum.wind += flow.wind;
             sum.rate += flow.rate - flow.gradient * broadcast(s->motion);

@@ -23,14 +23,14 @@ struct FieldBlock {
     float reference[lane_block];               // m/s, the speed of the field: the limit of a change over a substep
 };
 
-enum class SourceKind : int32_t { ground, rankine, lamb_oseen, point_blower, line_blower, turbulence, grid };
-
-// Values beyond the samples of a grid, by the numbers of LR_WIND_OUTSIDE_*.
-enum Outside : int32_t { outside_zero, outside_clamp, outside_repeat };
+// Numbered as in snapshots. Gusts are part of the uniform wind.
+struct SourceKinds {
+    enum Kind : int32_t { gusts = 1, rankine, lamb_oseen, point_blower, line_blower, turbulence, grid, ground };
+};
 
 // A source (or an octave of turbulence) at an instant. Bodies farther than `reach` from `center` do not feel it; 0: no limit.
-struct SourceInstant {
-    SourceKind kind;
+struct SourceInstant : SourceKinds {
+    Kind kind;
     float center[3], reach;
     float position[3]; // of an axis, a nozzle, a plane, or of the first sample of a grid
     float axis[3], side[3];
@@ -52,7 +52,7 @@ struct SourceInstant {
     uint32_t seed;
     float turn, turn_rate; // turbulence: phase of the slowest beat in turns, 0 to 1; 1/s
     int32_t count[3];      // grid: samples
-    int32_t outside;       // grid: Outside
+    int32_t outside;       // grid: LR_WIND_OUTSIDE_*
     const float* frame[2]; // grid: three floats a sample
     float part, part_rate; // grid: between the two frames; 1/s
 };

@@ -5,6 +5,7 @@
 #include "kernel/limits.h"
 #include "world/batch/lifecycle.h"
 #include "world/schedule/step_chunks.h"
+#include "world/sleep/shelter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -191,7 +192,7 @@ uint32_t Batch::wake(uint32_t index) {
     const uint32_t slot = unpack(ids()[index]).slot;
     const Box box = sleeping_->box(slot);
     sleeping_->leave(slot);
-    if (waking_.tell) waking_.tell(waking_.world, *this, index, box);
+    if (world_) uncover(*world_, *this, index, box);
     sleeping_->age_of(index, arrays_.field[field_age][index], arrays_.field[field_age_remainder][index]);
     oldest_ = std::max(oldest_, static_cast<double>(arrays_.field[field_age][index]));
     columns_.clear(index, index + 1, column_birth, 1);
@@ -455,11 +456,6 @@ bool Batch::make_loads(const AerodynamicData& loads, const Gains& gains, BodyCon
         return false;
     if (stationary_.u0 > 0.0) set_gust_turbulence(stationary_, gains, out);
     return true;
-}
-
-bool Batch::can_use(const AerodynamicData& loads, const Gains& gains) const {
-    BodyConstants ignored;
-    return make_loads(loads, gains, ignored);
 }
 
 bool Batch::set_aerodynamics(const AerodynamicData& loads, const Gains& gains) {

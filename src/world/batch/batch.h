@@ -3,7 +3,6 @@
 
 #include "asset/asset.h"
 #include "base/allocator.h"
-#include "base/bit_cast.h"
 #include "base/handles.h"
 #include "base/lane_arrays.h"
 #include "collision/body_narrow_phase.h"
@@ -18,8 +17,9 @@
 #include "world/step/step_near_colliders.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
+
+struct lr_world;
 
 namespace lr {
 
@@ -71,13 +71,6 @@ inline const char* wrong_in(const BatchOptions& o) {
     if (o.divergence_policy < LR_DIVERGENCE_AUTO || o.divergence_policy > LR_DIVERGENCE_REMOVE) return "unknown policy";
     return o.reserved != 0 ? "reserved is not 0" : nullptr;
 }
-// Only settings that differ from their initial values enter the world's hash.
-template <class Mix> void hash(const BatchOptions& options, const Mix& mix) {
-    using Words = std::array<uint32_t, sizeof options / 4>;
-    const auto words = bit_cast<Words>(options), initial = bit_cast<Words>(BatchOptions());
-    for (uint32_t k = 0; k < words.size(); ++k)
-        if (words[k] != initial[k]) mix(words[k] | uint64_t{k} << 32);
-}
 
 class Batch {
 public:
@@ -108,7 +101,6 @@ public:
     const float* table_epsilon() const { return table_.data() + table_head_.count; }
     // Replaces the asset's quasi-steady loads. Returns false and changes nothing if these cannot be used.
     bool set_aerodynamics(const AerodynamicData& loads, const Gains& gains);
-    bool can_use(const AerodynamicData& loads, const Gains& gains) const;
     const AerodynamicData& aerodynamics() const { return aerodynamics_; }
     const Gains& gains() const { return settings_.gains; }
 
@@ -137,12 +129,7 @@ public:
         if (sleeping_->grid.visit(box, count_ - awake_, look_at)) return;
         for (uint32_t i = awake_; i < count_; ++i) look_at(unpack(ids()[i]).slot);
     }
-    // Called when a body wakes, with the contact box in which it slept. Null: no callback.
-    struct Waking {
-        void (*tell)(void* world, Batch& batch, uint32_t index, const Box& box) = nullptr;
-        void* world = nullptr;
-    };
-    void on_waking(const Waking& waking) { waking_ = waking; }
+    void enter(lr_world& world) { world_ = &world; } // whose bodies are uncovered when one of this batch wakes
     // Stores the wind that a sleeping body has withstood (m/s; 0: none), and whether it needed shelter for that. See WakeByFlow.
     void store_wind(uint32_t index, Vector wind, bool sheltered);
     // A sleeping body's support may have left: at its turn it takes a trial, even in still air. Any thread, in a batch with contact.
@@ -249,7 +236,7 @@ private:
     float water_density_ = 0.0f, water_viscosity_ = 0.0f;
     TurbulenceSample stationary_{}; // of a table set by the user; u0 is 0 without one
     double oldest_ = 0.0;           // s: bound of the ages of awake bodies
-    Waking waking_;
+    lr_world* world_ = nullptr;
     Owned<Lifecycle> lifecycle_;
     Owned<SleepingBodies> sleeping_;
     Owned<ContactEvents> events_;

@@ -207,29 +207,3 @@ void ContactEvents::tell(const Batch& batch, lr_batch handle, const Colliders& c
     if (stepped) all_ = false;
 }
 } // namespace lr
-
-using namespace lr;
-
-lr_status lr_world::set_events(uint32_t capacity, uint32_t kinds) {
-    Buffer<lr_event> room;
-    bool enough = room.allocate(allocator, capacity);
-    each_batch([&](Batch& batch, uint32_t) { enough = enough && (capacity == 0 || batch.reserve_events()); });
-    each_batch([&](Batch& batch, uint32_t) {
-        if (capacity == 0 || (!enough && !events.on()))
-            batch.drop_events();
-        else if (enough && !events.on())
-            batch.events()->resume(batch, colliders);
-    });
-    if (!enough) return LR_ERROR_OUT_OF_MEMORY;
-    events.items.swap(room);
-    events.kinds = kinds;
-    events.begin_step();
-    events.total_lost = 0;
-    return LR_OK;
-}
-
-void lr_world::recheck_contacts() {
-    each_batch([](Batch& batch, uint32_t) {
-        if (batch.events()) batch.events()->recheck();
-    });
-}

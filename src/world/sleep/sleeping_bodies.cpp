@@ -5,6 +5,7 @@
 #include "world/world.h"
 
 #include <algorithm>
+#include <compare>
 #include <limits>
 
 namespace lr {
@@ -17,11 +18,7 @@ constexpr double slack = 200.0; // s: bound of an age's rounding error
 
 struct Neighbour {
     uint32_t batch, noise_seed, index;
-    bool operator<(const Neighbour& other) const {
-        return batch != other.batch             ? batch < other.batch
-               : noise_seed != other.noise_seed ? noise_seed < other.noise_seed
-                                                : index < other.index;
-    }
+    auto operator<=>(const Neighbour&) const = default;
 };
 
 bool equal(Vector a, Vector b) {

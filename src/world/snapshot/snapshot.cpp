@@ -334,7 +334,9 @@ private:
     static bool usable_loads(const SnapshotBatch& h, const Batch& b) {
         if (same_loads(h, b)) return true;
         const bool own = same(h.aerodynamics, b.asset().data.aerodynamics);
-        return !wrong_in(h.gains) && (own || !wrong_in(h.aerodynamics)) && b.can_use(h.aerodynamics, h.gains);
+        BodyConstants ignored;
+        return !wrong_in(h.gains) && (own || !wrong_in(h.aerodynamics)) &&
+               b.make_loads(h.aerodynamics, h.gains, ignored);
     }
 };
 
