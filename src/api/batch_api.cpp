@@ -1,7 +1,6 @@
 // Batches: creation, turbulence, loads, divisor, views, rules and emitters.
 #include "api/checked_call.h"
 #include "api/struct_conversion.h"
-#include "kernel/write_transforms.h"
 #include "world/batch/lifecycle.h"
 
 namespace lr::api {
@@ -208,7 +207,7 @@ lr_status lr_batch_write_transforms(const lr_world* world, lr_batch batch, int32
         const uint32_t n = std::min(count, b.count());
         if (n == 0) return {};
         if (!dst) return LR_ERROR_NULL_ARGUMENT;
-        write_transforms(w.target->simd, b.arrays(), n, static_cast<float>(b.pace.behind()), format, dst, step);
+        w.target->write_transforms(b.arrays(), n, static_cast<float>(b.pace.behind()), format, dst, step);
         if (written) *written = n;
         return {};
     });

@@ -8,7 +8,7 @@
 #define LR_NO_PAIRS
 #endif
 
-#include "kernel/write_transforms.h"
+#include "kernel/integrator/step.h"
 
 #include "hwy/cache_control.h"
 #include "hwy/highway.h"
@@ -218,16 +218,19 @@ HWY_NOINLINE void write_ahead(const BatchArrays& a, uint32_t count, float second
     }
 }
 
-void write_range(const BatchArrays& a, uint32_t count, float ahead, int32_t format, unsigned char* to, uint64_t stride,
-                 bool stream) {
+// Larger outputs bypass the caches: they would be evicted before drawing, and fetching lines to overwrite them takes as long as writing.
+constexpr uint64_t stream_bytes = 8u << 20;
+
+void write_transforms(const BatchArrays& a, uint32_t count, float ahead, int32_t format, void* to, uint64_t stride) {
+    auto* const bytes = static_cast<unsigned char*>(to);
     const auto write = [&]<int32_t kFormat>(std::integral_constant<int32_t, kFormat>) {
         if (kFormat != format) return;
         if (ahead > 0.0f)
-            write_ahead<kFormat>(a, count, ahead, to, stride);
-        else if (stream)
-            stream_format<kFormat>(a, count, to);
+            write_ahead<kFormat>(a, count, ahead, bytes, stride);
+        else if (stride == transform_bytes(kFormat) && uint64_t{count} * stride >= stream_bytes)
+            stream_format<kFormat>(a, count, bytes);
         else
-            write_format<kFormat>(a, 0, count, to, stride);
+            write_format<kFormat>(a, 0, count, bytes, stride);
     };
     [&]<int32_t... kFormats>(std::integer_sequence<int32_t, kFormats...>) {
         (write(std::integral_constant<int32_t, kFormats>{}), ...);
@@ -238,34 +241,12 @@ void write_range(const BatchArrays& a, uint32_t count, float ahead, int32_t form
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include "kernel/instruction_sets.h"
-
 namespace lr {
-namespace {
-
-// Larger outputs bypass the caches: they would be evicted before drawing, and fetching lines to overwrite them takes as long as writing.
-constexpr uint64_t stream_bytes = 8u << 20;
-
-using WriteFunction = void (*)(const BatchArrays&, uint32_t, float, int32_t, unsigned char*, uint64_t, bool);
-struct Target {
-    int32_t simd;
-    WriteFunction write;
-};
-#define LR_TARGET(simd, target) {simd, &N_##target::write_range},
-constexpr Target targets[] = {LR_FOR_BUILT_TARGETS(LR_TARGET)};
-#undef LR_TARGET
-} // namespace
 
 uint32_t transform_bytes(int32_t format) {
     constexpr uint32_t bytes[] = {28, 32, 48, 48, 64, 64}; // in the order of LR_TRANSFORM_*
     static_assert(LR_TRANSFORM_POSITION_QUATERNION == 0 && LR_TRANSFORM_4X4_COLUMN_MAJOR == std::size(bytes) - 1);
     return format >= 0 && format <= LR_TRANSFORM_4X4_COLUMN_MAJOR ? bytes[format] : 0;
-}
-
-void write_transforms(int32_t simd, const BatchArrays& a, uint32_t count, float ahead, int32_t format, void* to,
-                      uint64_t stride) {
-    const bool stream = stride == transform_bytes(format) && uint64_t{count} * stride >= stream_bytes;
-    of_target(targets, simd).write(a, count, ahead, format, static_cast<unsigned char*>(to), stride, stream);
 }
 } // namespace lr
 #endif

@@ -1,5 +1,3 @@
-#include "kernel/write_transforms.h"
-
 #include "kernel/integrator/step.h"
 #include "langevin_rigid.h"
 #include "support/random.h"
@@ -25,9 +23,9 @@ TEST_CASE("sizes of the formats") {
 
 TEST_CASE("matrices are rotations times scale: orthogonal, right-handed, and rows are columns of the other order") {
     test::Random random(1);
-    std::vector<std::vector<float>> fields(field_count, std::vector<float>(16));
+    alignas(64) float fields[field_count][lane_block] = {};
     BatchArrays arrays{};
-    for (size_t f = 0; f < field_count; ++f) arrays.field[f] = fields[f].data();
+    for (size_t f = 0; f < field_count; ++f) arrays.field[f] = fields[f];
     for (size_t i = 0; i < 16; ++i) {
         double q[4], n = 0.0;
         for (double& x : q) x = random.uniform(-1.0, 1.0), n += x * x;
@@ -36,10 +34,10 @@ TEST_CASE("matrices are rotations times scale: orthogonal, right-handed, and row
         fields[field_scale][i] = random.real(0.1, 3.0);
     }
     float row[16][12], column[16][12], row4[16][16], column4[16][16];
-    write_transforms(LR_SIMD_AUTO, arrays, 16, 0.0f, LR_TRANSFORM_3X4_ROW_MAJOR, row, 48);
-    write_transforms(LR_SIMD_AUTO, arrays, 16, 0.0f, LR_TRANSFORM_3X4_COLUMN_MAJOR, column, 48);
-    write_transforms(LR_SIMD_AUTO, arrays, 16, 0.0f, LR_TRANSFORM_4X4_ROW_MAJOR, row4, 64);
-    write_transforms(LR_SIMD_AUTO, arrays, 16, 0.0f, LR_TRANSFORM_4X4_COLUMN_MAJOR, column4, 64);
+    find_target(LR_SIMD_AUTO)->write_transforms(arrays, 16, 0.0f, LR_TRANSFORM_3X4_ROW_MAJOR, row, 48);
+    find_target(LR_SIMD_AUTO)->write_transforms(arrays, 16, 0.0f, LR_TRANSFORM_3X4_COLUMN_MAJOR, column, 48);
+    find_target(LR_SIMD_AUTO)->write_transforms(arrays, 16, 0.0f, LR_TRANSFORM_4X4_ROW_MAJOR, row4, 64);
+    find_target(LR_SIMD_AUTO)->write_transforms(arrays, 16, 0.0f, LR_TRANSFORM_4X4_COLUMN_MAJOR, column4, 64);
     for (size_t i = 0; i < 16; ++i) {
         const double s = static_cast<double>(fields[field_scale][i]);
         const auto entry = [&](size_t r, size_t c) { return static_cast<double>(row[i][4 * r + c]) / s; };
@@ -68,14 +66,14 @@ TEST_CASE("matrices are rotations times scale: orthogonal, right-handed, and row
 
 // The quarter turn about z maps x to y, which fixes the sign.
 TEST_CASE("a known turn") {
-    std::vector<std::vector<float>> fields(field_count, std::vector<float>(lane_block));
+    alignas(64) float fields[field_count][lane_block] = {};
     BatchArrays arrays{};
-    for (size_t f = 0; f < field_count; ++f) arrays.field[f] = fields[f].data();
+    for (size_t f = 0; f < field_count; ++f) arrays.field[f] = fields[f];
     fields[field_qz][0] = fields[field_qw][0] = 0x1.6a09e6p-1f;
     fields[field_scale][0] = 2.0f;
     fields[field_x][0] = 7.0f;
     float m[16];
-    write_transforms(LR_SIMD_AUTO, arrays, 1, 0.0f, LR_TRANSFORM_4X4_COLUMN_MAJOR, m, 64);
+    find_target(LR_SIMD_AUTO)->write_transforms(arrays, 1, 0.0f, LR_TRANSFORM_4X4_COLUMN_MAJOR, m, 64);
     const float expected[16] = {0, 2, 0, 0, -2, 0, 0, 0, 0, 0, 2, 0, 7, 0, 0, 1};
     for (size_t i = 0; i < 16; ++i) CHECK(std::abs(m[i] - expected[i]) < 1e-6f);
 }
@@ -134,7 +132,7 @@ void check_bits(int32_t simd, const Crowd& crowd, size_t count, int32_t format, 
         element(crowd.arrays, i, format, out);
         std::memcpy(expected.data() + (to - memory.data()) + static_cast<std::ptrdiff_t>(i * stride), out, bytes);
     }
-    write_transforms(simd, crowd.arrays, static_cast<uint32_t>(count), 0.0f, format, to, stride);
+    find_target(simd)->write_transforms(crowd.arrays, static_cast<uint32_t>(count), 0.0f, format, to, stride);
     if (memory != expected) {
         CAPTURE(simd);
         CAPTURE(count);

@@ -61,13 +61,14 @@ bool ended_range(const lr_batch_rules& rules, const BatchArrays& a, size_t begin
     return !hn::AllTrue(du, hn::Eq(any, hn::Zero(DU())));
 }
 
-// Defined in step_aerodynamic.cpp, sample_wind.cpp, water_loads.cpp, collider_contact.cpp and gjk_pairs.cpp.
+// Defined in step_aerodynamic.cpp, sample_wind.cpp, water_loads.cpp, write_transforms.cpp, collider_contact.cpp and gjk_pairs.cpp.
 StepFunction step_aerodynamic;
 PredictFunction predict;
 EvaluateFunction evaluate;
 NearFunction near_surface;
 SurfaceFunction evaluate_surface;
 WetFunction step_wet, settle_wet;
+TransformFunction write_transforms;
 extern const ContactTarget contact_functions;
 extern const BodyContactTarget body_contact_functions;
 PairSearch search_pairs;
@@ -82,6 +83,7 @@ constexpr KernelTarget functions(int32_t simd) {
             &predict,
             &evaluate,
             {&near_surface, &evaluate_surface, &step_wet, &settle_wet},
+            &write_transforms,
             &contact_functions,
             &body_contact_functions,
             &search_pairs,
@@ -147,7 +149,6 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 #include "hwy/targets.h"
-#include "kernel/instruction_sets.h"
 
 namespace lr {
 
@@ -160,9 +161,29 @@ void loads_on_body(const StepInput& in, const BodyConstants& body, const BatchAr
 }
 
 const KernelTarget* built_targets(size_t& count) {
-#define LR_TARGET(simd, target) N_##target::functions(simd),
-    static constexpr KernelTarget targets[] = {LR_FOR_BUILT_TARGETS(LR_TARGET)};
-#undef LR_TARGET
+    static constexpr KernelTarget targets[] = {
+#if HWY_TARGETS & HWY_AVX3
+        N_AVX3::functions(LR_SIMD_AVX512),
+#endif
+#if HWY_TARGETS & HWY_AVX2
+        N_AVX2::functions(LR_SIMD_AVX2),
+#endif
+#if HWY_TARGETS & HWY_SSE4
+        N_SSE4::functions(LR_SIMD_SSE4),
+#endif
+#if HWY_TARGETS & HWY_NEON
+        N_NEON::functions(LR_SIMD_NEON),
+#endif
+#if HWY_TARGETS & HWY_WASM
+        N_WASM::functions(LR_SIMD_WASM),
+#endif
+// Plain C++, for tests alone (langevin_rigid_plain): the compiler decides which of the two Highway offers.
+#if HWY_TARGETS & HWY_EMU128
+        N_EMU128::functions(LR_SIMD_PLAIN),
+#elif HWY_TARGETS & HWY_SCALAR
+        N_SCALAR::functions(LR_SIMD_PLAIN),
+#endif
+    };
     count = sizeof(targets) / sizeof(targets[0]);
     return targets;
 }

@@ -68,6 +68,11 @@ using PredictFunction = void(const BatchArrays&, size_t begin, size_t end, float
 // Winds at the positions of `count` bodies.
 using EvaluateFunction = void(const FieldInstant&, size_t count, FieldBlock* blocks);
 
+// Writes `count` elements in a known LR_TRANSFORM_* format, `stride` bytes apart, with the same bits on all targets. Arrays are readable in whole lane
+// blocks, and aligned to vectors. ahead: s by which bodies move on with their velocities.
+using TransformFunction = void(const BatchArrays&, uint32_t count, float ahead, int32_t format, void* to,
+                               uint64_t stride);
+
 struct KernelTarget {
     int32_t simd; // LR_SIMD_*
     int64_t hwy;  // Highway's bit for it
@@ -77,6 +82,7 @@ struct KernelTarget {
     PredictFunction* predict;
     EvaluateFunction* evaluate;
     SurfaceTarget surface;
+    TransformFunction* write_transforms;
     const ContactTarget* contact;
     const BodyContactTarget* body_contact;
     PairSearch* search_pairs;
@@ -87,6 +93,9 @@ struct KernelTarget {
         (in.integrator == Integrator::rk4 ? &step_rk4 : scheme)(in, a, begin, end);
     }
 };
+
+// Bytes of one element of an LR_TRANSFORM_* format; 0 for an unknown one.
+uint32_t transform_bytes(int32_t format);
 
 // Targets of this build, best first; `count` receives their number.
 const KernelTarget* built_targets(size_t& count);
