@@ -18,6 +18,7 @@ constexpr uint32_t whole_blocks(uint32_t bodies) {
 template <size_t kMost> struct BodyCopies {
     uint32_t count = 0, padded = 0; // the last body fills the remaining lanes
     bool has_floor = false;
+    uint32_t place[kMost]; // of each in the arrays that it was copied from
     alignas(64) float field[field_count][kMost];
     alignas(64) uint32_t noise_seed[kMost], floor[kMost];
     alignas(64) float force[force_components][kMost];
@@ -26,27 +27,31 @@ template <size_t kMost> struct BodyCopies {
     template <class Index> void take(const BatchArrays& from, uint32_t some, const Index& index) {
         count = some;
         padded = whole_blocks(some);
+        for (uint32_t i = 0; i < padded; ++i) place[i] = index(std::min(i, count - 1));
         for (size_t f = 0; f < field_count; ++f)
-            if (from.field[f]) gather(from.field[f], index, field[f]);
-        gather(from.noise_seed, index, noise_seed);
+            if (from.field[f]) gather(from.field[f], field[f]);
+        gather(from.noise_seed, noise_seed);
         has_floor = from.floor != nullptr;
-        if (has_floor) gather(from.floor, index, floor);
+        if (has_floor) gather(from.floor, floor);
     }
     // forget: clears the originals, so the forces apply to the following substeps only.
-    template <class Index> void take_forces(const ExternalInput& in, const Index& index, bool forget) {
+    void take_forces(const ExternalInput& in, bool forget) {
         for (size_t c = 0; c < force_components && in.used != 0; ++c) {
             float* const source = in.bodies + c * in.stride;
-            gather(source, index, force[c]);
-            for (uint32_t i = 0; i < count && forget; ++i) source[index(i)] = 0.0f;
+            gather(source, force[c]);
+            for (uint32_t i = 0; i < count && forget; ++i) source[place[i]] = 0.0f;
         }
+    }
+    template <class T> void gather(const T* source, T* to) const {
+        for (uint32_t i = 0; i < padded; ++i) to[i] = source[place[i]];
     }
     template <class T, class Index> void gather(const T* source, const Index& index, T* to) const {
         for (uint32_t i = 0; i < padded; ++i) to[i] = source[index(std::min(i, count - 1))];
     }
-    template <class Index> void put_back(const BatchArrays& to, const Index& index) const {
+    void put_back(const BatchArrays& to) const {
         for (size_t f = 0; f < field_count; ++f)
-            for (uint32_t i = 0; i < count && to.field[f]; ++i) to.field[f][index(i)] = field[f][i];
-        for (uint32_t i = 0; i < count && has_floor; ++i) to.floor[index(i)] = floor[i];
+            for (uint32_t i = 0; i < count && to.field[f]; ++i) to.field[f][place[i]] = field[f][i];
+        for (uint32_t i = 0; i < count && has_floor; ++i) to.floor[place[i]] = floor[i];
     }
     BatchArrays arrays(uint32_t first = 0) {
         BatchArrays a{};

@@ -246,10 +246,9 @@ private:
 template <class Move> void move_awake(const Batch& batch, uint32_t begin, uint32_t end, const Move& move) {
     const uint32_t first = std::max(begin, batch.awake()), past = std::min(end, batch.count());
     if (first >= past) return move();
-    const auto index = [first](uint32_t i) { return first + i; };
     BodyCopies<lane_block> kept;
-    kept.take(batch.arrays(), past - first, index);
+    kept.take(batch.arrays(), past - first, [first](uint32_t i) { return first + i; });
     move();
-    kept.put_back(batch.arrays(), index);
+    kept.put_back(batch.arrays());
 }
 } // namespace lr

@@ -148,9 +148,8 @@ void step_in_field(const FieldSlice& slice, const StepInput& in, const ContactRu
 }
 
 void StepApart::take(const StepInput& in, const BatchArrays& arrays) {
-    const auto at = [this](uint32_t i) { return index_[i]; };
-    copies_.take(arrays, count_, at);
-    copies_.take_forces(in.external, at, false);
+    copies_.take(arrays, count_, [this](uint32_t i) { return index_[i]; });
+    copies_.take_forces(in.external, false);
 }
 
 void StepApart::step(FieldSlice slice, StepInput in, Vector gravity, const BatchArrays& to, lr_batch batch,
@@ -166,8 +165,7 @@ void StepApart::step(FieldSlice slice, StepInput in, Vector gravity, const Batch
     slice.felt = felt_;
     slice.submerged = wet;
     step_in_field(slice, in, nullptr, arrays, batch, count_, 0, copies_.padded);
-    const auto at = [this](uint32_t i) { return index_[i]; };
-    copies_.put_back(to, at);
+    copies_.put_back(to);
     for (uint32_t i = 0; i < count_ && submerged && slice.surface && in.water; ++i)
         submerged[index_[i] - first] = wet[i];
 }

@@ -126,12 +126,11 @@ void step_near_colliders(const ContactRun& run, const StepInput& in, const Batch
         arrange(run.book, *run.step.colliders, near);
         const InScratch<States> copies;
         States& states = *copies;
-        const auto index = [&](uint32_t i) { return near.index(i); };
-        states.take(arrays, near.count(), index);
-        states.take_forces(in.external, index, true);
+        states.take(arrays, near.count(), [&](uint32_t i) { return near.index(i); });
+        states.take_forces(in.external, true);
         step_others(at, last, live, near.marks(), step);
         for (uint32_t first = 0; first < near.count(); first += lanes) step_group(run, in, batch, states, near, first);
-        states.put_back(arrays, index);
+        states.put_back(arrays);
     }
 }
 
@@ -155,8 +154,7 @@ void ContactPass::resolve(const float* submerged) {
     if (near_.count() == 0) return;
     const InScratch<States> copies;
     States& states = *copies;
-    const auto index = [this](uint32_t i) { return near_.index(i); };
-    states.take(*arrays_, near_.count(), index);
+    states.take(*arrays_, near_.count(), [this](uint32_t i) { return near_.index(i); });
     for (uint32_t first = 0; first < near_.count(); first += lanes) {
         const BatchArrays arrays = states.arrays(first);
         const InScratch<ContactGroup> group(run_->step, *in_, arrays, bodies_from(states, first));
@@ -166,6 +164,6 @@ void ContactPass::resolve(const float* submerged) {
             own[i] = submerged[near_.index(first + i) - begin_];
         touch(*run_, *group, states, near_, arrays, before, submerged ? own : nullptr, first, substep_, in_->faults);
     }
-    states.put_back(*arrays_, index);
+    states.put_back(*arrays_);
 }
 } // namespace lr

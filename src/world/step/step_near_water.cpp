@@ -24,20 +24,19 @@ NearBodies::NearBodies(const WaterStep& step, const StepInput& in, const BatchAr
     step.target->surface.near(step.surface->at(step.time.begin), step.surface->highest() + static_cast<float>(reach),
                               *in.water, static_cast<float>(dt), length(vector_of(step.gravity)), from, begin, end,
                               near_);
+    uint32_t index[field_block];
     for (uint32_t i = begin; i < std::min(end, live); ++i)
-        if (near_[i - begin] != 0) index_[count_++] = i;
+        if (near_[i - begin] != 0) index[count_++] = i;
     if (count_ == 0) return;
-    copies_.take(from, count_, [this](uint32_t i) { return index_[i]; });
-    copies_.take_forces(
-        in.external, [this](uint32_t i) { return index_[i]; }, forget);
+    copies_.take(from, count_, [&](uint32_t i) { return index[i]; });
+    copies_.take_forces(in.external, forget);
 }
 
 void NearBodies::set_wind(const float (&wind)[3][field_block], const FeltFlow* felt) {
     windy_ = true;
     felt_ = felt;
     for (size_t k = 0; k < 3; ++k)
-        copies_.gather(
-            wind[k], [this](uint32_t i) { return index_[i] - begin_; }, wind_[k]);
+        for (uint32_t i = 0; i < copies_.padded; ++i) wind_[k][i] = wind[k][copies_.place[i] - begin_];
 }
 
 void NearBodies::sample(double time, float h, lr_batch batch, const WaterBody& body, SurfaceInstant& plane,
@@ -47,7 +46,7 @@ void NearBodies::sample(double time, float h, lr_batch batch, const WaterBody& b
     if (step_->surface->callback()) step_->surface->ask(time, batch, count_, plane, block);
     for (uint32_t i = 0; i < count_ && felt_; ++i) {
         Vector flow = vector_in(block.velocity, 0, i);
-        felt_[index_[i] - begin_].walls.turn(
+        felt_[copies_.place[i] - begin_].walls.turn(
             flow, [&](const auto& turned) { put_in(block.rate, 0, i, turned(vector_in(block.rate, 0, i))); });
         put_in(block.velocity, 0, i, flow);
     }
@@ -81,8 +80,8 @@ void NearBodies::run(const StepInput& in, lr_batch batch, uint32_t first, uint32
 }
 
 void NearBodies::put_back(const BatchArrays& to, float* submerged) const {
-    for (uint32_t i = 0; i < count_ && submerged; ++i) submerged[index_[i] - begin_] = fraction_[i];
-    copies_.put_back(to, [this](uint32_t i) { return index_[i]; });
+    for (uint32_t i = 0; i < count_ && submerged; ++i) submerged[copies_.place[i] - begin_] = fraction_[i];
+    copies_.put_back(to);
 }
 
 void step_lanes(const KernelTarget& target, const WaterStep* surface, const StepTime& time, const StepInput& in,

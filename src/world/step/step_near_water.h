@@ -43,7 +43,6 @@ private:
     bool windy_ = false;
     const FeltFlow* felt_ = nullptr;
     alignas(64) uint32_t near_[field_block];
-    uint32_t index_[field_block];
     BodyCopies<field_block> copies_;
     alignas(64) float wind_[3][field_block];
     alignas(64) float fraction_[field_block];
