@@ -20,8 +20,8 @@ const char* wrong_in(const lr_batch_desc& d) {
     if (!in_range(d.variation, 0.0, 0.5)) return "variation is not 0 to 0.5";
     if (d.reserved != 0) return "reserved is not 0";
     Gains gains;
-    gains.damping = static_cast<double>(d.damping_gain);
-    gains.noise = static_cast<double>(d.noise_gain);
+    gains.damping = wide(d.damping_gain);
+    gains.noise = wide(d.noise_gain);
     return wrong_in(gains);
 }
 
@@ -33,12 +33,7 @@ uint64_t step_of(uint64_t stride, uint32_t bytes, const void* dst) {
 }
 
 TableHead head_of(const lr_turbulence_table& t) {
-    return {t.count,
-            t.stationary,
-            static_cast<double>(t.dt),
-            static_cast<double>(t.u0),
-            static_cast<double>(t.l),
-            static_cast<double>(t.c0)};
+    return {t.count, t.stationary, wide(t.dt), wide(t.u0), wide(t.l), wide(t.c0)};
 }
 
 Outcome check(const lr_turbulence_table& t) {
@@ -81,11 +76,11 @@ lr_status lr_batch_create(lr_world* world, const lr_batch_desc* desc, lr_batch* 
         if (!accepted(w)) return LR_ERROR_OUT_OF_MEMORY;
         BatchSettings settings;
         settings.desc = d;
-        settings.gains.damping = static_cast<double>(d.damping_gain);
-        settings.gains.noise = static_cast<double>(d.noise_gain);
+        settings.gains.damping = wide(d.damping_gain);
+        settings.gains.noise = wide(d.noise_gain);
         const AssetData& asset = d.asset->data;
-        settings.viscosity = w.fluid_viscosity > 0.0f ? static_cast<double>(w.fluid_viscosity) : asset.fluid_viscosity;
-        settings.fluid_density = w.fluid_density > 0.0f ? static_cast<double>(w.fluid_density) : asset.fluid_density;
+        settings.viscosity = w.fluid_viscosity > 0.0f ? wide(w.fluid_viscosity) : asset.fluid_viscosity;
+        settings.fluid_density = w.fluid_density > 0.0f ? wide(w.fluid_density) : asset.fluid_density;
         return w.create_batch(*d.asset, d.capacity, settings, handle);
     };
     return change(world, __func__, args(Required(out), desc), create);
@@ -258,10 +253,10 @@ lr_status lr_batch_set_load_gains(lr_world* world, lr_batch batch, const lr_load
         if (!finite(g.drag, g.lift, g.spin_drag, g.turbulence)) return LR_ERROR_NOT_FINITE;
         if (g.reserved != 0) return invalid("reserved is not 0");
         Gains all = b.gains();
-        all.drag = static_cast<double>(g.drag);
-        all.lift = static_cast<double>(g.lift);
-        all.spin_drag = static_cast<double>(g.spin_drag);
-        all.turbulence = static_cast<double>(g.turbulence);
+        all.drag = wide(g.drag);
+        all.lift = wide(g.lift);
+        all.spin_drag = wide(g.spin_drag);
+        all.turbulence = wide(g.turbulence);
         if (const char* why = wrong_in(all)) return invalid(why);
         return b.set_aerodynamics(b.aerodynamics(), all) ? LR_OK : LR_ERROR_INTERNAL;
     });

@@ -12,7 +12,7 @@ const char* wrong_in(const lr_ray& r) {
         return "flags are not bits LR_RAY_*";
     if (!within(r.origin, most_place)) return "origin is over 1e9 m";
     double square = 0.0;
-    for (float x : r.direction) square += static_cast<double>(x) * static_cast<double>(x);
+    for (float x : r.direction) square += wide(x) * wide(x);
     if (!in_range(square, 0.999e-12, 1.001e12)) return "direction is not 1e-6 to 1e6 long";
     if (!in_range(r.max_distance, 0.0, most_place)) return "max_distance is not 0 to 1e9 m";
     return r.reserved != 0 ? "reserved is not 0" : nullptr;
@@ -177,7 +177,7 @@ lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps) {
         if (t == 0.0f) return LR_ERROR_TIMESTEP_ZERO;
         if (t < 0.0f) return LR_ERROR_TIMESTEP_NEGATIVE;
         if (n == 0 || n > LR_MAX_SUBSTEPS) return LR_ERROR_SUBSTEPS;
-        if (static_cast<double>(t) / n > static_cast<double>(LR_MAX_SUBSTEP)) return LR_ERROR_TIMESTEP_TOO_LARGE;
+        if (wide(t) / n > wide(LR_MAX_SUBSTEP)) return LR_ERROR_TIMESTEP_TOO_LARGE;
         if (w.step(t, n, mode)) return {};
         return {LR_ERROR_OUT_OF_MEMORY, "out of memory: the step was taken, but bodies can pass through each other"};
     });

@@ -100,7 +100,7 @@ SurfaceInstant Water::at(double time) const {
         const double size = wide(from.length), amplitude = wide(from.amplitude);
         const double frequency = record_.frequency[i];
         const double carried = dot(along, time * to_double(vector_of(d.current)) + drift) * turn / size;
-        const double turns = (static_cast<double>(from.phase) - frequency * time - carried) / turn;
+        const double turns = (wide(from.phase) - frequency * time - carried) / turn;
         to.turns_per_m = static_cast<float>(1.0 / size);
         to.number = static_cast<float>(turn / size);
         to.turn = static_cast<float>(turns - std::floor(turns));

@@ -141,7 +141,7 @@ float WindField::fastest() const {
 // part: fraction of the step, 0 to 1.
 void WindField::uniform_at(const UniformWind& over, double part, double time, double (&wind)[3]) const {
     for (size_t k = 0; k < 3; ++k) {
-        const auto from = static_cast<double>(over.before[k]), to = static_cast<double>(over.wind[k]);
+        const auto from = wide(over.before[k]), to = wide(over.wind[k]);
         wind[k] = from + part * (to - from);
     }
     for (const Slot& slot : slots_)
@@ -184,7 +184,7 @@ void WindField::prepare(const StepTime& t, const UniformWind& over, uint32_t fir
             // + 0.0f removes negative zeros, so that a source without wind changes no bit.
             to.wind[k] = static_cast<float>(0.5 * (begin[k] + end[k])) + 0.0f;
             to.change[k] = static_cast<float>(end[k] - begin[k]) + 0.0f;
-            const auto before = static_cast<double>(over.before[k]), last = static_cast<double>(over.wind[k]);
+            const auto before = wide(over.before[k]), last = wide(over.wind[k]);
             carried.velocity[k] = before + part * (last - before);
             carried.way[k] = over.drift[k] + seconds * 0.5 * (before + carried.velocity[k]);
         }
@@ -200,15 +200,14 @@ void WindField::prepare_now(double time, uint64_t seed) {
         instants_[0].wind[k] = static_cast<float>(wind[k]) + 0.0f;
         instants_[0].change[k] = 0.0f;
         carried.way[k] = uniform.drift[k];
-        carried.velocity[k] = static_cast<double>(uniform.wind[k]);
+        carried.velocity[k] = wide(uniform.wind[k]);
     }
     fill(instants_[0], prepared_.data(), time, carried, seed);
 }
 
 void WindField::end_step(float dt) {
     for (size_t k = 0; k < 3; ++k) {
-        uniform.drift[k] += 0.5 * static_cast<double>(dt) *
-                            (static_cast<double>(uniform.before[k]) + static_cast<double>(uniform.wind[k]));
+        uniform.drift[k] += 0.5 * wide(dt) * (wide(uniform.before[k]) + wide(uniform.wind[k]));
         uniform.before[k] = uniform.wind[k];
     }
 }

@@ -49,10 +49,9 @@ bool slot_of(const SourceDesc& d, Double3& out) {
 
 // s, at least a nanosecond: its inverse must be finite in single precision.
 double duration(const SourceDesc& d) {
-    if (d.period > 0.0f) return std::max(static_cast<double>(d.period), 1e-9);
+    if (d.period > 0.0f) return std::max(wide(d.period), 1e-9);
     if (d.kind == SourceDesc::gusts) return gust_period;
-    if (d.kind == SourceDesc::turbulence)
-        return static_cast<double>(d.size) / std::max(static_cast<double>(d.speed), 1e-3);
+    if (d.kind == SourceDesc::turbulence) return wide(d.size) / std::max(wide(d.speed), 1e-3);
     return 1.0;
 }
 
@@ -189,8 +188,8 @@ void turbulence_at(const SourceDesc& desc, double time, double age, uint64_t wor
     double energy = 0.0, length = 0.0, part = 1.0, cell = 1.0;
     for (uint32_t o = 0; o < desc.octaves; ++o, part *= octave_energy, cell *= 0.5)
         energy += part, length += part * cell;
-    cell = static_cast<double>(desc.size) / (eddy_length * length / energy);
-    double strength = static_cast<double>(desc.speed) / (eddy_rms * std::sqrt(energy));
+    cell = wide(desc.size) / (eddy_length * length / energy);
+    double strength = wide(desc.speed) / (eddy_rms * std::sqrt(energy));
     double life = duration(desc);
     double axes[9] = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
     for (uint32_t o = 0; o < desc.octaves; ++o, cell *= 0.5, strength *= octave_amplitude, life *= octave_energy) {
@@ -205,8 +204,8 @@ void turbulence_at(const SourceDesc& desc, double time, double age, uint64_t wor
         s.inverse_spacing[0] = narrow(1.0 / cell);
         double way[3];
         for (size_t k = 0; k < 3; ++k) {
-            way[k] = carried.way[k] + time * static_cast<double>(desc.velocity[k]);
-            s.motion[k] = narrow(carried.velocity[k] + static_cast<double>(desc.velocity[k]));
+            way[k] = carried.way[k] + time * wide(desc.velocity[k]);
+            s.motion[k] = narrow(carried.velocity[k] + wide(desc.velocity[k]));
         }
         for (size_t i = 0; i < 3; ++i) {
             double moved = 0.0;
@@ -258,14 +257,14 @@ void WindSource::at(double time, uint64_t world_seed, const Carried& carried, So
         const float held = std::max(length, 1e-6f);
         return length > 0.0f ? 1.0f / (held * held) : 0.0f;
     };
-    const auto square = [](float v) { return static_cast<double>(v) * static_cast<double>(v); };
-    const double size = static_cast<double>(desc.size);
+    const auto square = [](float v) { return wide(v) * wide(v); };
+    const double size = wide(desc.size);
     // Above 1, so that rounding of the test cuts nothing off.
     constexpr double margin = 1.001;
     switch (desc.kind) {
     case SourceDesc::rankine:
     case SourceDesc::lamb_oseen:
-        s.strength = narrow(static_cast<double>(desc.circulation) * 0.15915494309189533577);
+        s.strength = narrow(wide(desc.circulation) * 0.15915494309189533577);
         s.inverse_radius_sq = limit(desc.radius);
         s.inverse_length_sq = limit(desc.half_length);
         if (desc.radius > 0.0f && desc.half_length > 0.0f)
@@ -276,10 +275,10 @@ void WindSource::at(double time, uint64_t world_seed, const Carried& carried, So
         s.strength = desc.speed;
         s.spread = desc.spread;
         s.range = desc.range;
-        const double half = 0.5 * static_cast<double>(desc.range);
+        const double half = 0.5 * wide(desc.range);
         put(to_float(position + half * direction), s.center);
-        const double across = 4.0 * (size + 2.0 * half * static_cast<double>(desc.spread)) + size;
-        const double slot = desc.kind == SourceDesc::line_blower ? static_cast<double>(desc.half_length) : 0.0;
+        const double across = 4.0 * (size + 2.0 * half * wide(desc.spread)) + size;
+        const double slot = desc.kind == SourceDesc::line_blower ? wide(desc.half_length) : 0.0;
         s.reach = narrow(margin * std::sqrt((half + size) * (half + size) + (across + slot) * (across + slot)));
         break;
     }
@@ -288,7 +287,7 @@ void WindSource::at(double time, uint64_t world_seed, const Carried& carried, So
         for (uint32_t i = 0; i < 3; ++i) {
             s.inverse_spacing[i] = 1.0f / desc.spacing[i];
             s.count[i] = static_cast<int32_t>(desc.counts[i]);
-            const double side_length = static_cast<double>(desc.spacing[i]) * (desc.counts[i] - 1.0);
+            const double side_length = wide(desc.spacing[i]) * (desc.counts[i] - 1.0);
             s.center[i] = narrow(position[i] + 0.5 * side_length);
             span += 0.25 * side_length * side_length;
         }
@@ -306,7 +305,7 @@ void WindSource::at(double time, uint64_t world_seed, const Carried& carried, So
     }
     case SourceDesc::ground:
         s.inverse_roughness = 1.0f / desc.size;
-        s.inverse_log = narrow(1.0 / shape::portable_log(1.0 + static_cast<double>(desc.reference_height) / size));
+        s.inverse_log = narrow(1.0 / shape::portable_log(1.0 + wide(desc.reference_height) / size));
         break;
     default:
         return turbulence_at(desc, time, age, world_seed, carried, out);

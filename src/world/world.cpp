@@ -182,7 +182,7 @@ uint32_t lr_world::take_key() {
 }
 
 void lr_world::schedule_batches(float dt, uint32_t substeps) {
-    const StepScheduler::Step step{step_count, substeps, static_cast<double>(dt) / substeps};
+    const StepScheduler::Step step{step_count, substeps, wide(dt) / substeps};
     pacing.begin();
     each_batch([&](Batch& batch, uint32_t slot) {
         if (batch.awake() == 0) {
@@ -190,7 +190,7 @@ void lr_world::schedule_batches(float dt, uint32_t substeps) {
             if (batch.count() != 0) batch.sleeping()->pass(batch.pace.behind(), 0);
             return batch.pace.skip();
         }
-        batch.pace.wait(static_cast<double>(dt), substeps, time, substep_count, wind.uniform);
+        batch.pace.wait(wide(dt), substeps, time, substep_count, wind.uniform);
         batch.external.forget_zeros(batch.awake());
         pacing.ask(batch, slot, step, colliders);
     });
@@ -222,7 +222,7 @@ void lr_world::fill_input(Batch& batch, const StepTime& t, uint64_t first_subste
 
 void lr_world::fill_step(Batch& batch, float dt, bool& unfit) {
     const BatchClock& pace = batch.pace;
-    const bool made_up = pace.behind() != static_cast<double>(dt); // several steps, or a part of this one
+    const bool made_up = pace.behind() != wide(dt); // several steps, or a part of this one
     const auto seconds = static_cast<float>(pace.behind());
     if (made_up && batch.external.pending()) batch.external.spread(dt / seconds, batch.awake());
     StepInput& in = batch.step;
@@ -245,7 +245,7 @@ bool lr_world::step(float dt, uint32_t substeps, const FloatMode& mode) {
         colliders.for_fresh([&](uint32_t slot) {
             if (sleeping) wake_at(slot);
         });
-        colliders.begin_step(static_cast<double>(dt), contact_reach(dt));
+        colliders.begin_step(wide(dt), contact_reach(dt));
         if (sleeping) colliders.for_moving([&](uint32_t slot) { wake_at(slot); });
     }
     // Phases with nothing to do are not timed: reading the clock is a tenth of the step of a single body.
@@ -284,7 +284,7 @@ bool lr_world::step(float dt, uint32_t substeps, const FloatMode& mode) {
     if (wind.active() && wind.take_blame())
         log(LR_LOG_WARNING, "wind callback", "a result was not finite or too large, and was taken as 0");
     if (flow_may_wake()) {
-        WakeByFlow(*this, items.data(), {time, static_cast<double>(dt) / substeps, 1}).run(mode);
+        WakeByFlow(*this, items.data(), {time, wide(dt) / substeps, 1}).run(mode);
         lap(timings.wake);
     }
     wind.end_step(dt);
@@ -295,8 +295,8 @@ bool lr_world::step(float dt, uint32_t substeps, const FloatMode& mode) {
         log(LR_LOG_WARNING, "water callback", "a result was invalid, and was replaced by the plane's");
     ++step_count;
     substep_count += substeps;
-    time += static_cast<double>(dt);
-    finish_batches(static_cast<double>(dt));
+    time += wide(dt);
+    finish_batches(wide(dt));
     wake_left(); // before events, which report it in this step
     if (events.on()) lap(timings.emit_and_rules);
     each_batch([&](Batch& batch, uint32_t slot) {

@@ -26,8 +26,7 @@ double reach_of(const lr_asset& asset) {
     double reach = std::max(wide(asset.shape.reach), 0.5 * a.length_d + norm(b[0], b[1], b[2]));
     const std::vector<float>& v = a.hull.vertices;
     for (size_t i = 0; i + 3 <= v.size(); i += 3)
-        reach = std::max(reach,
-                         norm(static_cast<double>(v[i]), static_cast<double>(v[i + 1]), static_cast<double>(v[i + 2])));
+        reach = std::max(reach, norm(wide(v[i]), wide(v[i + 1]), wide(v[i + 2])));
     return reach;
 }
 } // namespace
@@ -194,7 +193,7 @@ uint32_t Batch::wake(uint32_t index) {
     sleeping_->leave(slot);
     if (world_) uncover(*world_, *this, index, box);
     sleeping_->age_of(index, arrays_.field[field_age][index], arrays_.field[field_age_remainder][index]);
-    oldest_ = std::max(oldest_, static_cast<double>(arrays_.field[field_age][index]));
+    oldest_ = std::max(oldest_, wide(arrays_.field[field_age][index]));
     columns_.clear(index, index + 1, column_birth, 1);
     columns_.clear(index, index + 1, column_gust, wake_fields); // they held the wind withstood
     columns_.clear(index, index + 1, column_still_time, 1);
@@ -423,11 +422,11 @@ BodyState Batch::read(uint32_t index) const {
 
 void Batch::grow_older(double seconds) {
     oldest_ += seconds;
-    if (oldest_ <= static_cast<double>(most_age)) return;
+    if (oldest_ <= wide(most_age)) return;
     oldest_ = 0.0;
     for (uint32_t i = 0; i < awake_; ++i) {
         float& age = arrays_.field[field_age][i];
-        oldest_ = std::max(oldest_, static_cast<double>(age));
+        oldest_ = std::max(oldest_, wide(age));
         if (age <= most_age) continue;
         age = most_age;
         if (!is_held(arrays_.field[field_age_remainder][i])) arrays_.field[field_age_remainder][i] = 0.0f;
@@ -435,7 +434,7 @@ void Batch::grow_older(double seconds) {
 }
 
 void Batch::write(uint32_t index, const BodyState& state) {
-    oldest_ = std::max(oldest_, static_cast<double>(state.value[field_age]));
+    oldest_ = std::max(oldest_, wide(state.value[field_age]));
     for (size_t f = 0; f < field_count && arrays_.field[f]; ++f) arrays_.field[f][index] = state.value[f];
     if (arrays_.floor) arrays_.floor[index] = 0; // it may be on any side now
 }
@@ -474,10 +473,10 @@ const WaterBody* Batch::water_body(const lr_water_desc& surface, bool& failed) {
     if (!water_made_ || water_density_ != surface.density || water_viscosity_ != surface.viscosity) {
         water_density_ = surface.density;
         water_viscosity_ = surface.viscosity;
-        water_usable_ = make_water_body(asset_->data, aerodynamics_, settings_.gains, stationary_, asset_->diagonal,
-                                        settings_.fluid_density,
-                                        std::max(static_cast<double>(surface.density), settings_.fluid_density),
-                                        static_cast<double>(surface.viscosity), step.loads, step.body, water_);
+        water_usable_ =
+            make_water_body(asset_->data, aerodynamics_, settings_.gains, stationary_, asset_->diagonal,
+                            settings_.fluid_density, std::max(wide(surface.density), settings_.fluid_density),
+                            wide(surface.viscosity), step.loads, step.body, water_);
         water_made_ = true;
         failed = failed || !water_usable_;
     }
@@ -533,8 +532,8 @@ bool Batch::use_table(Buffer<float>& table, const TableHead& head, bool of_asset
     const uint32_t n = head.count;
     float *const chi = table.data(), *const epsilon = chi + n, *const alpha = epsilon + n, *const beta = alpha + n;
     for (uint32_t i = 0; i < n; ++i) {
-        alpha[i] = static_cast<float>(langevin_alpha(static_cast<double>(chi[i]), head.c0, settings_.gains));
-        beta[i] = static_cast<float>(langevin_beta_squared(static_cast<double>(epsilon[i]), head.c0, settings_.gains));
+        alpha[i] = static_cast<float>(langevin_alpha(wide(chi[i]), head.c0, settings_.gains));
+        beta[i] = static_cast<float>(langevin_beta_squared(wide(epsilon[i]), head.c0, settings_.gains));
     }
     step.table = {alpha, beta, static_cast<float>(1.0 / head.dt), static_cast<float>(n - 1),
                   settings_.desc.table_end == LR_TABLE_LOOP};

@@ -44,9 +44,7 @@ struct TableHead {
     uint32_t count = 0, stationary = 0;
     double dt = 0.0, u0 = 0.0, l = 0.0, c0 = 0.0;
 
-    TurbulenceSample sample(float chi, float epsilon) const {
-        return {static_cast<double>(chi), static_cast<double>(epsilon), u0, l, c0};
-    }
+    TurbulenceSample sample(float chi, float epsilon) const { return {wide(chi), wide(epsilon), u0, l, c0}; }
 };
 inline const char* wrong_in(const TableHead& t) {
     if (t.count == 0 || t.count > 65536) return "count is not 1 to 65536";

@@ -47,15 +47,15 @@ void ExternalForces::fill(ExternalInput& in) const {
 
 Kick impulse_response(const BodyConstants& body, double scale, const Kick& impulse) {
     // Kernel units: linear/(U s^3), angular/(U s^3 d s); u = d s w.
-    const double length = static_cast<double>(body.length) * scale;
-    const double mass = static_cast<double>(body.unit_mass) * scale * scale * scale;
+    const double length = wide(body.length) * scale;
+    const double mass = wide(body.unit_mass) * scale * scale * scale;
     const Double3 linear = impulse.v / mass, angular = impulse.w / (mass * length);
     const double p[6] = {linear.x, linear.y, linear.z, angular.x, angular.y, angular.z};
     double t[6] = {};
     size_t n = 0; // of the upper triangle
     for (size_t i = 0; i < 6; ++i)
         for (size_t j = i; j < 6; ++j, ++n) {
-            const double entry = static_cast<double>(body.full_inverse[n]);
+            const double entry = wide(body.full_inverse[n]);
             t[i] += entry * p[j];
             if (j != i) t[j] += entry * p[i];
         }

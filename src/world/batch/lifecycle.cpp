@@ -157,11 +157,11 @@ void Lifecycle::end_bodies(Batch& batch, lr_world& world) {
 
 void Lifecycle::spawn_due(Batch& batch, lr_world& world, double dt) {
     const lr_emitter_desc& d = state_.emitter;
-    state_.due += static_cast<double>(d.rate) * dt;
+    state_.due += wide(d.rate) * dt;
     double births = std::floor(state_.due);
     state_.due -= births;
     if (d.burst_count != 0) {
-        const double interval = static_cast<double>(d.burst_interval);
+        const double interval = wide(d.burst_interval);
         state_.burst_clock += dt;
         const double bursts = std::floor(state_.burst_clock / interval);
         state_.burst_clock = std::max(state_.burst_clock - bursts * interval, 0.0);

@@ -77,9 +77,9 @@ void SleepingBodies::enter(uint32_t index, uint32_t slot, Vector position, float
 }
 
 void SleepingBodies::age_of(uint32_t index, float& age, float& age_remainder) const {
-    const double exact = std::clamp(state_.clock - births_[index], 0.0, static_cast<double>(most_age));
+    const double exact = std::clamp(state_.clock - births_[index], 0.0, wide(most_age));
     age = static_cast<float>(exact);
-    age_remainder = age >= plain_age ? static_cast<float>(static_cast<double>(age) - exact) : 0.0f;
+    age_remainder = age >= plain_age ? static_cast<float>(wide(age) - exact) : 0.0f;
 }
 
 bool SleepingBodies::pass(double seconds, uint32_t steps) {
@@ -121,7 +121,7 @@ bool SleepingBodies::consistent(const State& s) {
 }
 
 bool SleepingBodies::consistent(const State& s, double birth) {
-    return in_range(birth, -(static_cast<double>(most_age) + slack), s.clock + slack);
+    return in_range(birth, -(wide(most_age) + slack), s.clock + slack);
 }
 
 SleepingNeighbours::SleepingNeighbours(const lr_world& world, uint32_t slot, float nearer)

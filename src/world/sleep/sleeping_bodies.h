@@ -34,9 +34,7 @@ public:
     bool has_box(uint32_t slot) const { return boxes_[slot].low.x == boxes_[slot].low.x; }
     void set_box(uint32_t slot, const Box& box) { boxes_[slot] = box; }
     void forget_box(uint32_t slot);
-    double birth_of(float age, float age_remainder) const {
-        return state_.clock - (static_cast<double>(age) - static_cast<double>(age_remainder));
-    }
+    double birth_of(float age, float age_remainder) const { return state_.clock - (wide(age) - wide(age_remainder)); }
     // age_remainder: rounding error of the age, carried as in the kernel.
     void age_of(uint32_t index, float& age, float& age_remainder) const;
 

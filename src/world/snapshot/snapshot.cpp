@@ -221,7 +221,7 @@ public:
         forget_other_boxes(b, s);
         move_batch(h, b, to_live);
         ++b.revision_;
-        b.oldest_ = static_cast<double>(most_age);
+        b.oldest_ = wide(most_age);
         b.columns_.clear(h.count, before);
         for (uint32_t piece = 0; piece < piece_chi; ++piece) {
             const uint64_t bytes = piece_bytes(h, piece);
