@@ -19,10 +19,7 @@ const char* wrong_in(const lr_batch_desc& d) {
     if (!one_of(d.integrator, LR_INTEGRATOR_SPLITTING)) return "unknown integrator";
     if (!in_range(d.variation, 0.0, 0.5)) return "variation is not 0 to 0.5";
     if (d.reserved != 0) return "reserved is not 0";
-    Gains gains;
-    gains.damping = wide(d.damping_gain);
-    gains.noise = wide(d.noise_gain);
-    return wrong_in(gains);
+    return wrong_in(Gains{.damping = wide(d.damping_gain), .noise = wide(d.noise_gain)});
 }
 
 // Distance between written elements; 0 if stride or alignment does not fit elements of `bytes`.
@@ -76,8 +73,7 @@ lr_status lr_batch_create(lr_world* world, const lr_batch_desc* desc, lr_batch* 
         if (!accepted(w)) return LR_ERROR_OUT_OF_MEMORY;
         BatchSettings settings;
         settings.desc = d;
-        settings.gains.damping = wide(d.damping_gain);
-        settings.gains.noise = wide(d.noise_gain);
+        settings.gains = {.damping = wide(d.damping_gain), .noise = wide(d.noise_gain)};
         const AssetData& asset = d.asset->data;
         settings.viscosity = w.fluid_viscosity > 0.0f ? wide(w.fluid_viscosity) : asset.fluid_viscosity;
         settings.fluid_density = w.fluid_density > 0.0f ? wide(w.fluid_density) : asset.fluid_density;

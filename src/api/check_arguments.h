@@ -52,9 +52,6 @@ inline lr_status check_size(const void* given, size_t own, size_t first) {
         if (bytes[i] != 0) return LR_ERROR_STRUCT_SIZE;
     return LR_OK;
 }
-inline lr_status check_size(const void* given, size_t own) {
-    return check_size(given, own, own);
-}
 template <class T> lr_status check_size(const T* given) {
     return check_size(given, sizeof(T), first_size<T>);
 }

@@ -29,8 +29,7 @@ Outcome check_mesh(const lr_collider_desc& d) {
     if (d.triangle_count < 1 || d.triangle_count > LR_MAX_COLLIDER_VERTICES)
         return invalid("triangle_count is out of range");
     if (!d.indices) return LR_ERROR_NULL_ARGUMENT;
-    const Outcome vertices = check_vertices(d, 3, LR_MAX_COLLIDER_VERTICES);
-    if (vertices.refused()) return vertices;
+    if (const Outcome outcome = check_vertices(d, 3, LR_MAX_COLLIDER_VERTICES); outcome.refused()) return outcome;
     for (uint64_t i = 0; i < uint64_t{3} * d.triangle_count; ++i)
         if (d.indices[i] >= d.vertex_count) return invalid("an index is not less than vertex_count");
     return {};

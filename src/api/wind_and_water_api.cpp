@@ -46,7 +46,7 @@ lr_status update_source(lr_world* world, const char* name, lr_wind_source source
 lr_status get_source(const lr_world* world, const char* name, lr_wind_source source, const SourceType& type,
                      void* out) {
     return query(world, name, args(source), [&](const lr_world& w, Wind at) -> Outcome {
-        if (const lr_status status = check_size(out, type.size); status != LR_OK) return status;
+        if (const lr_status status = check_size(out, type.size, type.size); status != LR_OK) return status;
         if (is_other(w, at, type)) return invalid(other_kind);
         const WindSource& held = *w.wind.find(at.source);
         // Where it is now: a caller that changes something and updates does not move it back.

@@ -12,7 +12,7 @@
 #include "kernel/derived_constants-inl.h"
 #include "kernel/integrator/equations_of_motion-inl.h"
 #include "kernel/integrator/splitting_scheme-inl.h"
-#include "kernel/integrator/substep-inl.h"
+#include "kernel/integrator/step_bodies-inl.h"
 #include "kernel/loads/aerodynamic_loads-inl.h"
 #include "kernel/water/water_loads.h"
 

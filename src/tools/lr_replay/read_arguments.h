@@ -1,4 +1,4 @@
-// Reads the arguments of a recorded call, which api/recorded_call.h writes. Throws FaultId::malformed.
+// Reads the arguments of a recorded call, which api/checked_call.h writes. Throws FaultId::malformed.
 #pragma once
 
 #include "recording/recording_format.h"

@@ -19,7 +19,7 @@ template <class H> uint64_t output_of(const std::vector<H>& ids, Scene& scene) {
     return hash.value();
 }
 
-// Reads an argument as api/recorded_call.h writes it.
+// Reads an argument as api/checked_call.h writes it.
 template <class T> struct Read {
     explicit Read(Arguments& from) : v(from.value<T>()) {}
     T get() { return v; }
