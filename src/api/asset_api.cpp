@@ -68,7 +68,6 @@ lr_status finish(AssetData&& data, double intensity, const std::array<double, 3>
 lr_status create(const lr_ellipsoid_desc& d, lr_asset*& out, Faults& faults) {
     if (!finite(d.semi_axes, d.center_of_mass, d.density, d.fluid_density, d.fluid_viscosity, d.intensity))
         return LR_ERROR_NOT_FINITE;
-    if (d.reserved != 0) return LR_ERROR_INVALID_ARGUMENT;
     shape::EllipsoidSpec spec;
     std::copy(d.semi_axes, d.semi_axes + 3, spec.semi_axes.begin());
     std::copy(d.center_of_mass, d.center_of_mass + 3, spec.center_of_mass.begin());
@@ -85,7 +84,7 @@ bool possible(const lr_rigid_desc& d, Faults& faults) {
     const auto good = [&](double value, double low, double high, const char* name) {
         return shape::in_range(value, low, high, name, faults);
     };
-    return d.reserved == 0 && good(d.mass, 1e-18, 1e12, "mass") && good(d.volume, 1e-21, 1e12, "volume") &&
+    return good(d.mass, 1e-18, 1e12, "mass") && good(d.volume, 1e-21, 1e12, "volume") &&
            good(d.fluid_density, 1e-3, 1e6, "fluid_density") && good(d.fluid_viscosity, 1e-9, 1e3, "fluid_viscosity") &&
            good(d.intensity, 0.0, 10.0, "intensity") &&
            std::all_of(d.extents, d.extents + 3, [&](double e) { return good(e, 1e-8, 1e4, "extents"); });
@@ -123,8 +122,8 @@ lr_status create(const lr_rigid_desc& d, lr_asset*& out, Faults& faults) {
 template <class Desc> lr_status create_asset(const char* function, const Desc* desc, lr_asset** out) {
     return make_asset(function, desc, out, [&](lr_asset*& asset, Faults& faults) {
         Desc d;
-        const lr_status status = read_struct(desc, d);
-        return status == LR_OK ? create(d, asset, faults) : status;
+        const Outcome outcome = read_struct(desc, d);
+        return outcome.refused() ? outcome.status : create(d, asset, faults);
     });
 }
 

@@ -18,7 +18,6 @@ const char* wrong_in(const lr_batch_desc& d) {
     if (!one_of(d.table_end, LR_TABLE_LOOP)) return "unknown table_end";
     if (!one_of(d.integrator, LR_INTEGRATOR_SPLITTING)) return "unknown integrator";
     if (!in_range(d.variation, 0.0, 0.5)) return "variation is not 0 to 0.5";
-    if (d.reserved != 0) return "reserved is not 0";
     return wrong_in(Gains{.damping = wide(d.damping_gain), .noise = wide(d.noise_gain)});
 }
 
@@ -37,7 +36,6 @@ Outcome check(const lr_turbulence_table& t) {
     if (!finite(t.dt, t.u0, t.l, t.c0)) return LR_ERROR_NOT_FINITE;
     const TableHead head = head_of(t);
     if (const char* why = wrong_in(head)) return invalid(why);
-    if (t.reserved != 0) return invalid("reserved is not 0");
     if (!t.chi || !t.epsilon) return LR_ERROR_NULL_ARGUMENT;
     for (uint32_t i = 0; i < t.count; ++i) {
         if (!finite(t.chi[i], t.epsilon[i])) return LR_ERROR_NOT_FINITE;
@@ -247,7 +245,6 @@ lr_status lr_batch_set_load_gains(lr_world* world, lr_batch batch, const lr_load
         lr_load_gains_init(&g, sizeof g);
         if (given) g = *given;
         if (!finite(g.drag, g.lift, g.spin_drag, g.turbulence)) return LR_ERROR_NOT_FINITE;
-        if (g.reserved != 0) return invalid("reserved is not 0");
         Gains all = b.gains();
         all.drag = wide(g.drag);
         all.lift = wide(g.lift);

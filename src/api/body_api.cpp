@@ -15,8 +15,6 @@ template <class T> const char* wrong_in(const T& s) {
     if (!(s.scale >= least_scale && s.scale <= most_scale)) return "scale is not 0.001 to 1000";
     if (!(s.age >= 0.0f && s.age <= most_age)) return "age is not 0 to 1e9 s";
     if (!normalisable(s.orientation)) return "orientation cannot be normalised";
-    if constexpr (requires { s.reserved; })
-        if (s.reserved != 0) return "reserved is not 0";
     return nullptr;
 }
 template <class T> BodyState to_storage(const T& s) {
@@ -132,7 +130,6 @@ const char* wrong_in(const lr_body_force& f) {
     if (f.flags & ~uint32_t{LR_FORCE_AT_POINT}) return "unknown flags";
     if ((f.flags & LR_FORCE_AT_POINT) && (f.mode == LR_FORCE_MODE_ACCELERATION || f.mode == LR_FORCE_MODE_VELOCITY))
         return "only forces and impulses act at a point";
-    if (f.reserved != 0) return "reserved is not 0";
     return nullptr;
 }
 
@@ -386,7 +383,6 @@ lr_status lr_batch_set_force(lr_world* world, lr_batch batch, const lr_batch_for
         if (f) {
             each_force(*f, [&](const float(&v)[3], size_t at) { std::copy(v, v + 3, values + at); });
             if (!finite(values)) return LR_ERROR_NOT_FINITE;
-            if (f->reserved != 0) return invalid("reserved is not 0");
             if (const char* why = wrong_batch_force(values)) return invalid(why);
         }
         // In stored form, where -0 is 0.

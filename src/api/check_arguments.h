@@ -57,40 +57,34 @@ template <class T> lr_status check_size(const T* given) {
 }
 
 // After check_size(). The copy has this header's struct_size, or that of the first release and leaves later fields of `out`, because snapshots and
-// recordings contain it.
+// recordings contain it. own: size in this header.
+inline void copy_struct(const void* given, void* out, size_t own) {
+    uint32_t size = 0;
+    std::memcpy(&size, given, sizeof size);
+    size = std::min(size, static_cast<uint32_t>(own));
+    std::memcpy(out, given, size);
+    std::memcpy(out, &size, sizeof size);
+}
 template <class T> void copy_struct(const T* given, T& out) {
-    const size_t size = std::min<size_t>(given->struct_size, sizeof(T));
-    std::memcpy(static_cast<void*>(&out), given, size);
-    out.struct_size = static_cast<uint32_t>(size);
-}
-template <class T> lr_status read_struct(const T* given, T& out) {
-    const lr_status status = check_size(given);
-    if (given && status == LR_OK) copy_struct(given, out);
-    return status;
+    copy_struct(given, static_cast<void*>(&out), sizeof(T));
 }
 
-// An array of structs. The stride is the struct_size of the first; all elements must have the same.
-template <class T> class ArrayOf {
-public:
-    explicit ArrayOf(const T* first) : first_(first), stride_(first->struct_size) {}
-    lr_status read(uint32_t i, T& out) const {
-        const auto* const bytes = reinterpret_cast<const unsigned char*>(first_) + uint64_t{stride_} * i;
-        // First: an element with a larger struct_size than the stride would be read past the array's end.
-        uint32_t size = 0;
-        std::memcpy(&size, bytes, sizeof size);
-        if (size != stride_) return LR_ERROR_STRUCT_SIZE;
-        return read_struct(reinterpret_cast<const T*>(bytes), out);
+// reserved: offset of a field that must be 0; `own` without one.
+inline Outcome read_struct(const void* given, void* out, size_t own, size_t first, size_t reserved) {
+    if (const lr_status status = check_size(given, own, first); status != LR_OK) return status;
+    copy_struct(given, out, own);
+    uint32_t value = 0;
+    if (reserved < own) std::memcpy(&value, static_cast<unsigned char*>(out) + reserved, sizeof value);
+    return invalid(value != 0 ? "reserved is not 0" : nullptr);
+}
+template <class T> Outcome read_struct(const T* given, T& out) {
+    size_t reserved = sizeof(T);
+    if constexpr (requires { out.reserved; }) {
+        static_assert(sizeof out.reserved == sizeof(uint32_t));
+        reserved = offsetof(T, reserved);
     }
-    // An element that read() has accepted.
-    void copy(uint32_t i, T& out) const {
-        copy_struct(reinterpret_cast<const T*>(reinterpret_cast<const unsigned char*>(first_) + uint64_t{stride_} * i),
-                    out);
-    }
-
-private:
-    const T* first_;
-    uint32_t stride_;
-};
+    return read_struct(given, static_cast<void*>(&out), sizeof(T), first_size<T>, reserved);
+}
 
 // After check_size(). Writes a result but keeps the caller's struct_size.
 template <class T> void write_struct(const T& from, T* to) {

@@ -26,6 +26,36 @@ concept Handle = requires(T handle) {
     handle.id;
 };
 
+// An array of structs with a struct_size, which is that of the first: all must have the same. A call accepts all elements or none: it checks each before
+// it uses the first.
+template <Sized S> struct Structs {
+    const S* first;
+    uint32_t count;
+    const S* at(uint32_t i) const {
+        return reinterpret_cast<const S*>(reinterpret_cast<const unsigned char*>(first) +
+                                          uint64_t{first->struct_size} * i);
+    }
+    template <class Check> Outcome check(Check&& each) const { // stops at the first refused element
+        S one{};
+        for (uint32_t i = 0; i < count; ++i) {
+            // First: an element with a larger struct_size than the stride would be read past the array's end.
+            uint32_t size = 0;
+            std::memcpy(&size, at(i), sizeof size);
+            Outcome outcome = size == first->struct_size ? read_struct(at(i), one) : LR_ERROR_STRUCT_SIZE;
+            if (!outcome.refused()) outcome = each(one);
+            if (outcome.refused()) return outcome;
+        }
+        return {};
+    }
+    template <class Use> void visit(Use&& use) const { // after check()
+        check([&](const S& one) {
+            use(one);
+            return Outcome{};
+        });
+    }
+};
+template <Sized S> Structs(const S*, uint32_t) -> Structs<S>; // clang 14 needs these
+
 // Writes one call to a recording: its arguments before it runs, its outputs afterwards. record_argument() of each argument runs in up to four passes: ask (does the call pass pointers?), survey (write large arrays as records of their
 // own), write (the arguments), output (the results). Only survey and write read the caller's memory; they run after accepted(), because pointers are
 // not validated before.
@@ -105,14 +135,13 @@ public:
         return true;
     }
     // `each` records the arrays that an element points to.
-    template <class T, class Each> void structures(const T* given, uint32_t count, Each&& each) {
-        value(count);
-        if (!reads(count != 0 ? given : nullptr)) return;
+    template <class S, class Each> void structures(const Structs<S>& all, Each&& each) {
+        value(all.count);
+        if (!reads(all.count != 0 ? all.first : nullptr)) return;
         value(static_cast<uint32_t>(recording::Where::here));
-        const ArrayOf<T> all(given);
-        T one;
-        for (uint32_t i = 0; i < count; ++i) {
-            all.copy(i, one);
+        S one;
+        for (uint32_t i = 0; i < all.count; ++i) {
+            copy_struct(all.at(i), one);
             write(one);
             each(one);
         }
@@ -171,27 +200,6 @@ private:
 
 // Argument types of calls and how each is recorded, for calls of the host and for calls that set up a recording's initial state.
 
-// An array of structs with a struct_size. A call accepts all elements or none: it checks each before it uses the first.
-template <Sized S> struct Structs {
-    const S* first;
-    uint32_t count;
-    template <class Check> Outcome check(Check&& each) const { // stops at the first refused element
-        S one{};
-        for (uint32_t i = 0; i < count; ++i) {
-            Outcome outcome = ArrayOf<S>(first).read(i, one);
-            if (!outcome.refused()) outcome = each(one);
-            if (outcome.refused()) return outcome;
-        }
-        return {};
-    }
-    template <class Use> void visit(Use&& use) const { // after check()
-        check([&](const S& one) {
-            use(one);
-            return Outcome{};
-        });
-    }
-};
-template <Sized S> Structs(const S*, uint32_t) -> Structs<S>; // clang 14 needs these
 template <class H> struct Handles {
     const H* first;
     uint32_t count;
@@ -229,7 +237,7 @@ inline void record_argument(Call& call, const float* three) {
     call.array(three, 3 * sizeof(float));
 }
 template <class S> void record_argument(Call& call, const Structs<S>& all) {
-    call.structures(all.first, all.count, [](const S&) {});
+    call.structures(all, [](const S&) {});
 }
 template <class H> void record_argument(Call& call, const Handles<H>& all) {
     call.value(all.count);
@@ -270,7 +278,7 @@ inline void record_argument(Call& call, const SourceOf& given) {
 
 // Includes the arrays that each kind of collider uses.
 inline void record_argument(Call& call, const Structs<lr_collider_desc>& all) {
-    call.structures(all.first, all.count, [&](const lr_collider_desc& d) {
+    call.structures(all, [&](const lr_collider_desc& d) {
         const bool mesh = d.kind == LR_COLLIDER_MESH, field = d.kind == LR_COLLIDER_HEIGHTFIELD;
         call.shared_array(mesh || d.kind == LR_COLLIDER_HULL ? d.vertices : nullptr, 12 * uint64_t{d.vertex_count});
         call.shared_array(mesh ? d.indices : nullptr, 12 * uint64_t{d.triangle_count});

@@ -86,7 +86,6 @@ Outcome check_desc(const lr_collider_desc& d, const lr_collider_desc& before) {
 
 Outcome check_motion(const lr_collider_motion& m) {
     if (m.mode < LR_MOVE_TO || m.mode > LR_MOVE_VELOCITY) return invalid("unknown mode of motion");
-    if (m.reserved != 0) return invalid("reserved is not 0");
     if (!finite(m.position, m.orientation, m.linear_velocity, m.angular_velocity)) return LR_ERROR_NOT_FINITE;
     if (m.mode != LR_MOVE_VELOCITY)
         if (const char* why = wrong_pose(m.position, m.orientation)) return invalid(why);

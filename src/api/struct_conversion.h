@@ -39,15 +39,13 @@ inline lr_aerodynamics to_struct(const AerodynamicData& from) {
 // Checks no ranges; wrong_in does. out: fields that an older caller's struct lacks keep their values.
 inline lr_status read_loads(const lr_aerodynamics* from, AerodynamicData& out) {
     lr_aerodynamics a = to_struct(out);
-    const lr_status status = read_struct(from, a);
-    if (status != LR_OK) return status;
+    if (const Outcome outcome = read_struct(from, a); outcome.refused()) return outcome.status;
     bool all_finite = true;
     pair_up(out, a, [&](auto& data, const auto& at) {
         all_finite = all_finite && finite(at);
         copy_numbers(at, data);
     });
-    if (!all_finite) return LR_ERROR_NOT_FINITE;
-    return a.reserved == 0 ? LR_OK : LR_ERROR_INVALID_ARGUMENT;
+    return all_finite ? LR_OK : LR_ERROR_NOT_FINITE;
 }
 
 // A velocity in the world frame, from storage in the body frame.

@@ -15,7 +15,7 @@ const char* wrong_in(const lr_ray& r) {
     for (float x : r.direction) square += wide(x) * wide(x);
     if (!in_range(square, 0.999e-12, 1.001e12)) return "direction is not 1e-6 to 1e6 long";
     if (!in_range(r.max_distance, 0.0, most_place)) return "max_distance is not 0 to 1e9 m";
-    return r.reserved != 0 ? "reserved is not 0" : nullptr;
+    return nullptr;
 }
 
 const char* wrong_in(const lr_overlap_desc& d) {
@@ -24,7 +24,7 @@ const char* wrong_in(const lr_overlap_desc& d) {
     if (!normalisable(d.orientation)) return "orientation cannot be normalised";
     for (int k = 0; k < (d.shape == LR_OVERLAP_SPHERE ? 1 : 3); ++k)
         if (!(d.size[k] > 0.0f) || !in_range(d.size[k], 0.0, most_size)) return "size is not above 0 and up to 1e6 m";
-    return d.reserved != 0 ? "reserved is not 0" : nullptr;
+    return nullptr;
 }
 
 bool known_simd(int32_t target) {
@@ -40,7 +40,7 @@ const char* wrong_in(const lr_world_desc& d) {
     if (!d.allocator.allocate != !d.allocator.release) return "`allocator` needs both functions or none";
     if (!d.jobs.enqueue != !d.jobs.finish) return "`jobs` needs both functions or none";
     if ((d.checks & ~uint32_t{LR_CHECK_THREADS}) != 0) return "unknown checks";
-    return d.reserved != 0 ? "reserved is not 0" : wrong_gravity(d.gravity);
+    return wrong_gravity(d.gravity);
 }
 
 // Records a call that recreates a part of the world. False when out of memory.
@@ -111,15 +111,15 @@ lr_status lr_world_create(const lr_world_desc* desc, lr_world** out) {
     if (out) *out = nullptr;
     const auto create = [&]() -> Outcome {
         lr_world_desc d{};
-        lr_status status = out ? read_struct(desc, d) : LR_ERROR_NULL_ARGUMENT;
-        if (status != LR_OK) return status;
+        if (!out) return LR_ERROR_NULL_ARGUMENT;
+        if (const Outcome outcome = read_struct(desc, d); outcome.refused()) return outcome;
         if (!finite(d.gravity, d.fluid_density, d.fluid_viscosity)) return LR_ERROR_NOT_FINITE;
         if (const char* why = wrong_in(d)) return invalid(why);
-        status = guarded([&] {
+        return guarded([&] {
+            lr_status status = LR_OK;
             *out = lr_world::create(d, status);
             return status;
         });
-        return status;
     };
     return note_refusal("lr_world_create", create());
 }
@@ -231,8 +231,7 @@ lr_status lr_world_snapshot_restore(lr_world* world, const void* memory, uint64_
 lr_status lr_world_record_start(lr_world* world, const lr_recording_desc* desc) {
     return query(world, __func__, args(desc), [world](const lr_world&, const lr_recording_desc& d) -> Outcome {
         if (!d.write) return {LR_ERROR_NULL_ARGUMENT, "desc->write is null"};
-        if ((d.flags & ~uint32_t{LR_RECORD_CALLBACKS}) != 0 || d.reserved != 0)
-            return invalid("unknown flags, or reserved is not 0");
+        if ((d.flags & ~uint32_t{LR_RECORD_CALLBACKS}) != 0) return invalid("unknown flags");
         if (world->recorder) return invalid("the world is already being recorded");
         recording::Recorder* const recorder = recording::Recorder::create(world->allocator, d);
         if (!recorder) return LR_ERROR_OUT_OF_MEMORY;
