@@ -56,6 +56,22 @@ template <Sized S> struct Structs {
 };
 template <Sized S> Structs(const S*, uint32_t) -> Structs<S>; // clang 14 needs these
 
+// A function object by reference: what is common to all calls is compiled once.
+template <class Signature> class Ref;
+template <class R, class... A> class Ref<R(A...)> {
+public:
+    template <class F>
+    Ref(const F& f)
+        : object_(&f), call_([](const void* object, A... a) -> R { return (*static_cast<const F*>(object))(a...); }) {}
+    R operator()(A... a) const { return call_(object_, a...); }
+
+private:
+    const void* object_;
+    R (*call_)(const void*, A...);
+};
+class Call;
+using Record = Ref<void(Call&)>; // calls record_argument() for each argument
+
 // Writes one call to a recording: its arguments before it runs, its outputs afterwards. record_argument() of each argument runs in up to four passes: ask (does the call pass pointers?), survey (write large arrays as records of their
 // own), write (the arguments), output (the results). Only survey and write read the caller's memory; they run after accepted(), because pointers are
 // not validated before.
@@ -67,12 +83,12 @@ public:
         : recorder_(&recorder), op_(recording::op_of(function)), kind_(kind) {}
 
     // Whether the call passes non-null pointers.
-    template <class Record> bool names_memory(Record&& record) {
+    bool names_memory(Record record) {
         record(*this);
         return names_memory_;
     }
     // False when out of memory for the data behind the pointers. The call must then be refused: a replay could not continue.
-    template <class Record> bool arguments(Record&& record) {
+    bool arguments(Record record) {
         pass_ = Pass::survey;
         record(*this);
         open(starved_ ? recording::call_cut : uint16_t{0});
@@ -87,7 +103,7 @@ public:
         close();
     }
     bool recorded() const { return recorded_; }
-    template <class Record> void result(Record&& record, lr_status status, const lr_world& world) {
+    void result(Record record, lr_status status, const lr_world& world) {
         pass_ = Pass::output;
         if (status == LR_OK) record(*this);
         recorder_->result(op_, status, output_, world);
@@ -427,9 +443,8 @@ template <class F, class R, class W, class... P> struct Wants<R (F::*)(W&, P...)
 };
 
 // Checks the arguments and calls the lambda if they are valid. A lambda that returns void cannot fail.
-template <class W, class F, class... A>
-lr_status carry_out(W& world, const char* function, const std::tuple<A...>& given, const F& f) {
-    const FloatMode mode;
+template <class W, class F, class... A> Outcome carry_out(W& world, const std::tuple<A...>& given, const F& f) {
+    auto all = std::apply([](const A&... one) { return Wants<F>::take(one...); }, given);
     const auto call = [&](auto&... taken) {
         Outcome outcome;
         if (((outcome = taken.take(world)).refused() || ...)) return outcome;
@@ -440,15 +455,7 @@ lr_status carry_out(W& world, const char* function, const std::tuple<A...>& give
         if (!outcome.refused()) (taken.finish(), ...);
         return outcome;
     };
-    const char* why = nullptr;
-    const lr_status status = guarded([&] {
-        auto all = std::apply([](const A&... one) { return Wants<F>::take(one...); }, given);
-        const Outcome outcome = std::apply(call, all);
-        why = outcome.why;
-        return outcome.status;
-    });
-    if (status != LR_OK) world.log(LR_LOG_ERROR, function, why ? why : lr_status_string(status));
-    return status;
+    return std::apply(call, all);
 }
 
 // Whether a handle is valid.
@@ -459,37 +466,20 @@ template <class T, class H> int32_t is_valid(const lr_world* world, const char* 
 }
 
 // A call that does not change the world; recordings omit it.
+lr_status query(const lr_world* world, const char* function, Ref<Outcome()> body);
 template <class F, class... A>
 lr_status query(const lr_world* world, const char* function, const std::tuple<A...>& given, const F& f) {
-    if (!world) return note_refusal(function, {LR_ERROR_NULL_ARGUMENT, "world is null"});
-    const Entry entry(*world, function);
-    return entry.status() == LR_OK ? carry_out(*world, function, given, f) : entry.status();
+    return query(world, function, [&] { return carry_out(*world, given, f); });
 }
 
 // A call that can change the world. Without pointer arguments it is recorded at once. With pointers it is recorded by accepted(), or at the latest on
 // success. A refused call, whose pointers can be invalid, is recorded without arguments.
+lr_status change(lr_world* world, const char* function, Record record, Ref<Outcome()> body);
 template <class F, class... A>
 lr_status change(lr_world* world, const char* function, const std::tuple<A...>& given, const F& f) {
-    if (!world) return note_refusal(function, {LR_ERROR_NULL_ARGUMENT, "world is null"});
-    const Entry entry(*world, function);
-    if (entry.status() != LR_OK) return entry.status();
-    recording::Recorder* const recorder = world->recorder;
-    if (!recorder) return carry_out(*world, function, given, f);
-    Call call(*recorder, function);
-    const auto record_all = [&](Call& c) {
-        std::apply([&](const A&... all) { (record_argument(c, all), ...); }, given);
+    const auto record = [&](Call& call) {
+        std::apply([&](const A&... all) { (record_argument(call, all), ...); }, given);
     };
-    const auto record = [&] { return call.arguments(record_all); };
-    if (call.names_memory(record_all))
-        recorder->wait_for(record);
-    else
-        record();
-    const lr_status status = carry_out(*world, function, given, f);
-    if (status == LR_OK) recorder->accepted();
-    recorder->wait_for_nothing();
-    if (!call.recorded()) call.refused();
-    call.result(record_all, status, *world);
-    if (recorder->failed()) end_recording(*world, "the recording has ended: its `write` returned an error");
-    return status;
+    return change(world, function, record, [&] { return carry_out(*world, given, f); });
 }
 } // namespace lr::api
