@@ -77,32 +77,31 @@ lr_status lr_batch_create(lr_world* world, const lr_batch_desc* desc, lr_batch* 
         settings.fluid_density = w.fluid_density > 0.0f ? wide(w.fluid_density) : asset.fluid_density;
         return w.create_batch(*d.asset, d.capacity, settings, handle);
     };
-    return change(world, __func__, args(Required(out), desc), create);
+    return change(world, args(Required(out), desc), create);
 }
 
 lr_status lr_batch_destroy(lr_world* world, lr_batch batch) {
-    return change(world, __func__, args(batch), [batch](lr_world& w, Batch&) -> Outcome {
+    return change(world, args(batch), [batch](lr_world& w, Batch&) -> Outcome {
         w.destroy_batch(batch);
         return {};
     });
 }
 
 int32_t lr_batch_is_valid(const lr_world* world, lr_batch batch) {
-    return is_valid<Batch&>(world, "lr_batch_is_valid", batch);
+    return is_valid<Batch&>(world, batch);
 }
 
 lr_status lr_batch_set_turbulence_table(lr_world* world, lr_batch batch, const lr_turbulence_table* table) {
-    const auto set = [](lr_world& w, Batch& b, const lr_turbulence_table* t) -> Outcome {
+    return change(world, args(batch, table), [](lr_world& w, Batch& b, const lr_turbulence_table* t) -> Outcome {
         if (!t) return b.set_asset_table() ? LR_OK : LR_ERROR_OUT_OF_MEMORY;
         if (const Outcome outcome = check(*t); outcome.refused()) return outcome;
         return accepted(w) && b.set_table(head_of(*t), t->chi, t->epsilon) ? LR_OK : LR_ERROR_OUT_OF_MEMORY;
-    };
-    return change(world, __func__, args(batch, table), set);
+    });
 }
 
 lr_status lr_batch_get_turbulence_table(const lr_world* world, lr_batch batch, lr_turbulence_table* table, float* chi,
                                         float* epsilon, uint32_t capacity) {
-    const auto get = [&](const lr_world&, const Batch& b, lr_turbulence_table& out) -> Outcome {
+    return query(world, args(batch, table), [&](const lr_world&, const Batch& b, lr_turbulence_table& out) -> Outcome {
         const TableHead& head = b.table();
         out.count = head.count;
         out.stationary = head.stationary;
@@ -117,12 +116,11 @@ lr_status lr_batch_get_turbulence_table(const lr_world* world, lr_batch batch, l
         if (chi) std::copy_n(b.table_chi(), head.count, chi);
         if (epsilon) std::copy_n(b.table_epsilon(), head.count, epsilon);
         return {};
-    };
-    return query(world, __func__, args(batch, table), get);
+    });
 }
 
 lr_status lr_batch_set_rate(lr_world* world, lr_batch batch, uint32_t divisor) {
-    return change(world, __func__, args(batch, divisor), [](lr_world&, Batch& b, uint32_t n) -> Outcome {
+    return change(world, args(batch, divisor), [](lr_world&, Batch& b, uint32_t n) -> Outcome {
         if (n < 1 || n > BatchClock::largest_of_all) return invalid("divisor is not 1 to 1024");
         b.pace.set_divisor(n);
         return {};
@@ -130,7 +128,7 @@ lr_status lr_batch_set_rate(lr_world* world, lr_batch batch, uint32_t divisor) {
 }
 
 lr_status lr_batch_get_pace(const lr_world* world, lr_batch batch, lr_batch_pace* pace) {
-    return query(world, __func__, args(batch, pace), [](const lr_world&, const Batch& b, lr_batch_pace& out) {
+    return query(world, args(batch, pace), [](const lr_world&, const Batch& b, lr_batch_pace& out) {
         const BatchClock::Record& r = b.pace.record();
         out.divisor = r.divisor;
         out.substeps = b.pace.granted();
@@ -142,7 +140,7 @@ lr_status lr_batch_get_pace(const lr_world* world, lr_batch batch, lr_batch_pace
 }
 
 lr_status lr_batch_set_divergence_policy(lr_world* world, lr_batch batch, int32_t policy) {
-    return change(world, __func__, args(batch, policy), [](lr_world&, Batch& b, int32_t p) -> Outcome {
+    return change(world, args(batch, policy), [](lr_world&, Batch& b, int32_t p) -> Outcome {
         BatchOptions options = b.options;
         options.divergence_policy = p;
         if (const char* why = wrong_in(options)) return invalid(why);
@@ -154,11 +152,11 @@ lr_status lr_batch_set_divergence_policy(lr_world* world, lr_batch batch, int32_
 
 lr_status lr_batch_get_divergence_policy(const lr_world* world, lr_batch batch, int32_t* policy) {
     const auto get = [](const lr_world&, const Batch& b, int32_t& out) { out = b.options.divergence_policy; };
-    return query(world, __func__, args(batch, Required(policy)), get);
+    return query(world, args(batch, Required(policy)), get);
 }
 
 lr_status lr_batch_get_view(const lr_world* world, lr_batch batch, lr_batch_view* view) {
-    return query(world, __func__, args(batch, view), [](const lr_world&, const Batch& b, lr_batch_view& out) {
+    return query(world, args(batch, view), [](const lr_world&, const Batch& b, lr_batch_view& out) {
         const BatchArrays& a = b.arrays();
         out.count = b.count();
         out.capacity = b.capacity();
@@ -182,13 +180,13 @@ lr_status lr_batch_get_bounds(const lr_world* world, lr_batch batch, float* low,
         put(box.high, highs);
         return {};
     };
-    return query(world, __func__, args(batch, low, high), get);
+    return query(world, args(batch, low, high), get);
 }
 
 lr_status lr_batch_write_transforms(const lr_world* world, lr_batch batch, int32_t format, void* dst, uint64_t stride,
                                     uint32_t count, uint32_t* written) {
     if (written) *written = 0;
-    return query(world, __func__, args(batch), [&](const lr_world& w, const Batch& b) -> Outcome {
+    return query(world, args(batch), [&](const lr_world& w, const Batch& b) -> Outcome {
         const uint32_t bytes = transform_bytes(format);
         if (bytes == 0) return invalid("unknown format");
         const uint64_t step = step_of(stride, bytes, dst);
@@ -205,7 +203,7 @@ lr_status lr_batch_write_transforms(const lr_world* world, lr_batch batch, int32
 lr_status lr_batch_write_velocities(const lr_world* world, lr_batch batch, void* dst, uint64_t stride, uint32_t count,
                                     uint32_t* written) {
     if (written) *written = 0;
-    return query(world, __func__, args(batch), [&](const lr_world&, const Batch& b) -> Outcome {
+    return query(world, args(batch), [&](const lr_world&, const Batch& b) -> Outcome {
         const uint64_t step = step_of(stride, 6 * sizeof(float), dst);
         if (step == 0) return invalid("stride or alignment is wrong for 6 floats");
         const uint32_t n = std::min(count, b.count());
@@ -224,23 +222,22 @@ lr_status lr_batch_write_velocities(const lr_world* world, lr_batch batch, void*
 }
 
 lr_status lr_batch_set_aerodynamics(lr_world* world, lr_batch batch, const lr_aerodynamics* aerodynamics) {
-    const auto set = [](lr_world&, Batch& b, const lr_aerodynamics* given) -> Outcome {
+    return change(world, args(batch, aerodynamics), [](lr_world&, Batch& b, const lr_aerodynamics* given) -> Outcome {
         if (!given) return b.set_aerodynamics(b.asset().data.aerodynamics, b.gains()) ? LR_OK : LR_ERROR_INTERNAL;
         AerodynamicData loads = b.asset().data.aerodynamics;
         if (const lr_status status = read_loads(given, loads); status != LR_OK) return status;
         if (const char* why = wrong_in(loads)) return invalid(why);
         return b.set_aerodynamics(loads, b.gains()) ? Outcome{} : invalid("center is farther than 2 d");
-    };
-    return change(world, __func__, args(batch, aerodynamics), set);
+    });
 }
 
 lr_status lr_batch_get_aerodynamics(const lr_world* world, lr_batch batch, lr_aerodynamics* aerodynamics) {
     const auto get = [](const lr_world&, const Batch& b, lr_aerodynamics& out) { out = to_struct(b.aerodynamics()); };
-    return query(world, __func__, args(batch, aerodynamics), get);
+    return query(world, args(batch, aerodynamics), get);
 }
 
 lr_status lr_batch_set_load_gains(lr_world* world, lr_batch batch, const lr_load_gains* gains) {
-    return change(world, __func__, args(batch, gains), [](lr_world&, Batch& b, const lr_load_gains* given) -> Outcome {
+    return change(world, args(batch, gains), [](lr_world&, Batch& b, const lr_load_gains* given) -> Outcome {
         lr_load_gains g{};
         lr_load_gains_init(&g, sizeof g);
         if (given) g = *given;
@@ -256,7 +253,7 @@ lr_status lr_batch_set_load_gains(lr_world* world, lr_batch batch, const lr_load
 }
 
 lr_status lr_batch_get_load_gains(const lr_world* world, lr_batch batch, lr_load_gains* gains) {
-    return query(world, __func__, args(batch, gains), [](const lr_world&, const Batch& b, lr_load_gains& out) {
+    return query(world, args(batch, gains), [](const lr_world&, const Batch& b, lr_load_gains& out) {
         out.drag = static_cast<float>(b.gains().drag);
         out.lift = static_cast<float>(b.gains().lift);
         out.spin_drag = static_cast<float>(b.gains().spin_drag);
@@ -265,7 +262,7 @@ lr_status lr_batch_get_load_gains(const lr_world* world, lr_batch batch, lr_load
 }
 
 lr_status lr_batch_set_rules(lr_world* world, lr_batch batch, const lr_batch_rules* rules) {
-    return change(world, __func__, args(batch, rules), [](lr_world&, Batch& b, const lr_batch_rules* r) -> Outcome {
+    return change(world, args(batch, rules), [](lr_world&, Batch& b, const lr_batch_rules* r) -> Outcome {
         if (!r) {
             if (b.lifecycle()) b.lifecycle()->set_rules(nullptr);
             return {};
@@ -285,11 +282,11 @@ lr_status lr_batch_get_rules(const lr_world* world, lr_batch batch, lr_batch_rul
         const bool any = b.lifecycle() && b.lifecycle()->has_rules();
         read_back(any ? &b.lifecycle()->state().rules : nullptr, lr_batch_rules_init, out, there);
     };
-    return query(world, __func__, args(batch, rules, Required(present)), get);
+    return query(world, args(batch, rules, Required(present)), get);
 }
 
 lr_status lr_batch_set_emitter(lr_world* world, lr_batch batch, const lr_emitter_desc* desc) {
-    return change(world, __func__, args(batch, desc), [](lr_world&, Batch& b, const lr_emitter_desc* d) -> Outcome {
+    return change(world, args(batch, desc), [](lr_world&, Batch& b, const lr_emitter_desc* d) -> Outcome {
         if (!d) {
             if (b.lifecycle() && b.lifecycle()->respawns()) return invalid("the rules respawn: change them first");
             if (b.lifecycle()) b.lifecycle()->set_emitter(nullptr);
@@ -307,7 +304,7 @@ lr_status lr_batch_get_emitter(const lr_world* world, lr_batch batch, lr_emitter
         const bool any = b.lifecycle() && b.lifecycle()->has_emitter();
         read_back(any ? &b.lifecycle()->state().emitter : nullptr, lr_emitter_desc_init, out, there);
     };
-    return query(world, __func__, args(batch, desc, Required(present)), get);
+    return query(world, args(batch, desc, Required(present)), get);
 }
 
 lr_status lr_batch_spawn(lr_world* world, lr_batch batch, uint32_t count, lr_body* out_ids) {
@@ -318,7 +315,7 @@ lr_status lr_batch_spawn(lr_world* world, lr_batch batch, uint32_t count, lr_bod
         b.lifecycle()->emit(b, w, n, ids.first);
         return {};
     };
-    return change(world, __func__, args(batch, count, Out{out_ids, count}), emit);
+    return change(world, args(batch, count, Out{out_ids, count}), emit);
 }
 
 lr_status lr_batch_spawn_box(lr_world* world, lr_batch batch, const float* low, const float* high, uint32_t count,
@@ -331,11 +328,11 @@ lr_status lr_batch_spawn_box(lr_world* world, lr_batch batch, const float* low, 
         spawn_in({vector_of(from), vector_of(to)}, b, w, n, ids.first);
         return {};
     };
-    return change(world, __func__, args(batch, low, high, count, Out{out_ids, count}), fill);
+    return change(world, args(batch, low, high, count, Out{out_ids, count}), fill);
 }
 
 lr_status lr_batch_get_counts(const lr_world* world, lr_batch batch, lr_batch_counts* counts) {
-    return query(world, __func__, args(batch, counts), [](const lr_world&, const Batch& b, lr_batch_counts& out) {
+    return query(world, args(batch, counts), [](const lr_world&, const Batch& b, lr_batch_counts& out) {
         if (b.lifecycle()) b.lifecycle()->report(out);
         out.diverged = b.faults.last;
         out.total_diverged = b.faults.total;

@@ -213,11 +213,11 @@ lr_status lr_body_create(lr_world* world, lr_batch batch, const lr_body_desc* de
         });
         return {};
     };
-    return change(world, __func__, args(batch, Structs{descs, count}, Out{out_ids, count}), create);
+    return change(world, args(batch, Structs{descs, count}, Out{out_ids, count}), create);
 }
 
 lr_status lr_body_destroy(lr_world* world, const lr_body* bodies, uint32_t count) {
-    const auto destroy = [](lr_world& w, const Handles<lr_body>& all) -> Outcome {
+    return change(world, args(Handles{bodies, count}), [](lr_world& w, const Handles<lr_body>& all) -> Outcome {
         // All or none: marks every body first; a stale or marked one ends the call.
         uint32_t index = 0, marked = 0;
         for (; marked < all.count; ++marked) {
@@ -233,16 +233,15 @@ lr_status lr_body_destroy(lr_world* world, const lr_body* bodies, uint32_t count
         }
         w.wake_left();
         return {};
-    };
-    return change(world, __func__, args(Handles{bodies, count}), destroy);
+    });
 }
 
 int32_t lr_body_is_valid(const lr_world* world, lr_body body) {
-    return is_valid<Body>(world, "lr_body_is_valid", body);
+    return is_valid<Body>(world, body);
 }
 
 lr_status lr_body_get_state(const lr_world* world, lr_body body, lr_body_state* state) {
-    return query(world, __func__, args(body, state), [](const lr_world&, Body at, lr_body_state& out) {
+    return query(world, args(body, state), [](const lr_world&, Body at, lr_body_state& out) {
         const BodyState s = at.batch.read(at.index);
         const Rotation q = rotation_of(s.value + field_qx);
         put(vector_of(s.value + field_x), out.position);
@@ -261,11 +260,11 @@ lr_status lr_body_get_state(const lr_world* world, lr_body body, lr_body_state* 
 
 lr_status lr_body_get_loads(const lr_world* world, lr_body body, lr_body_loads* loads) {
     const auto get = [](const lr_world& w, Body at, lr_body_loads& out) { find_loads(w, at.batch, at.index, out); };
-    return query(world, __func__, args(body, loads), get);
+    return query(world, args(body, loads), get);
 }
 
 lr_status lr_body_set_state(lr_world* world, lr_body body, const lr_body_state* state) {
-    return change(world, __func__, args(body, state), [](lr_world& w, Body at, const lr_body_state& s) -> Outcome {
+    return change(world, args(body, state), [](lr_world& w, Body at, const lr_body_state& s) -> Outcome {
         if (const Outcome outcome = check(s); outcome.refused()) return outcome;
         if (s.user != 0 && !at.batch.reserve_users()) return LR_ERROR_OUT_OF_MEMORY;
         const uint32_t index = at.batch.asleep(at.index) ? at.batch.wake(at.index) : at.index;
@@ -302,7 +301,7 @@ lr_status lr_body_set_sleep(lr_world* world, const lr_body* bodies, uint32_t cou
         }
         return {};
     };
-    return change(world, __func__, args(sleep_state, Handles{bodies, count}), set);
+    return change(world, args(sleep_state, Handles{bodies, count}), set);
 }
 
 lr_status lr_world_wake_box(lr_world* world, const float* low, const float* high, uint32_t* woken) {
@@ -323,11 +322,11 @@ lr_status lr_world_wake_box(lr_world* world, const float* low, const float* high
         if (out.first) *out.first = count;
         return {};
     };
-    return change(world, __func__, args(low, high, Out{woken}), wake);
+    return change(world, args(low, high, Out{woken}), wake);
 }
 
 lr_status lr_body_add_force(lr_world* world, const lr_body_force* forces, uint32_t count) {
-    const auto add = [](lr_world& w, const Structs<lr_body_force>& all) -> Outcome {
+    return change(world, args(Structs{forces, count}), [](lr_world& w, const Structs<lr_body_force>& all) -> Outcome {
         uint32_t index = 0;
         const Outcome outcome = all.check([&](const lr_body_force& f) -> Outcome {
             Batch* const batch = w.find(f.body, index);
@@ -347,12 +346,11 @@ lr_status lr_body_add_force(lr_world* world, const lr_body_force* forces, uint32
             apply(w, batch, index, push_of(f, batch, index));
         });
         return {};
-    };
-    return change(world, __func__, args(Structs{forces, count}), add);
+    });
 }
 
 lr_status lr_batch_add_forces(lr_world* world, lr_batch batch, const lr_force_arrays* arrays) {
-    return change(world, __func__, args(batch, arrays), [](lr_world& w, Batch& b, const lr_force_arrays& a) -> Outcome {
+    return change(world, args(batch, arrays), [](lr_world& w, Batch& b, const lr_force_arrays& a) -> Outcome {
         if (const char* why = unknown_in(a.mode, a.frame)) return invalid(why);
         if (a.stride % sizeof(float) != 0 || misaligned(a.force) || misaligned(a.torque))
             return invalid("stride or alignment is wrong for floats");
@@ -378,7 +376,7 @@ lr_status lr_batch_add_forces(lr_world* world, lr_batch batch, const lr_force_ar
 }
 
 lr_status lr_batch_set_force(lr_world* world, lr_batch batch, const lr_batch_force* force) {
-    return change(world, __func__, args(batch, force), [](lr_world&, Batch& b, const lr_batch_force* f) -> Outcome {
+    return change(world, args(batch, force), [](lr_world&, Batch& b, const lr_batch_force* f) -> Outcome {
         float values[force_components] = {};
         if (f) {
             each_force(*f, [&](const float(&v)[3], size_t at) { std::copy(v, v + 3, values + at); });
@@ -393,7 +391,7 @@ lr_status lr_batch_set_force(lr_world* world, lr_batch batch, const lr_batch_for
 }
 
 lr_status lr_batch_get_force(const lr_world* world, lr_batch batch, lr_batch_force* force) {
-    return query(world, __func__, args(batch, force), [](const lr_world&, const Batch& b, lr_batch_force& out) {
+    return query(world, args(batch, force), [](const lr_world&, const Batch& b, lr_batch_force& out) {
         each_force(out, [&](float(&v)[3], size_t at) { std::copy_n(b.external.batch() + at, 3, v); });
     });
 }

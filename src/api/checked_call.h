@@ -7,7 +7,7 @@
 //   T&                                Required(T*): an output number or handle
 //   T                                 any other type, passed through
 //
-// Arguments are checked from left to right.
+// Arguments are checked from left to right. `function` is the name of the exported function, by default.
 #pragma once
 
 #include "api/check_arguments.h"
@@ -459,7 +459,8 @@ template <class W, class F, class... A> Outcome carry_out(W& world, const std::t
 }
 
 // Whether a handle is valid.
-template <class T, class H> int32_t is_valid(const lr_world* world, const char* function, H handle) {
+template <class T, class H>
+int32_t is_valid(const lr_world* world, H handle, const char* function = __builtin_FUNCTION()) {
     if (!world) return 0;
     const Entry entry(*world, function);
     return entry.status() == LR_OK && Taken<T, H>{{handle}}.take(*world).status == LR_OK ? 1 : 0;
@@ -468,7 +469,8 @@ template <class T, class H> int32_t is_valid(const lr_world* world, const char* 
 // A call that does not change the world; recordings omit it.
 lr_status query(const lr_world* world, const char* function, Ref<Outcome()> body);
 template <class F, class... A>
-lr_status query(const lr_world* world, const char* function, const std::tuple<A...>& given, const F& f) {
+lr_status query(const lr_world* world, const std::tuple<A...>& given, const F& f,
+                const char* function = __builtin_FUNCTION()) {
     return query(world, function, [&] { return carry_out(*world, given, f); });
 }
 
@@ -476,7 +478,8 @@ lr_status query(const lr_world* world, const char* function, const std::tuple<A.
 // success. A refused call, whose pointers can be invalid, is recorded without arguments.
 lr_status change(lr_world* world, const char* function, Record record, Ref<Outcome()> body);
 template <class F, class... A>
-lr_status change(lr_world* world, const char* function, const std::tuple<A...>& given, const F& f) {
+lr_status change(lr_world* world, const std::tuple<A...>& given, const F& f,
+                 const char* function = __builtin_FUNCTION()) {
     const auto record = [&](Call& call) {
         std::apply([&](const A&... all) { (record_argument(call, all), ...); }, given);
     };

@@ -121,11 +121,11 @@ lr_status lr_collider_create(lr_world* world, const lr_collider_desc* descs, uin
         w.colliders.cancel_create();
         return {status, status == LR_ERROR_INVALID_ARGUMENT ? "a hull is flat, or a mesh has no area" : nullptr};
     };
-    return change(world, __func__, args(Structs{descs, count}, Out{out_ids, count}), create);
+    return change(world, args(Structs{descs, count}, Out{out_ids, count}), create);
 }
 
 lr_status lr_collider_destroy(lr_world* world, const lr_collider* colliders, uint32_t count) {
-    const auto destroy = [](lr_world& w, const Handles<lr_collider>& all) -> Outcome {
+    return change(world, args(Handles{colliders, count}), [](lr_world& w, const Handles<lr_collider>& all) -> Outcome {
         if (all.count == 0) return {};
         if (!w.colliders.can_destroy(all.first, all.count)) return LR_ERROR_STALE_COLLIDER;
         // Sleeping bodies on them would hang in the air.
@@ -138,12 +138,11 @@ lr_status lr_collider_destroy(lr_world* world, const lr_collider* colliders, uin
             if (batch.events()) batch.events()->recheck();
         });
         return {};
-    };
-    return change(world, __func__, args(Handles{colliders, count}), destroy);
+    });
 }
 
 int32_t lr_collider_is_valid(const lr_world* world, lr_collider collider) {
-    return is_valid<ColliderSlot>(world, "lr_collider_is_valid", collider);
+    return is_valid<ColliderSlot>(world, collider);
 }
 
 lr_status lr_collider_move(lr_world* world, const lr_collider_motion* motions, uint32_t count) {
@@ -167,11 +166,11 @@ lr_status lr_collider_move(lr_world* world, const lr_collider_motion* motions, u
         });
         return {};
     };
-    return change(world, __func__, args(Structs{motions, count}), move);
+    return change(world, args(Structs{motions, count}), move);
 }
 
 lr_status lr_collider_get_state(const lr_world* world, lr_collider collider, lr_collider_state* state) {
-    const auto get = [](const lr_world& w, ColliderSlot at, lr_collider_state& out) {
+    return query(world, args(collider, state), [](const lr_world& w, ColliderSlot at, lr_collider_state& out) {
         const Collider& c = w.colliders.at(at.slot);
         const ColliderMotion& m = w.colliders.motion(at.slot);
         out.kind = static_cast<int32_t>(c.geometry.kind);
@@ -182,8 +181,7 @@ lr_status lr_collider_get_state(const lr_world* world, lr_collider collider, lr_
         out.friction = c.friction;
         out.restitution = c.restitution;
         out.layers = c.layers;
-    };
-    return query(world, __func__, args(collider, state), get);
+    });
 }
 
 lr_status lr_collider_set_material(lr_world* world, const lr_collider* colliders, uint32_t count,
@@ -205,11 +203,11 @@ lr_status lr_collider_set_material(lr_world* world, const lr_collider* colliders
         }
         return {};
     };
-    return change(world, __func__, args(material, Handles{colliders, count}), set);
+    return change(world, args(material, Handles{colliders, count}), set);
 }
 
 lr_status lr_batch_set_contact(lr_world* world, lr_batch batch, const lr_batch_contact* contact) {
-    const auto set = [](lr_world& w, Batch& b, const lr_batch_contact* given) -> Outcome {
+    return change(world, args(batch, contact), [](lr_world& w, Batch& b, const lr_batch_contact* given) -> Outcome {
         const lr_batch_contact& c = given ? *given : initial_contact;
         if (!finite(c.friction, c.restitution, c.rolling_resistance, c.ground_effect, c.min_thickness))
             return LR_ERROR_NOT_FINITE;
@@ -218,22 +216,20 @@ lr_status lr_batch_set_contact(lr_world* world, lr_batch batch, const lr_batch_c
         if (c.min_thickness != b.contact().min_thickness) w.pair_cache.forget(b.slot()); // gaps of the previous shape
         b.set_contact(c);
         return {};
-    };
-    return change(world, __func__, args(batch, contact), set);
+    });
 }
 
 lr_status lr_batch_get_contact(const lr_world* world, lr_batch batch, lr_batch_contact* contact) {
     const auto get = [](const lr_world&, const Batch& b, lr_batch_contact& out) { out = b.contact(); };
-    return query(world, __func__, args(batch, contact), get);
+    return query(world, args(batch, contact), get);
 }
 
 lr_status lr_batch_set_body_contact(lr_world* world, lr_batch a, lr_batch b, int32_t enabled) {
-    const auto set = [](lr_world& w, lr_batch one, lr_batch other, int32_t on) -> Outcome {
+    return change(world, args(a, b, enabled), [](lr_world& w, lr_batch one, lr_batch other, int32_t on) -> Outcome {
         if (!w.find(one) || !w.find(other)) return LR_ERROR_STALE_BATCH;
         if (on != 0 && on != 1) return invalid("enabled is neither 0 nor 1");
         return w.set_pair(unpack(one).index, unpack(other).index, on != 0) ? LR_OK : LR_ERROR_OUT_OF_MEMORY;
-    };
-    return change(world, __func__, args(a, b, enabled), set);
+    });
 }
 
 lr_status lr_batch_get_body_contact(const lr_world* world, lr_batch a, lr_batch b, int32_t* enabled) {
@@ -242,11 +238,11 @@ lr_status lr_batch_get_body_contact(const lr_world* world, lr_batch a, lr_batch 
         on = w.pairs.has(unpack(one).index, unpack(other).index) ? 1 : 0;
         return {};
     };
-    return query(world, __func__, args(a, b, Required(enabled)), get);
+    return query(world, args(a, b, Required(enabled)), get);
 }
 
 lr_status lr_world_set_events(lr_world* world, uint32_t capacity, uint32_t kinds) {
-    return change(world, __func__, args(capacity, kinds), [](lr_world& w, uint32_t most, uint32_t wanted) -> Outcome {
+    return change(world, args(capacity, kinds), [](lr_world& w, uint32_t most, uint32_t wanted) -> Outcome {
         if ((wanted & ~uint32_t{LR_EVENTS_ALL}) != 0) return invalid("unknown kinds of events");
         if (most != 0 && wanted == 0) return invalid("capacity is not 0, but kinds is");
         Buffer<lr_event> room;
@@ -269,7 +265,7 @@ lr_status lr_world_set_events(lr_world* world, uint32_t capacity, uint32_t kinds
 }
 
 lr_status lr_world_get_events(const lr_world* world, lr_event_list* list) {
-    return query(world, __func__, args(list), [](const lr_world& w, lr_event_list& out) {
+    return query(world, args(list), [](const lr_world& w, lr_event_list& out) {
         const EventList& from = w.events;
         out.count = from.count;
         out.events = from.items.data();

@@ -20,14 +20,15 @@ Outcome check(const SourceDesc& d, bool kept) {
     return {};
 }
 
-lr_status add_source(lr_world* world, const char* name, const SourceOf& desc, lr_wind_source* out) {
+lr_status add_source(lr_world* world, const SourceOf& desc, lr_wind_source* out,
+                     const char* function = __builtin_FUNCTION()) {
     if (out) *out = {};
     lr_wind_source unasked{};
     const auto add = [](lr_world& w, const SourceDesc& d, lr_wind_source& handle) -> Outcome {
         if (const Outcome outcome = check(d, false); outcome.refused()) return outcome;
         return accepted(w) ? w.wind.add(d, w.time, w.seed, handle) : LR_ERROR_OUT_OF_MEMORY;
     };
-    return change(world, name, args(desc, Required(out ? out : &unasked)), add);
+    return change(world, args(desc, Required(out ? out : &unasked)), add, function);
 }
 
 bool is_other(const lr_world& w, Wind at, const SourceType& type) {
@@ -35,17 +36,19 @@ bool is_other(const lr_world& w, Wind at, const SourceType& type) {
 }
 constexpr const char* other_kind = "the source is of another kind";
 
-lr_status update_source(lr_world* world, const char* name, lr_wind_source source, const SourceOf& desc) {
-    return change(world, name, args(source, desc), [&](lr_world& w, Wind at, const SourceDesc& d) -> Outcome {
+lr_status update_source(lr_world* world, lr_wind_source source, const SourceOf& desc,
+                        const char* function = __builtin_FUNCTION()) {
+    const auto update = [&](lr_world& w, Wind at, const SourceDesc& d) -> Outcome {
         if (is_other(w, at, desc.type)) return invalid(other_kind);
         const Outcome outcome = check(d, true);
         return outcome.refused() ? outcome : w.wind.update(at.source, d, w.time, w.seed);
-    });
+    };
+    return change(world, args(source, desc), update, function);
 }
 
-lr_status get_source(const lr_world* world, const char* name, lr_wind_source source, const SourceType& type,
-                     void* out) {
-    return query(world, name, args(source), [&](const lr_world& w, Wind at) -> Outcome {
+lr_status get_source(const lr_world* world, lr_wind_source source, const SourceType& type, void* out,
+                     const char* function = __builtin_FUNCTION()) {
+    const auto get = [&](const lr_world& w, Wind at) -> Outcome {
         if (const lr_status status = check_size(out, type.size, type.size); status != LR_OK) return status;
         if (is_other(w, at, type)) return invalid(other_kind);
         const WindSource& held = *w.wind.find(at.source);
@@ -54,15 +57,18 @@ lr_status get_source(const lr_world* world, const char* name, lr_wind_source sou
         put(to_float(held.place(w.time)), now.position);
         desc_of(type, now, out);
         return {};
-    });
+    };
+    return query(world, args(source), get, function);
 }
 
 template <class Function, class Field>
-lr_status set_callback(lr_world* world, const char* function, Function callback, void* user, Field lr_world::*field) {
-    return change(world, function, args(callback ? 1u : 0u), [&](lr_world& w, uint32_t) {
+lr_status set_callback(lr_world* world, Function callback, void* user, Field lr_world::*field,
+                       const char* function = __builtin_FUNCTION()) {
+    const auto set = [&](lr_world& w, uint32_t) {
         (w.*field).set_callback(callback, user);
         if (w.recorder) w.recorder->listen(w);
-    });
+    };
+    return change(world, args(callback ? 1u : 0u), set, function);
 }
 } // namespace
 } // namespace lr::api
@@ -73,7 +79,7 @@ using namespace lr::api;
 extern "C" {
 
 lr_status lr_world_set_uniform_wind(lr_world* world, float x, float y, float z) {
-    return change(world, __func__, args(x, y, z), [](lr_world& w, float vx, float vy, float vz) -> Outcome {
+    return change(world, args(x, y, z), [](lr_world& w, float vx, float vy, float vz) -> Outcome {
         const float velocity[3] = {vx, vy, vz};
         if (!finite(velocity)) return LR_ERROR_NOT_FINITE;
         if (const char* why = wrong_wind(velocity)) return invalid(why);
@@ -84,39 +90,38 @@ lr_status lr_world_set_uniform_wind(lr_world* world, float x, float y, float z) 
 
 lr_status lr_world_get_uniform_wind(const lr_world* world, float* velocity) {
     const auto get = [](const lr_world& w, float& first) { std::copy_n(w.wind.uniform.wind, 3, &first); };
-    return query(world, __func__, args(Required(velocity)), get);
+    return query(world, args(Required(velocity)), get);
 }
 
 // NOLINTBEGIN(bugprone-macro-parentheses): a type
 #define LR_SOURCE(name, ...)                                                                                           \
     lr_status lr_world_add_##name(lr_world* world, const lr_##name##_desc* desc, lr_wind_source* out) {                \
-        return add_source(world, __func__, {source_type::name, desc}, out);                                            \
+        return add_source(world, {source_type::name, desc}, out);                                                      \
     }                                                                                                                  \
     lr_status lr_world_update_##name(lr_world* world, lr_wind_source source, const lr_##name##_desc* desc) {           \
-        return update_source(world, __func__, source, {source_type::name, desc});                                      \
+        return update_source(world, source, {source_type::name, desc});                                                \
     }                                                                                                                  \
     lr_status lr_world_get_##name(const lr_world* world, lr_wind_source source, lr_##name##_desc* desc) {              \
-        return get_source(world, __func__, source, source_type::name, desc);                                           \
+        return get_source(world, source, source_type::name, desc);                                                     \
     }
 LR_WIND_SOURCES(LR_SOURCE)
 #undef LR_SOURCE
 // NOLINTEND(bugprone-macro-parentheses)
 
 lr_status lr_world_remove_wind(lr_world* world, lr_wind_source source) {
-    const auto remove = [](lr_world& w, Wind at) { w.wind.remove(at.source); };
-    return change(world, __func__, args(source), remove);
+    return change(world, args(source), [](lr_world& w, Wind at) { w.wind.remove(at.source); });
 }
 
 int32_t lr_wind_source_is_valid(const lr_world* world, lr_wind_source source) {
-    return is_valid<Wind>(world, "lr_wind_source_is_valid", source);
+    return is_valid<Wind>(world, source);
 }
 
 lr_status lr_world_set_wind_callback(lr_world* world, lr_wind_fn callback, void* user) {
-    return set_callback(world, __func__, callback, user, &lr_world::wind);
+    return set_callback(world, callback, user, &lr_world::wind);
 }
 
 lr_status lr_world_sample_wind(const lr_world* world, const float* positions, uint32_t count, float* velocities) {
-    return query(world, __func__, args(), [&](const lr_world& w) -> Outcome {
+    return query(world, args(), [&](const lr_world& w) -> Outcome {
         if (count == 0) return {};
         if (!positions || !velocities) return LR_ERROR_NULL_ARGUMENT;
         for (uint64_t i = 0; i < uint64_t{3} * count; ++i) {
@@ -129,7 +134,7 @@ lr_status lr_world_sample_wind(const lr_world* world, const float* positions, ui
 }
 
 lr_status lr_world_set_water(lr_world* world, const lr_water_desc* desc) {
-    return change(world, __func__, args(desc), [](lr_world& w, const lr_water_desc* d) -> Outcome {
+    return change(world, args(desc), [](lr_world& w, const lr_water_desc* d) -> Outcome {
         if (d)
             if (const Outcome outcome = check_water(*d); outcome.refused()) return outcome;
         if (d && !w.reserve_scratch()) return LR_ERROR_OUT_OF_MEMORY;
@@ -144,14 +149,13 @@ lr_status lr_world_set_water(lr_world* world, const lr_water_desc* desc) {
 }
 
 lr_status lr_world_get_water(const lr_world* world, lr_water_desc* desc, int32_t* present) {
-    const auto get = [](const lr_world& w, lr_water_desc& out, int32_t& there) {
+    return query(world, args(desc, Required(present)), [](const lr_world& w, lr_water_desc& out, int32_t& there) {
         read_back(w.surface.present() ? &w.surface.desc() : nullptr, lr_water_desc_init, out, there);
-    };
-    return query(world, __func__, args(desc, Required(present)), get);
+    });
 }
 
 lr_status lr_world_set_water_callback(lr_world* world, lr_water_fn callback, void* user) {
-    return set_callback(world, __func__, callback, user, &lr_world::surface);
+    return set_callback(world, callback, user, &lr_world::surface);
 }
 
 } // extern "C"

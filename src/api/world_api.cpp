@@ -133,7 +133,7 @@ void lr_world_destroy(lr_world* world) {
 }
 
 lr_status lr_world_get_info(const lr_world* world, lr_world_info* info) {
-    return query(world, __func__, args(info), [](const lr_world& w, lr_world_info& out) {
+    return query(world, args(info), [](const lr_world& w, lr_world_info& out) {
         out.simd_target = w.target->simd;
         out.worker_count = w.step_workers.helpers();
         w.each_batch([&out](const Batch& batch, uint32_t) {
@@ -151,7 +151,7 @@ lr_status lr_world_get_info(const lr_world* world, lr_world_info* info) {
 }
 
 lr_status lr_world_set_gravity(lr_world* world, const float* gravity) {
-    return change(world, __func__, args(gravity), [](lr_world& w, Triple to) -> Outcome {
+    return change(world, args(gravity), [](lr_world& w, Triple to) -> Outcome {
         if (const char* why = wrong_gravity(to)) return invalid(why);
         if (std::equal(to, to + 3, w.gravity)) return {};
         std::copy(to, to + 3, w.gravity);
@@ -161,7 +161,7 @@ lr_status lr_world_set_gravity(lr_world* world, const float* gravity) {
 }
 
 lr_status lr_world_set_simd_target(lr_world* world, int32_t target) {
-    return change(world, __func__, args(target), [](lr_world& w, int32_t to) -> Outcome {
+    return change(world, args(target), [](lr_world& w, int32_t to) -> Outcome {
         if (!known_simd(to)) return invalid("unknown target");
         const KernelTarget* const found = find_target(to);
         if (!found) return LR_ERROR_UNSUPPORTED;
@@ -172,7 +172,7 @@ lr_status lr_world_set_simd_target(lr_world* world, int32_t target) {
 
 lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps) {
     const FloatMode mode; // saves the caller's float mode and restores it while the caller's job system runs
-    return change(world, __func__, args(dt, substeps), [&mode](lr_world& w, float t, uint32_t n) -> Outcome {
+    return change(world, args(dt, substeps), [&mode](lr_world& w, float t, uint32_t n) -> Outcome {
         if (!std::isfinite(t)) return LR_ERROR_TIMESTEP_NOT_FINITE;
         if (t == 0.0f) return LR_ERROR_TIMESTEP_ZERO;
         if (t < 0.0f) return LR_ERROR_TIMESTEP_NEGATIVE;
@@ -184,7 +184,7 @@ lr_status lr_world_step(lr_world* world, float dt, uint32_t substeps) {
 }
 
 lr_status lr_world_set_budget(lr_world* world, uint64_t body_substeps) {
-    return change(world, __func__, args(body_substeps), [](lr_world& w, uint64_t most) -> Outcome {
+    return change(world, args(body_substeps), [](lr_world& w, uint64_t most) -> Outcome {
         if (most > StepScheduler::largest_budget) return invalid("body_substeps is over 2^48");
         w.pacing.set_budget(most);
         return {};
@@ -192,36 +192,33 @@ lr_status lr_world_set_budget(lr_world* world, uint64_t body_substeps) {
 }
 
 lr_status lr_world_get_step_report(const lr_world* world, lr_step_report* report) {
-    const auto get = [](const lr_world& w, lr_step_report& out) { out = w.pacing.report(); };
-    return query(world, __func__, args(report), get);
+    return query(world, args(report), [](const lr_world& w, lr_step_report& out) { out = w.pacing.report(); });
 }
 
 lr_status lr_world_get_timings(const lr_world* world, lr_timings* timings) {
-    const auto get = [](const lr_world& w, lr_timings& out) { out = w.timings; };
-    return query(world, __func__, args(timings), get);
+    return query(world, args(timings), [](const lr_world& w, lr_timings& out) { out = w.timings; });
 }
 
 lr_status lr_world_hash(const lr_world* world, uint64_t* out) {
-    const auto get = [](const lr_world& w, uint64_t& hash) { hash = w.hash(); };
-    return query(world, __func__, args(Required(out)), get);
+    return query(world, args(Required(out)), [](const lr_world& w, uint64_t& hash) { hash = w.hash(); });
 }
 
 uint64_t lr_world_snapshot_size(const lr_world* world) {
     uint64_t size = 0;
     const auto get = [](const lr_world& w, uint64_t& out) { out = snapshot_size(w); };
-    query(world, __func__, args(Required(&size)), get);
+    query(world, args(Required(&size)), get);
     return size;
 }
 
 lr_status lr_world_snapshot_save(const lr_world* world, void* memory, uint64_t size, uint64_t* written) {
     if (written) *written = 0;
-    return query(world, __func__, args(), [&](const lr_world& w) -> Outcome {
+    return query(world, args(), [&](const lr_world& w) -> Outcome {
         return memory ? snapshot_save(w, memory, size, written) : LR_ERROR_NULL_ARGUMENT;
     });
 }
 
 lr_status lr_world_snapshot_restore(lr_world* world, const void* memory, uint64_t size) {
-    return change(world, __func__, args(Snapshot{memory, size}), [](lr_world& w, Snapshot from) -> Outcome {
+    return change(world, args(Snapshot{memory, size}), [](lr_world& w, Snapshot from) -> Outcome {
         if (!from.memory) return LR_ERROR_NULL_ARGUMENT;
         if (!snapshot_is_whole(from.memory, from.size)) return LR_ERROR_SNAPSHOT_FORMAT;
         return accepted(w) ? snapshot_restore(w, from.memory) : LR_ERROR_OUT_OF_MEMORY;
@@ -229,7 +226,7 @@ lr_status lr_world_snapshot_restore(lr_world* world, const void* memory, uint64_
 }
 
 lr_status lr_world_record_start(lr_world* world, const lr_recording_desc* desc) {
-    return query(world, __func__, args(desc), [world](const lr_world&, const lr_recording_desc& d) -> Outcome {
+    return query(world, args(desc), [world](const lr_world&, const lr_recording_desc& d) -> Outcome {
         if (!d.write) return {LR_ERROR_NULL_ARGUMENT, "desc->write is null"};
         if ((d.flags & ~uint32_t{LR_RECORD_CALLBACKS}) != 0) return invalid("unknown flags");
         if (world->recorder) return invalid("the world is already being recorded");
@@ -246,7 +243,7 @@ lr_status lr_world_record_start(lr_world* world, const lr_recording_desc* desc) 
 }
 
 lr_status lr_world_record_stop(lr_world* world) {
-    return query(world, __func__, args(), [world](const lr_world&) -> Outcome {
+    return query(world, args(), [world](const lr_world&) -> Outcome {
         if (!world->recorder) return invalid("the world is not being recorded");
         end_recording(*world, nullptr);
         return {};
@@ -265,7 +262,7 @@ lr_status lr_world_ray_cast(const lr_world* world, const lr_ray* rays, uint32_t 
         all.visit([&](const lr_ray& r) { *out++ = cast_ray(w, r, r.batch.id != 0 ? w.find(r.batch) : nullptr); });
         return {};
     };
-    return query(world, __func__, args(Structs{rays, count}, hits), cast);
+    return query(world, args(Structs{rays, count}, hits), cast);
 }
 
 lr_status lr_world_overlap(const lr_world* world, const lr_overlap_desc* desc, lr_body* bodies, uint32_t capacity,
@@ -280,7 +277,7 @@ lr_status lr_world_overlap(const lr_world* world, const lr_overlap_desc* desc, l
         found = find_overlaps(w, d, only, bodies, capacity);
         return found <= capacity ? LR_OK : LR_ERROR_BUFFER_TOO_SMALL;
     };
-    return query(world, __func__, args(Required(count), desc), find);
+    return query(world, args(Required(count), desc), find);
 }
 
 } // extern "C"
