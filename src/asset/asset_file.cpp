@@ -27,63 +27,55 @@ size_t checksum_offset(const format::Asset& asset, const uint8_t* bytes) {
     return at ? static_cast<size_t>(at - bytes) : 0;
 }
 
-// Reads fields that passed FlatBuffers' verifier, which checks presence and bounds, but not the alignment of eight-byte values.
+// Reads fields that passed FlatBuffers' verifier, which checks presence and bounds, but not the alignment of eight-byte values in vectors and structs.
 class Decoder {
 public:
     explicit Decoder(Faults& faults) : faults_(faults) {}
     bool ok() const { return ok_; }
 
-    template <class T, class U> void vector(const flatbuffers::Vector<T>* from, std::vector<U>& to, const char* field) {
-        to.clear();
-        if (from->size() != 0 && aligned(from->Data(), alignof(T), field)) to.assign(from->begin(), from->end());
+    template <class T> void vector(const flatbuffers::Vector<T>* from, std::vector<T>& to) {
+        to.resize(from->size());
+        if (!to.empty()) std::memcpy(to.data(), from->Data(), sizeof(T) * to.size());
     }
     template <class T, size_t N>
     void array(const flatbuffers::Vector<T>* from, std::array<T, N>& to, const char* field) {
         if (from->size() != N)
-            wrong(FaultId::asset_wrong_length, field,
-                  "It has " + std::to_string(from->size()) + " values, not " + std::to_string(N) + ".");
-        else if (aligned(from->Data(), alignof(T), field))
-            std::copy(from->begin(), from->end(), to.begin());
+            ok_ = fail(faults_, FaultId::asset_wrong_length, field,
+                       "It has " + std::to_string(from->size()) + " values, not " + std::to_string(N) + ".");
+        else
+            std::memcpy(to.data(), from->Data(), sizeof to);
     }
-    void vector3(const format::Vec3* from, std::array<double, 3>& to, const char* field) {
-        if (from && aligned(from, alignof(double), field)) to = {from->x(), from->y(), from->z()};
-    }
-    bool aligned(const void* at, size_t alignment, const char* field) {
-        if (reinterpret_cast<uintptr_t>(at) % alignment == 0) return true;
-        wrong(FaultId::asset_corrupt, field, "The field is not aligned.");
-        return false;
+    void vector3(const format::Vec3* from, std::array<double, 3>& to) {
+        if (from) std::memcpy(to.data(), from, sizeof to);
     }
 
 private:
-    void wrong(FaultId id, const char* field, std::string what) { ok_ = fail(faults_, id, field, std::move(what)); }
     Faults& faults_;
     bool ok_ = true;
 };
 
+#define LR_VECTOR(name, ...) read.vector3(from.name(), out.name);
 #define LR_NUMBER(name, ...) out.name = from.name();
 void decode(const format::Aerodynamics& from, AerodynamicData& out, Decoder& read) {
     read.array(from.axes(), out.axes, "aerodynamics.axes");
-#define LR_VECTOR(name, ...) read.vector3(from.name(), out.name, "aerodynamics." #name);
     LR_AERODYNAMIC_VECTORS(LR_VECTOR)
-#undef LR_VECTOR
     LR_AERODYNAMIC_NUMBERS(LR_NUMBER)
 }
 
 void decode(const format::Station& from, StationData& out, Decoder& read) {
     read.array(from.axes(), out.axes, "stations.axes");
-#define LR_VECTOR(name, ...) read.vector3(from.name(), out.name, "stations." #name);
     LR_STATION_VECTORS(LR_VECTOR)
-#undef LR_VECTOR
     LR_STATION_NUMBERS(LR_NUMBER)
 }
 
 void decode(const format::Turbulence& from, TurbulenceData& out, Decoder& read) {
-    read.vector(from.chi(), out.chi, "turbulence.chi");
-    read.vector(from.epsilon(), out.epsilon, "turbulence.epsilon");
+    read.vector(from.chi(), out.chi);
+    read.vector(from.epsilon(), out.epsilon);
     read.array(from.cells(), out.cells, "turbulence.cells");
     read.array(from.domain(), out.domain, "turbulence.domain");
     LR_TURBULENCE_NUMBERS(LR_NUMBER)
 }
+#undef LR_VECTOR
 #undef LR_NUMBER
 
 bool decode(const format::Asset& a, AssetData& out, Faults& faults) {
@@ -92,20 +84,20 @@ bool decode(const format::Asset& a, AssetData& out, Faults& faults) {
     out.mass = a.mass();
     out.volume = a.volume();
     out.density = a.density();
-    read.vector3(a.center_of_mass(), out.center_of_mass, "center_of_mass");
-    read.vector3(a.center_of_buoyancy(), out.center_of_buoyancy, "center_of_buoyancy");
+    read.vector3(a.center_of_mass(), out.center_of_mass);
+    read.vector3(a.center_of_buoyancy(), out.center_of_buoyancy);
     read.array(a.inertia(), out.inertia, "inertia");
     read.array(a.added_mass(), out.added_mass, "added_mass");
     read.array(a.added_mass_error(), out.added_mass_error, "added_mass_error");
-    if (read.aligned(a.fluid(), alignof(double), "fluid")) {
-        out.fluid_density = a.fluid()->density();
-        out.fluid_viscosity = a.fluid()->viscosity();
-    }
-    if (read.aligned(a.lengths(), alignof(double), "lengths")) {
-        out.length_d = a.lengths()->d();
-        out.length_b = a.lengths()->b();
-        out.length_l = a.lengths()->l();
-    }
+    format::Fluid fluid;
+    format::Lengths lengths;
+    std::memcpy(&fluid, a.fluid(), sizeof fluid);
+    std::memcpy(&lengths, a.lengths(), sizeof lengths);
+    out.fluid_density = fluid.density();
+    out.fluid_viscosity = fluid.viscosity();
+    out.length_d = lengths.d();
+    out.length_b = lengths.b();
+    out.length_l = lengths.l();
     out.projected_area = a.projected_area();
     out.u0 = a.u0();
     decode(*a.turbulence(), out.turbulence, read);
@@ -115,8 +107,8 @@ bool decode(const format::Asset& a, AssetData& out, Faults& faults) {
     out.stations.assign(stations, {});
     for (size_t i = 0; i < stations; ++i)
         decode(*a.stations()->Get(static_cast<flatbuffers::uoffset_t>(i)), out.stations[i], read);
-    read.vector(a.hull()->vertices(), out.hull.vertices, "hull.vertices");
-    read.vector(a.hull()->triangles(), out.hull.triangles, "hull.triangles");
+    read.vector(a.hull()->vertices(), out.hull.vertices);
+    read.vector(a.hull()->triangles(), out.hull.triangles);
     const format::Provenance& p = *a.provenance();
     out.provenance = {p.tool()->str(), p.tool_version()->str(), p.source()->str(),
                       p.input_hash(),  p.options()->str(),      p.faces(),
