@@ -93,7 +93,7 @@ int32_t lr_batch_is_valid(const lr_world* world, lr_batch batch) {
 
 lr_status lr_batch_set_turbulence_table(lr_world* world, lr_batch batch, const lr_turbulence_table* table) {
     return change(world, args(batch, table), [](lr_world& w, Batch& b, const lr_turbulence_table* t) -> Outcome {
-        if (!t) return b.set_asset_table() ? LR_OK : LR_ERROR_OUT_OF_MEMORY;
+        if (!t) return b.set_table(b.asset_table(), nullptr, nullptr) ? LR_OK : LR_ERROR_OUT_OF_MEMORY;
         if (const Outcome outcome = check(*t); outcome.refused()) return outcome;
         return accepted(w) && b.set_table(head_of(*t), t->chi, t->epsilon) ? LR_OK : LR_ERROR_OUT_OF_MEMORY;
     });

@@ -55,7 +55,7 @@ Batch* Batch::create(Allocator& allocator, const lr_asset& asset, uint32_t capac
                         batch->set_aerodynamics(asset.data.aerodynamics, settings.gains);
     if (!usable)
         status = LR_ERROR_INTERNAL;
-    else if (batch->allocate(capacity) && batch->set_asset_table())
+    else if (batch->allocate(capacity) && batch->set_table(batch->asset_table(), nullptr, nullptr))
         status = LR_OK;
     if (status == LR_OK) return batch;
     destroy(batch);
@@ -505,8 +505,17 @@ bool Batch::reserve_lifecycle() {
 
 bool Batch::copy_table(const TableHead& head, const void* chi, const void* epsilon, Buffer<float>& out) const {
     if (!out.allocate(*allocator_, size_t{4} * head.count)) return false;
-    std::memcpy(out.data(), chi, sizeof(float) * head.count);
-    std::memcpy(out.data() + head.count, epsilon, sizeof(float) * head.count);
+    if (chi) {
+        std::memcpy(out.data(), chi, sizeof(float) * head.count);
+        std::memcpy(out.data() + head.count, epsilon, sizeof(float) * head.count);
+        return true;
+    }
+    const AssetData& a = asset_->data;
+    const double rate = a.u0 / a.length_l, power = a.u0 * a.u0 * a.u0 / a.length_l;
+    for (size_t i = 0; i < head.count; ++i) {
+        out[i] = static_cast<float>(a.turbulence.chi[i] * rate);
+        out[head.count + i] = static_cast<float>(a.turbulence.epsilon[i] * power);
+    }
     return true;
 }
 
@@ -514,18 +523,6 @@ TableHead Batch::asset_table() const {
     const AssetData& a = asset_->data;
     const TurbulenceData& t = a.turbulence;
     return {static_cast<uint32_t>(t.chi.size()), t.stationary, t.dt * a.length_l / a.u0, a.u0, a.length_l, t.c0};
-}
-
-bool Batch::copy_asset_table(Buffer<float>& out) const {
-    const AssetData& a = asset_->data;
-    const size_t count = a.turbulence.chi.size();
-    if (!out.allocate(*allocator_, 4 * count)) return false;
-    const double rate = a.u0 / a.length_l, power = a.u0 * a.u0 * a.u0 / a.length_l;
-    for (size_t i = 0; i < count; ++i) {
-        out[i] = static_cast<float>(a.turbulence.chi[i] * rate);
-        out[count + i] = static_cast<float>(a.turbulence.epsilon[i] * power);
-    }
-    return true;
 }
 
 bool Batch::use_table(Buffer<float>& table, const TableHead& head, bool of_asset) {
@@ -548,11 +545,6 @@ bool Batch::use_table(Buffer<float>& table, const TableHead& head, bool of_asset
 
 bool Batch::set_table(const TableHead& head, const float* chi, const float* epsilon) {
     Buffer<float> table;
-    return copy_table(head, chi, epsilon, table) && use_table(table, head, false);
-}
-
-bool Batch::set_asset_table() {
-    Buffer<float> table;
-    return copy_asset_table(table) && use_table(table, asset_table(), true);
+    return copy_table(head, chi, epsilon, table) && use_table(table, head, !chi);
 }
 } // namespace lr

@@ -91,9 +91,9 @@ public:
     // After a step. Ages stop at most_age (kernel/limits.h).
     void grow_older(double seconds);
 
-    // On failure both keep the old table.
+    // On failure the old table stays. chi: null for the asset's own samples.
     bool set_table(const TableHead& head, const float* chi, const float* epsilon);
-    bool set_asset_table();
+    TableHead asset_table() const;
     const TableHead& table() const { return table_head_; }
     const float* table_chi() const { return table_.data(); }
     const float* table_epsilon() const { return table_.data() + table_head_.count; }
@@ -203,8 +203,6 @@ private:
     bool take_note(uint32_t index);
     bool is_diagonal_with(const AerodynamicData& loads) const;
     bool copy_table(const TableHead& head, const void* chi, const void* epsilon, Buffer<float>& out) const;
-    TableHead asset_table() const;
-    bool copy_asset_table(Buffer<float>& out) const;
     bool use_table(Buffer<float>& table, const TableHead& head, bool of_asset); // takes its memory
     bool make_loads(const AerodynamicData& loads, const Gains& gains, BodyConstants& out) const;
 

@@ -325,7 +325,7 @@ private:
     }
     static bool read_table(const SavedBatch& s, Batch& b) {
         const TableHead& head = s.header.table;
-        return head.count == 0 ? b.copy_asset_table(b.next_table_)
+        return head.count == 0 ? b.copy_table(b.asset_table(), nullptr, nullptr, b.next_table_)
                                : b.copy_table(head, s.at(piece_chi), s.at(piece_epsilon), b.next_table_);
     }
     static bool same_loads(const SnapshotBatch& h, const Batch& b) {
