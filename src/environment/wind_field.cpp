@@ -84,10 +84,6 @@ uint32_t WindField::total_instants() const {
     return total;
 }
 
-bool WindField::reserve(uint32_t instants) {
-    return grow(*allocator_, prepared_, size_t{slice} * instants);
-}
-
 lr_status WindField::put(Slot& slot, const SourceDesc& desc, double since, uint64_t seed, GridSamples* grid) {
     WindSource* source = nullptr;
     const lr_status status = make(desc, since, seed, grid, source);

@@ -83,7 +83,7 @@ private:
     void keep_spares(uint32_t most);
     void release(GridSamples* grid);
     GridSamples* find_samples(const SourceDesc& desc, uint64_t hash) const;
-    bool reserve(uint32_t instants);
+    bool reserve(uint32_t instants) { return grow(*allocator_, prepared_, size_t{slice} * instants); }
     uint32_t total_instants() const;
     void uniform_at(const UniformWind& over, double part, double time, double (&wind)[3]) const;
     void fill(FieldInstant& to, SourceInstant* sources, double time, const Carried& carried, uint64_t seed) const;

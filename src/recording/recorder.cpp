@@ -50,10 +50,6 @@ void Recorder::flush(uint16_t flags) {
     used_ = 0;
 }
 
-void Recorder::close() {
-    flush(0);
-}
-
 bool Recorder::seen(uint64_t hash) {
     uint64_t& place = seen_[hash % most_seen];
     if (place == hash) return true;

@@ -27,7 +27,7 @@ public:
     void open(Kind kind);
     void put(const void* bytes, uint64_t size);
     template <class T> void value(const T& v) { put(&v, sizeof v); }
-    void close();
+    void close() { flush(0); }
     template <class... T> void whole(Kind kind, const T&... values) {
         open(kind);
         (value(values), ...);

@@ -386,10 +386,6 @@ void lr_world::wake_in_water(const Water::Record& before) {
     });
 }
 
-bool lr_world::flow_may_wake() const {
-    return (colliders.any() || pairs.any() || surface.present()) && any_asleep();
-}
-
 bool lr_world::any_asleep() const {
     bool any = false;
     each_batch([&](const Batch& batch, uint32_t) { any = any || batch.awake() < batch.count(); });

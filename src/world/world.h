@@ -98,7 +98,8 @@ struct lr_world {
     // Wakes sleeping bodies on a collider's path in the step.
     void wake_at(uint32_t collider);
     void wake_in_water(const lr::Water::Record& before); // the water has changed
-    bool flow_may_wake() const;                          // whether wind or water may wake any body
+    // Whether wind or water may wake any body.
+    bool flow_may_wake() const { return (colliders.any() || pairs.any() || surface.present()) && any_asleep(); }
     bool any_asleep() const;
     bool reserve_contact(); // of all batches; false when out of memory
     // Needed for steps with colliders, body contact or water, and of bodies that touched something. False when out of memory.

@@ -156,14 +156,6 @@ void Batch::moved(uint32_t index) {
     if (noted && noted[index] != 0) cut_noted_[index / cut_bodies] = 1;
 }
 
-bool Batch::held(uint32_t index) const {
-    return !asleep(index) && is_held(arrays_.field[field_age_remainder][index]);
-}
-
-void Batch::judge(uint32_t index) {
-    hold_if_insane(arrays_, index, &faults.noted, [&](size_t f) { return arrays_.field[f][index]; });
-}
-
 uint32_t Batch::fall_asleep(uint32_t index) {
     if (held(index)) arrays_.field[field_age_remainder][index] = 0.0f; // so that it is no longer held when it wakes
     if (awake_ == count_) sleeping_->begin();
@@ -225,15 +217,6 @@ void Batch::doubt(uint32_t index) {
 
 void Batch::wake_all() {
     while (awake_ < count_) wake(awake_);
-}
-
-void Batch::wake_in(const Box& box) {
-    wake_near(box, 0.0, 0.0);
-}
-
-// Bodies may lie above the box by the slop of contact (contact.md, section 4), or by their room if they tremble in place.
-void Batch::wake_on(const Box& box) {
-    wake_near(box, SleepingGrid::room, 2e-6);
 }
 
 // share: of the body's reach, round: of its greatest coordinate, by which boxes are enlarged.
@@ -324,10 +307,6 @@ bool Batch::any_contact() const {
     return any;
 }
 
-void Batch::forget(uint32_t index) {
-    columns_.clear(index, index + 1, column_force, column_noise_seed - column_force);
-}
-
 void Batch::forget_touched_bodies() {
     const ContactCache book = contact_cache();
     for (uint32_t i = 0; i < count_ && book.still_time; ++i) {
@@ -359,10 +338,6 @@ ContactCache Batch::contact_cache() {
 void Batch::note_sleep(uint32_t index) {
     __atomic_store_n(&columns_.row<uint32_t>(column_noted)[index], 1u, __ATOMIC_RELAXED);
     __atomic_store_n(&cut_noted_[index / cut_bodies], uint8_t{1}, __ATOMIC_RELAXED);
-}
-
-bool Batch::take_note(uint32_t index) {
-    return std::exchange(columns_.row<uint32_t>(column_noted)[index], 0u) != 0;
 }
 
 // Backwards, so that no marked body moves to an index already visited.
@@ -481,10 +456,6 @@ const WaterBody* Batch::water_body(const lr_water_desc& surface, bool& failed) {
         failed = failed || !water_usable_;
     }
     return water_usable_ ? &water_ : nullptr;
-}
-
-bool Batch::reserve_users() {
-    return columns_.reserve(*allocator_, part_user, whole_blocks(capacity_));
 }
 
 void Batch::set_user(uint32_t index, uint64_t user) {

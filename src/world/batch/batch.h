@@ -110,14 +110,20 @@ public:
     uint32_t padded_count() const { return whole_blocks(count_); }
     uint32_t padded_awake() const { return whole_blocks(awake_); }
     bool asleep(uint32_t index) const { return index >= awake_; }
-    bool held(uint32_t index) const; // it diverged and is held
-    void judge(uint32_t index);      // checks an awake body for divergence after its velocity was set
+    bool held(uint32_t index) const { return !asleep(index) && is_held(arrays_.field[field_age_remainder][index]); }
+    // Checks an awake body for divergence after its velocity was set.
+    void judge(uint32_t index) {
+        hold_if_insane(arrays_, index, &faults.noted, [&](size_t f) { return arrays_.field[f][index]; });
+    }
     // Both return the new index. Falling asleep clears velocities and forces; waking makes the age exact.
     uint32_t fall_asleep(uint32_t index); // awake, and reserve_sleep() has held
     uint32_t wake(uint32_t index);        // asleep
     void wake_all();
-    void wake_in(const Box& box); // sleeping bodies whose box, position +- reach() times scale, overlaps this one
-    void wake_on(const Box& box); // the same, and bodies that may lie on something in it
+    // Sleeping bodies whose box, position +- reach() times scale, overlaps this one.
+    void wake_in(const Box& box) { wake_near(box, 0.0, 0.0); }
+    // The same, and bodies that may lie on something in it: above it by the slop of contact (contact.md, section 4), or by their room if they tremble
+    // in place.
+    void wake_on(const Box& box) { wake_near(box, SleepingGrid::room, 2e-6); }
     // Calls function for sleeping bodies whose contact box overlaps `box`. Any thread, while none falls asleep or wakes.
     template <class Function> void visit_sleeping(const Box& box, Function&& function) const {
         if (awake_ == count_) return;
@@ -146,8 +152,9 @@ public:
 
     // Allocates the columns of contact; false when out of memory.
     bool reserve_contact();
-    bool any_contact() const;     // whether any of their values is not 0
-    void forget(uint32_t index);  // clears contacts and forces, since the body respawned or was placed
+    bool any_contact() const; // whether any of their values is not 0
+    // Clears contacts and forces, since the body respawned or was placed.
+    void forget(uint32_t index) { columns_.clear(index, index + 1, column_force, column_noise_seed - column_force); }
     void forget_touched_bodies(); // the batch has no body contact any more
     // Marks an awake body to fall asleep, or a sleeping one to wake, at the end of the step. Any thread.
     void note_sleep(uint32_t index);
@@ -167,7 +174,8 @@ public:
     const WaterBody* water_body(const lr_water_desc& surface, bool& failed);
 
     ExternalForces external;
-    bool reserve_users();  // false when out of memory
+    // False when out of memory.
+    bool reserve_users() { return columns_.reserve(*allocator_, part_user, whole_blocks(capacity_)); }
     bool reserve_forces(); // for forces on single bodies; false when out of memory
 
     Lifecycle* lifecycle() const { return lifecycle_.get(); } // null before the first rules or emitter
@@ -200,7 +208,7 @@ private:
     void wake_near(const Box& box, double share, double round);
     // Both clear the mark that they return.
     bool take_cut(uint32_t cut) { return std::exchange(cut_noted_[cut], uint8_t{0}) != 0; }
-    bool take_note(uint32_t index);
+    bool take_note(uint32_t index) { return std::exchange(columns_.row<uint32_t>(column_noted)[index], 0u) != 0; }
     bool is_diagonal_with(const AerodynamicData& loads) const;
     bool copy_table(const TableHead& head, const void* chi, const void* epsilon, Buffer<float>& out) const;
     bool use_table(Buffer<float>& table, const TableHead& head, bool of_asset); // takes its memory

@@ -47,10 +47,6 @@ void ContactEvents::begin_step(const Batch& batch, const Colliders& colliders) {
     looks_ = looks;
 }
 
-TouchNotes ContactEvents::notes(const lr_body* ids) {
-    return {ids, noted_.data(), met_.data(), all_};
-}
-
 void ContactEvents::note_ended(const Batch& batch, uint32_t index, bool for_fault) {
     const lr_event event = event_of(batch, {}, index);
     const uint32_t slot = unpack(event.body).slot;

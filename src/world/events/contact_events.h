@@ -31,7 +31,7 @@ public:
     bool allocate(Allocator& allocator, uint32_t capacity);
 
     void begin_step(const Batch& batch, const Colliders& colliders);
-    TouchNotes notes(const lr_body* ids);
+    TouchNotes notes(const lr_body* ids) { return {ids, noted_.data(), met_.data(), all_}; }
     // A collider was destroyed, and its slot can get another: contacts must be compared anew.
     void recheck() { all_ = true; }
 

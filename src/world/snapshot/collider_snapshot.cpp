@@ -39,9 +39,6 @@ bool consistent(const ColliderRecord& c) {
 }
 } // namespace
 
-ColliderSnapshot::Slot ColliderSnapshot::slot(uint32_t i) const {
-    return value_at<Slot>(slots_, i);
-}
 ColliderRecord ColliderSnapshot::record(uint32_t i) const {
     return value_at<ColliderRecord>(slots_ + sizeof(Slot) * uint64_t{head_.slots}, i);
 }

@@ -53,7 +53,7 @@ private:
     template <class Write> static bool visit(const Colliders& colliders, Write&& write);
     bool is_there() const;
     bool free_slots_make_a_chain() const;
-    Slot slot(uint32_t i) const;
+    Slot slot(uint32_t i) const { return value_at<Slot>(slots_, i); }
     ColliderRecord record(uint32_t i) const;
     SharedGeometry* shared(const ColliderRecord& record) const;
 
