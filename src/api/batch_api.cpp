@@ -81,10 +81,7 @@ lr_status lr_batch_create(lr_world* world, const lr_batch_desc* desc, lr_batch* 
 }
 
 lr_status lr_batch_destroy(lr_world* world, lr_batch batch) {
-    return change(world, args(batch), [batch](lr_world& w, Batch&) -> Outcome {
-        w.destroy_batch(batch);
-        return {};
-    });
+    return change(world, args(batch), [batch](lr_world& w, Batch&) { w.destroy_batch(batch); });
 }
 
 int32_t lr_batch_is_valid(const lr_world* world, lr_batch batch) {

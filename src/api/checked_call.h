@@ -1,11 +1,11 @@
 // The course of a call on a world: detect concurrent use, record the call if a recording runs, check the arguments, log a refusal. An exported
 // function passes args(...), its unchanged arguments, and a lambda that takes the world and the converted arguments:
-//   const S&, S&, const S*            a struct with a struct_size: input, output, optional input
-//   Batch&, Body, Wind, ColliderSlot  the object of a handle
-//   Structs<S>, Handles<H>            an array
-//   Triple                            three finite numbers
-//   T&                                Required(T*): an output number or handle
-//   T                                 any other type, passed through
+//   const S&, S&, const S*                   a struct with a struct_size: input, output, optional input
+//   Batch&, Body, WindSource&, ColliderSlot  the object of a handle
+//   Structs<S>, Handles<H>                   an array
+//   Triple                                   three finite numbers
+//   T&                                       Required(T*): an output number or handle
+//   T                                        any other type, passed through
 //
 // Arguments are checked from left to right. `function` is the name of the exported function, by default.
 #pragma once
@@ -315,9 +315,6 @@ struct Body {
     Batch& batch;
     uint32_t index;
 };
-struct Wind {
-    lr_wind_source source;
-};
 struct ColliderSlot {
     uint32_t slot;
 };
@@ -351,9 +348,13 @@ template <> struct Taken<Body, lr_body> : Given<lr_body> {
     }
     Body get() { return {*batch, index}; }
 };
-template <> struct Taken<Wind, lr_wind_source> : Given<lr_wind_source> {
-    Outcome take(const lr_world& world) { return world.wind.find(given) ? LR_OK : LR_ERROR_STALE_WIND_SOURCE; }
-    Wind get() { return {given}; }
+template <> struct Taken<const WindSource&, lr_wind_source> : Given<lr_wind_source> {
+    const WindSource* source = nullptr;
+    Outcome take(const lr_world& world) {
+        source = world.wind.find(given);
+        return source ? LR_OK : LR_ERROR_STALE_WIND_SOURCE;
+    }
+    const WindSource& get() { return *source; }
 };
 template <> struct Taken<ColliderSlot, lr_collider> : Given<lr_collider> {
     uint32_t slot = 0;

@@ -31,27 +31,23 @@ lr_status add_source(lr_world* world, const SourceOf& desc, lr_wind_source* out,
     return change(world, args(desc, Required(out ? out : &unasked)), add, function);
 }
 
-bool is_other(const lr_world& w, Wind at, const SourceType& type) {
-    return type_of(w.wind.find(at.source)->desc) != &type;
-}
 constexpr const char* other_kind = "the source is of another kind";
 
 lr_status update_source(lr_world* world, lr_wind_source source, const SourceOf& desc,
                         const char* function = __builtin_FUNCTION()) {
-    const auto update = [&](lr_world& w, Wind at, const SourceDesc& d) -> Outcome {
-        if (is_other(w, at, desc.type)) return invalid(other_kind);
+    const auto update = [&](lr_world& w, const WindSource& held, const SourceDesc& d) -> Outcome {
+        if (type_of(held.desc) != &desc.type) return invalid(other_kind);
         const Outcome outcome = check(d, true);
-        return outcome.refused() ? outcome : w.wind.update(at.source, d, w.time, w.seed);
+        return outcome.refused() ? outcome : w.wind.update(source, d, w.time, w.seed);
     };
     return change(world, args(source, desc), update, function);
 }
 
 lr_status get_source(const lr_world* world, lr_wind_source source, const SourceType& type, void* out,
                      const char* function = __builtin_FUNCTION()) {
-    const auto get = [&](const lr_world& w, Wind at) -> Outcome {
+    const auto get = [&](const lr_world& w, const WindSource& held) -> Outcome {
         if (const lr_status status = check_size(out, type.size, type.size); status != LR_OK) return status;
-        if (is_other(w, at, type)) return invalid(other_kind);
-        const WindSource& held = *w.wind.find(at.source);
+        if (type_of(held.desc) != &type) return invalid(other_kind);
         // Where it is now: a caller that changes something and updates does not move it back.
         SourceDesc now = held.desc;
         put(to_float(held.place(w.time)), now.position);
@@ -109,11 +105,11 @@ LR_WIND_SOURCES(LR_SOURCE)
 // NOLINTEND(bugprone-macro-parentheses)
 
 lr_status lr_world_remove_wind(lr_world* world, lr_wind_source source) {
-    return change(world, args(source), [](lr_world& w, Wind at) { w.wind.remove(at.source); });
+    return change(world, args(source), [&](lr_world& w, const WindSource&) { w.wind.remove(source); });
 }
 
 int32_t lr_wind_source_is_valid(const lr_world* world, lr_wind_source source) {
-    return is_valid<Wind>(world, source);
+    return is_valid<const WindSource&>(world, source);
 }
 
 lr_status lr_world_set_wind_callback(lr_world* world, lr_wind_fn callback, void* user) {

@@ -116,15 +116,13 @@ lr_status WindField::update(lr_wind_source handle, const SourceDesc& desc, doubl
     return put(slot, desc, slot.source->since_for(desc, time), seed, keep ? slot.source->grid : nullptr);
 }
 
-bool WindField::remove(lr_wind_source handle) {
-    if (!find(handle)) return false;
+void WindField::remove(lr_wind_source handle) {
     Slot& slot = slots_[slot_of(handle)];
     release(slot.source);
     slot.source = nullptr;
     slot.generation = (slot.generation + 1) & last_generation;
     --used_;
     keep_spares(used_);
-    return true;
 }
 
 float WindField::fastest() const {

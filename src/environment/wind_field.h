@@ -37,10 +37,10 @@ public:
     bool active() const { return used_ != 0 || callback(); }
     float fastest() const; // m/s: the uniform wind and the strongest source; callbacks and gusts are unknown
 
-    // The desc must be valid; a source to update must exist and have the same kind. A failed call changes nothing.
+    // The desc must be valid; a source to update or remove must exist, and have the same kind. A failed call changes nothing.
     lr_status add(const SourceDesc& desc, double time, uint64_t seed, lr_wind_source& out);
     lr_status update(lr_wind_source source, const SourceDesc& desc, double time, uint64_t seed);
-    bool remove(lr_wind_source source);
+    void remove(lr_wind_source source);
     const WindSource* find(lr_wind_source source) const;
 
     // Calls visit(desc, hash, samples) for each source with a grid.

@@ -100,15 +100,9 @@ Batch* lr_world::find(lr_body body, uint32_t& index) const {
 }
 
 bool lr_world::grow_batches() {
-    Buffer<BatchSlot> larger;
-    Buffer<StepItem> more_items;
     const size_t size = std::max<size_t>(8, 2 * batches.size());
-    if (!larger.allocate(allocator, size) || !more_items.allocate(allocator, size) || !pacing.reserve(allocator, size))
-        return false;
-    std::copy(batches.data(), batches.data() + batch_slots, larger.data());
-    batches.swap(larger);
-    items.swap(more_items);
-    return true;
+    return pacing.reserve(allocator, size) && enlarge(allocator, items, size, 0) &&
+           enlarge(allocator, batches, size, batch_slots);
 }
 
 lr_status lr_world::create_batch(const lr_asset& asset, uint32_t capacity, const BatchSettings& settings,
