@@ -3,6 +3,8 @@
 #include "api/struct_conversion.h"
 #include "environment/water.h"
 #include "environment/wind_source.h"
+#include "world/sleep/afloat.h"
+#include "world/snapshot/snapshot_bytes.h"
 #include "world/step/step_in_wind.h"
 
 namespace lr::api {
@@ -139,7 +141,13 @@ lr_status lr_world_set_water(lr_world* world, const lr_water_desc* desc) {
             w.surface.set(*d, w.gravity, w.time);
         else
             w.surface.clear();
-        w.wake_in_water(before);
+        if (same(before, w.surface.record())) return {};
+        w.each_batch([&](Batch& batch, uint32_t) {
+            forget_afloat(batch);
+            // A waking body swaps places with one before it, already visited.
+            for (uint32_t i = batch.awake(); i < batch.count(); ++i)
+                if (w.surface.changes(before, batch.sleeping()->box(unpack(batch.ids()[i]).slot))) batch.wake(i);
+        });
         return {};
     });
 }

@@ -4,7 +4,6 @@
 #include "base/counter_random.h"
 #include "base/last_error.h"
 #include "world/batch/lifecycle.h"
-#include "world/sleep/afloat.h"
 #include "world/sleep/wake.h"
 #include "world/snapshot/snapshot_bytes.h"
 #include "world/step/step_in_wind.h"
@@ -369,17 +368,6 @@ void lr_world::wake_at(uint32_t collider) {
     each_batch([&](Batch& batch, uint32_t) { batch.wake_on(box); });
 }
 
-void lr_world::wake_in_water(const Water::Record& before) {
-    if (same(before, surface.record())) return;
-    const FloatMode mode;
-    each_batch([&](Batch& batch, uint32_t) {
-        forget_afloat(batch);
-        // A waking body swaps places with one before it, already visited.
-        for (uint32_t i = batch.awake(); i < batch.count(); ++i)
-            if (surface.changes(before, batch.sleeping()->box(unpack(batch.ids()[i]).slot))) batch.wake(i);
-    });
-}
-
 bool lr_world::any_asleep() const {
     bool any = false;
     each_batch([&](const Batch& batch, uint32_t) { any = any || batch.awake() < batch.count(); });
@@ -390,12 +378,6 @@ bool lr_world::reserve_contact() {
     bool enough = reserve_scratch();
     each_batch([&](Batch& batch, uint32_t) { enough = enough && batch.reserve_contact(); });
     return enough;
-}
-
-// Twice gravity, to allow for other loads; the wind, which light bodies take on within a step; much for external forces.
-float lr_world::contact_gain(const Batch& batch, float dt) const {
-    const float forced = batch.step.external.any ? 50.0f : 0.0f;
-    return 2.0f * dt * length(vector_of(gravity)) + wind.fastest() + forced;
 }
 
 void lr_world::finish_batches(double dt) {

@@ -97,7 +97,6 @@ struct lr_world {
 
     // Wakes sleeping bodies on a collider's path in the step.
     void wake_at(uint32_t collider);
-    void wake_in_water(const lr::Water::Record& before); // the water has changed
     // Whether wind or water may wake any body.
     bool flow_may_wake() const { return (colliders.any() || pairs.any() || surface.present()) && any_asleep(); }
     bool any_asleep() const;
@@ -105,8 +104,6 @@ struct lr_world {
     // Needed for steps with colliders, body contact or water, and of bodies that touched something. False when out of memory.
     bool reserve_scratch() { return step_workers.reserve_scratch(allocator); }
     float contact_reach(float dt) const; // m, for the broad phase
-    // m/s: allowance for speed gained in dt, which widens the search for contacts.
-    float contact_gain(const lr::Batch& batch, float dt) const;
 
     // For substeps in uniform wind, `begin` at their beginning. unfit: set if a batch cannot be in the water.
     void fill_input(lr::Batch& batch, const lr::StepTime& time, uint64_t first_substep, const float (&begin)[3],
