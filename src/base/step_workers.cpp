@@ -116,10 +116,6 @@ bool StepWorkers::start(uint32_t workers, const lr_job_system& jobs) {
     return jobs.enqueue || pool_.start(workers);
 }
 
-uint32_t StepWorkers::usual_helpers() {
-    return std::clamp<uint32_t>(hardware_threads(), 2, WorkerPool::max_workers + 1) - 1;
-}
-
 void StepWorkers::job(void* step_workers, uint32_t begin, uint32_t end) {
     if (begin >= end) return;
     StepWorkers& self = *static_cast<StepWorkers*>(step_workers);

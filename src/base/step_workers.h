@@ -82,8 +82,6 @@ public:
     bool start(uint32_t workers, const lr_job_system& jobs);
     // Gives tasks scratch. False when out of memory.
     bool reserve_scratch(Allocator& allocator) { return queue_.scratch().reserve(allocator, helpers_ + 1); }
-    // Guess for a job system with an unknown number of threads: the machine's, less the caller.
-    static uint32_t usual_helpers();
     void stop() {
         pool_.stop();
         queue_.scratch().reset();

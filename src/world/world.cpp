@@ -65,7 +65,7 @@ lr_world* lr_world::create(const lr_world_desc& desc, lr_status& status) {
     world->call_guard.check(desc.checks);
     uint32_t workers = desc.worker_count;
     if (desc.jobs.enqueue && workers == 0) {
-        workers = StepWorkers::usual_helpers();
+        workers = std::clamp<uint32_t>(hardware_threads(), 2, WorkerPool::max_workers + 1) - 1;
         world->log(LR_LOG_WARNING, "lr_world_create",
                    "worker_count is 0: assuming one thread less than this machine has for the job system");
     }
@@ -98,18 +98,15 @@ Batch* lr_world::find(lr_body body, uint32_t& index) const {
     return batch && batch->find(body, index) ? batch : nullptr;
 }
 
-bool lr_world::grow_batches() {
-    const size_t size = std::max<size_t>(8, 2 * batches.size());
-    return pacing.reserve(allocator, size) && enlarge(allocator, items, size, 0) &&
-           enlarge(allocator, batches, size, batch_slots);
-}
-
 lr_status lr_world::create_batch(const lr_asset& asset, uint32_t capacity, const BatchSettings& settings,
                                  lr_batch& out) {
     uint32_t at = 0;
     while (at < batch_slots && batches[at].batch) ++at;
     if (at == max_batches) return LR_ERROR_CAPACITY;
-    if (at == batches.size() && !grow_batches()) return LR_ERROR_OUT_OF_MEMORY;
+    const size_t room = at < batches.size() ? batches.size() : std::max<size_t>(8, 2 * batches.size());
+    if (!pacing.reserve(allocator, room) || !enlarge(allocator, items, room, 0) ||
+        !enlarge(allocator, batches, room, batch_slots))
+        return LR_ERROR_OUT_OF_MEMORY;
     BatchSlot slot = at < batch_slots ? batches[at] : BatchSlot{nullptr, 1, 1};
     lr_status status = LR_OK;
     slot.batch = Batch::create(allocator, asset, capacity, settings, at, slot.body_generation, status);

@@ -175,7 +175,6 @@ private:
     void finish_batches(double dt);
     explicit lr_world(const lr::Allocator& from) : allocator(from) {}
     ~lr_world();
-    bool grow_batches();
 };
 
 namespace lr {
