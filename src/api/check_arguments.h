@@ -32,9 +32,6 @@ template <> inline constexpr size_t first_size<lr_aerodynamics> = offsetof(lr_ae
 inline bool is_struct_size(uint32_t size, size_t own, size_t first) {
     return (size >= own || size == first) && size <= max_struct_size;
 }
-template <class T> bool is_struct_size(uint32_t size) {
-    return is_struct_size(size, sizeof(T), first_size<T>);
-}
 
 template <class T>
 concept Sized = requires(T s) {

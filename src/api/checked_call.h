@@ -26,8 +26,8 @@ concept Handle = requires(T handle) {
     handle.id;
 };
 
-// An array of structs with a struct_size, which is that of the first: all must have the same. A call accepts all elements or none: it checks each before
-// it uses the first.
+// An array of structs with a struct_size, which is that of the first: all must have the same. A call accepts all elements or none: it checks each
+// before it uses the first.
 template <Sized S> struct Structs {
     const S* first;
     uint32_t count;
@@ -72,9 +72,9 @@ private:
 class Call;
 using Record = Ref<void(Call&)>; // calls record_argument() for each argument
 
-// Writes one call to a recording: its arguments before it runs, its outputs afterwards. record_argument() of each argument runs in up to four passes: ask (does the call pass pointers?), survey (write large arrays as records of their
-// own), write (the arguments), output (the results). Only survey and write read the caller's memory; they run after accepted(), because pointers are
-// not validated before.
+// Writes one call to a recording: its arguments before it runs, its outputs afterwards. record_argument() of each argument runs in up to four passes:
+// ask (does the call pass pointers?), survey (write large arrays as records of their own), write (the arguments), output (the results). Only survey
+// and write read the caller's memory; they run after accepted(), because pointers are not validated before.
 class Call {
 public:
     enum class Pass { ask, survey, write, output };

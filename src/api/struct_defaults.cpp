@@ -5,12 +5,13 @@ namespace lr::api {
 namespace {
 
 // The caller's struct is larger or smaller if its header is newer or older.
-template <Sized T> lr_status init(T* s, uint32_t struct_size, const T& initial) {
-    if (!s) return LR_ERROR_NULL_ARGUMENT;
-    if (!is_struct_size<T>(struct_size)) return LR_ERROR_STRUCT_SIZE;
-    std::memset(static_cast<void*>(s), 0, struct_size);
-    std::memcpy(static_cast<void*>(s), &initial, std::min<size_t>(struct_size, sizeof initial));
-    s->struct_size = struct_size;
+lr_status init(void* s, uint32_t struct_size, const void* initial, size_t own, size_t first,
+               const char* function = __builtin_FUNCTION()) {
+    if (!s) return note_refusal(function, LR_ERROR_NULL_ARGUMENT);
+    if (!is_struct_size(struct_size, own, first)) return note_refusal(function, LR_ERROR_STRUCT_SIZE);
+    std::memset(s, 0, struct_size);
+    std::memcpy(s, initial, std::min<size_t>(struct_size, own));
+    std::memcpy(s, &struct_size, sizeof struct_size); // the first field
     return LR_OK;
 }
 } // namespace
@@ -20,7 +21,7 @@ template <Sized T> lr_status init(T* s, uint32_t struct_size, const T& initial) 
 #define LR_STRUCT(name, initial)                                                                                       \
     lr_status name##_init(name* s, uint32_t struct_size) {                                                             \
         static constexpr name begins = initial; /* static, so that padding is 0 */                                     \
-        return lr::api::note_refusal(#name "_init", lr::api::init(s, struct_size, begins));                            \
+        return lr::api::init(s, struct_size, &begins, sizeof begins, lr::api::first_size<name>);                       \
     }
 // NOLINTEND(bugprone-macro-parentheses)
 extern "C" {

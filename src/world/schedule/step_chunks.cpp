@@ -46,8 +46,8 @@ ContactRun contact_run(const lr_world& world, Batch& batch, const WaterStep* wat
                        float seconds) {
     const Vector weight = vector_of(world.gravity);
     const float gravity = length(weight);
-    // m/s: speed gained in the step, which widens the search for contacts. Twice gravity, to allow for other loads; the wind, which light bodies take on
-    // within a step; much for external forces.
+    // m/s: speed gained in the step, which widens the search for contacts. Twice gravity, to allow for other loads; the wind, which light bodies take
+    // on within a step; much for external forces.
     const float forced = batch.step.external.any ? 50.0f : 0.0f;
     const float gain = 2.0f * seconds * gravity + world.wind.fastest() + forced;
     const ContactStep step{world.target->contact,
