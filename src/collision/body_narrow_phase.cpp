@@ -21,37 +21,24 @@ constexpr uint32_t most_refinements = 3;
 // Contacts closer than this share of the smaller core are duplicates.
 constexpr float same = plate_same_place;
 
-Float4 rows_of(Vector v, float behind) {
-    return Float4{v.x, v.y, v.z, behind};
-}
-Float4 size_of(Float4 a) {
-    return greater(a, -a);
-}
-
-// Whether the cores' boxes are farther apart than `enough` along a face normal of either; edge against edge is left to GJK. True for NaN. direction:
-// from b to a, along the box axis of largest separation or least overlap.
-bool boxes_apart(const RelativePair& pair, float enough, Vector& direction) {
-    const Vector half_a = pair.a->core_half, half_b = pair.ratio * pair.b->core_half, t = pair.offset;
-    constexpr float never = 1e30f; // the last lane is not an axis
-    const Float4 a = rows_of(half_a, never), b = rows_of(half_b, never);
-    // b's axes, as components along each of a's.
-    const Float4 u = rows_of(pair.axes[0], 0.0f), v = rows_of(pair.axes[1], 0.0f), w = rows_of(pair.axes[2], 0.0f);
-    const Float4 x{u[0], v[0], w[0], 0.0f}, y{u[1], v[1], w[1], 0.0f}, z{u[2], v[2], w[2], 0.0f};
-    const Float4 along_a = rows_of(t, 0.0f), along_b = x * t.x + y * t.y + z * t.z;
-    const Float4 apart_a =
-        size_of(along_a) - (a + half_b.x * size_of(u) + half_b.y * size_of(v) + half_b.z * size_of(w));
-    const Float4 apart_b =
-        size_of(along_b) - (b + half_a.x * size_of(x) + half_a.y * size_of(y) + half_a.z * size_of(z));
-    const Float4 most = all(enough);
-    if (any(~((apart_a <= most) & (apart_b <= most)))) return true;
-    Greatest best(apart_a);
-    best.offer(apart_b, 4);
-    uint32_t at = 0;
-    best.get(at);
-    const Vector own[8] = {{1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 1.0f}, {},
-                           pair.axes[0],       pair.axes[1],       pair.axes[2],       {}};
-    direction = (at < 4 ? along_a[at] : along_b[at - 4]) > 0.0f ? -own[at] : own[at];
-    return false;
+// Whether the cores' boxes are at most `enough` apart along all face normals of both; edge against edge is left to GJK. False for NaN. direction: from
+// b to a, along the box axis of largest separation or least overlap.
+bool boxes_near(const RelativePair& pair, float enough, Vector& direction) {
+    const Vector half[2] = {pair.a->core_half, pair.ratio * pair.b->core_half};
+    const Vector axes[2][3] = {{{1.0f, 0.0f, 0.0f}, {0.0f, 1.0f, 0.0f}, {0.0f, 0.0f, 1.0f}},
+                               {pair.axes[0], pair.axes[1], pair.axes[2]}};
+    float most = -std::numeric_limits<float>::infinity();
+    for (uint32_t k = 0; k < 3; ++k)
+        for (const uint32_t of : {0u, 1u}) {
+            const Vector n = axes[of][k], other = half[1 - of];
+            const auto size = [&](uint32_t i) { return std::abs(dot(axes[1 - of][i], n)); };
+            const float along = dot(n, pair.offset);
+            const float apart =
+                std::abs(along) - (half[of][k] + other.x * size(0) + other.y * size(1) + other.z * size(2));
+            if (!(apart <= enough)) return false;
+            if (apart > most) most = apart, direction = along > 0.0f ? -n : n;
+        }
+    return true;
 }
 
 struct Drawn {
@@ -255,7 +242,7 @@ bool relate_ordered(const PairBody& one, const PairBody& other, float margin, Ne
     pair.size = a.core_reach > reach_b ? a.core_reach : reach_b;
     const float by_gap = part_of_gap * near.enough, by_size = part_of_size * smaller;
     near.tolerance = by_gap < by_size ? by_gap : by_size;
-    return !boxes_apart(pair, near.enough + 1e-6f * pair.size, near.start);
+    return boxes_near(pair, near.enough + 1e-6f * pair.size, near.start);
 }
 } // namespace
 
