@@ -1,5 +1,7 @@
 #include "collision/build_collider_geometry.h"
 
+#include "base/disjoint_sets.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -43,35 +45,25 @@ struct Edge {
     bool downwards; // from high to low
 };
 
-// Union-find of triangles joined by edges; each knows whether it is wound against the first of its surface.
-class Surfaces {
-public:
-    explicit Surfaces(uint32_t triangles) : above_(triangles), turned_(triangles, 0) {
-        std::iota(above_.begin(), above_.end(), 0u);
+// Disjoint sets of triangles joined by edges. A triangle t is two elements, 2 t as it is wound and 2 t + 1 turned.
+struct Surfaces {
+    std::vector<uint32_t> parents;
+
+    explicit Surfaces(uint32_t triangles) : parents(size_t{2} * triangles) {
+        std::iota(parents.begin(), parents.end(), 0u);
     }
-    // Closing a surface that is wound against itself, such as a Moebius strip, leaves the windings as they are.
     void join(uint32_t a, uint32_t b, bool alike) {
-        char of_a = 0, of_b = 0;
-        const uint32_t to = first(a, of_a), from = first(b, of_b);
-        if (to == from) return;
-        above_[std::max(to, from)] = std::min(to, from);
-        turned_[std::max(to, from)] = static_cast<char>(of_a ^ of_b ^ (alike ? 0 : 1));
+        const auto parent = [this](uint32_t i) -> uint32_t& { return parents[i]; };
+        join_sets(parent, 2 * a, 2 * b + (alike ? 0 : 1));
+        join_sets(parent, 2 * a + 1, 2 * b + (alike ? 1 : 0));
     }
-
-    // The first triangle of t's surface. way: also turned if t is wound against it.
-    uint32_t first(uint32_t t, char& way) {
-        for (; above_[t] != t; t = above_[t]) {
-            const uint32_t up = above_[t]; // path halving
-            turned_[t] = static_cast<char>(turned_[t] ^ turned_[up]);
-            above_[t] = above_[up];
-            way = static_cast<char>(way ^ turned_[t]);
-        }
-        return t;
+    // The first triangle of t's surface. turned: whether t is wound against it; of a surface that is wound against itself, such as a Moebius strip,
+    // no triangle is.
+    uint32_t first(uint32_t t, char& turned) {
+        const uint32_t found = first_of_set([this](uint32_t i) -> uint32_t& { return parents[i]; }, 2 * t);
+        turned = static_cast<char>(found % 2);
+        return found / 2;
     }
-
-private:
-    std::vector<uint32_t> above_;
-    std::vector<char> turned_;
 };
 
 struct Surface {
