@@ -29,14 +29,12 @@ struct WideBox {
 };
 
 WideBox box_at(const LocalBounds& local, const Pose& pose) {
-    const auto [x, y, z, w] = to_double(pose.rotation);
-    const Double3 rows[3] = {{1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - z * w), 2.0 * (x * z + y * w)},
-                             {2.0 * (x * y + z * w), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - x * w)},
-                             {2.0 * (x * z - y * w), 2.0 * (y * z + x * w), 1.0 - 2.0 * (x * x + y * y)}};
+    const Quaternion<double> q = to_double(pose.rotation);
     const Double3 low = to_double(local.box.low), high = to_double(local.box.high), one = all(1.0);
     const Double3 m = 0.5 * (low + high), h = 0.5 * (high - low);
-    const Double3 middle = to_double(pose.position) + Double3{dot(rows[0], m), dot(rows[1], m), dot(rows[2], m)};
-    Double3 half{dot(sizes_of(rows[0]), h), dot(sizes_of(rows[1]), h), dot(sizes_of(rows[2]), h)};
+    const Double3 middle = to_double(pose.position) + rotate(q, m);
+    const auto along = [&](uint32_t k) { return sizes_of(rotate(q, along_axis(k, h[k]))); };
+    Double3 half = along(0) + along(1) + along(2);
     // The quaternion has unit length only up to rounding, and the results carry that error.
     const double round = wide(local.round), size = round + dot(sizes_of(m) + h, one);
     half = half + all(round + 1e-6 * size);
