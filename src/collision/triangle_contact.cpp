@@ -35,16 +35,6 @@ bool is_hidden(const Triangle& t, Vector n) {
     return hidden(out == 3 ? 0 : out == 6 ? 1 : 2);
 }
 
-// Whether the body, seen along the normal, lies inside the triangle.
-bool covers(const Triangle& t, Vector position, float reach) {
-    for (uint32_t i = 0; i < 3; ++i) {
-        const Vector edge = t.corners[(i + 1) % 3] - t.corners[i];
-        const float in = dot(cross(t.normal, edge), position - t.corners[i]);
-        if (in <= 0.0f || in * in < reach * reach * dot(edge, edge)) return false;
-    }
-    return true;
-}
-
 // Direction to the side on which the body was when the substep began; 0 if unknown. A thin body pressed in beyond its middle plane would otherwise
 // leave on the other side.
 Double3 side_before(const ContactPoints& set, const Triangle& t) {
@@ -97,7 +87,7 @@ void add_triangle(ContactPoints& set, const Triangle& t, bool alone = false) {
     if (!reaches(grown({position, position}, far), t)) return;
     const PlacedCollider collider(t.corners, position);
     const double enough = static_cast<double>(set.margin + body.radius);
-    if (body.count > 0 && covers(t, position, reach)) {
+    if (body.count > 0 && is_over(t, position, reach)) {
         Separation flat = separate_from_side(set, t, collider, {});
         if (flat.distance < 0.0 && !t.one_sided) flat = separate_from_side(set, t, collider, side_before(set, t));
         if (flat.distance < enough) add_manifold(set, collider, flat);
@@ -191,9 +181,12 @@ void add_points(ContactPoints& set, const HeightfieldGeometry& field) {
 }
 } // namespace
 
-bool is_over(const Triangle& t, Vector point) {
-    for (uint32_t i = 0; i < 3; ++i)
-        if (dot(cross(t.normal, t.corners[(i + 1) % 3] - t.corners[i]), point - t.corners[i]) < 0.0f) return false;
+bool is_over(const Triangle& t, Vector point, float reach) {
+    for (uint32_t i = 0; i < 3; ++i) {
+        const Vector edge = t.corners[(i + 1) % 3] - t.corners[i];
+        const float in = dot(cross(t.normal, edge), point - t.corners[i]);
+        if (in < 0.0f || in * in < reach * reach * dot(edge, edge)) return false;
+    }
     return true;
 }
 

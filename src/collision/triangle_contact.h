@@ -16,8 +16,8 @@ Triangle mesh_triangle(const MeshGeometry& mesh, uint32_t index);
 bool reaches(const Box& box, const Triangle& t);
 // Cosine between normals of triangles that count as one surface.
 inline constexpr float facing = 0.5f;
-// Whether a point, seen along the normal, lies inside the triangle.
-bool is_over(const Triangle& t, Vector point);
+// Whether a point, seen along the normal, lies inside the triangle, at least `reach` (m) from its edges.
+bool is_over(const Triangle& t, Vector point, float reach = 0.0f);
 
 struct HeightPoint {
     float height; // m
