@@ -124,12 +124,17 @@ uint32_t ContactGroup::place(uint32_t i, const SlotContact& c) {
     return out;
 }
 
-void ContactGroup::add(uint32_t i, uint32_t collider, const Contact& contact, const Pose& pose,
-                       const SurfaceMotion& motion, Vector lifted) {
+void ContactGroup::add(uint32_t i, uint32_t collider, const Contact* contacts, uint32_t count,
+                       const ContactSubstep& substep, Vector lifted) {
+    if (count == 0) return;
     const Collider& c = step_->colliders->at(collider);
-    const Vector point = to_outer(pose_of(i), contact.arm), normal = rotate(pose.rotation, contact.normal);
-    put(i, {contact.arm, normal, motion.velocity_at(point), motion.lag_at(point), contact.gap - dot(normal, lifted),
-            pair_friction(*step_->settings, c), pair_restitution(*step_->settings, c), collider});
+    const Rotation turn = pose_at(c, substep.end).rotation;
+    const SurfaceMotion motion = motion_of(c, substep);
+    for (const Contact* at = contacts; at != contacts + count; ++at) {
+        const Vector point = to_outer(pose_of(i), at->arm), normal = rotate(turn, at->normal);
+        put(i, {at->arm, normal, motion.velocity_at(point), motion.lag_at(point), at->gap - dot(normal, lifted),
+                pair_friction(*step_->settings, c), pair_restitution(*step_->settings, c), collider});
+    }
 }
 
 // Returns the slot, or contact_slots.
@@ -189,13 +194,11 @@ void ContactGroup::touch_grounds(const ContactSubstep& substep) {
                 continue;
             }
             const Collider& c = step_->colliders->at(grounds_[g]);
-            const Pose pose = pose_at(c, substep.end);
-            const SurfaceMotion motion = motion_of(c, substep);
             Contact contacts[most_contacts];
-            const uint32_t count =
-                find_contacts(*step_->shape, arrays_.field[field_scale][i], relative(pose, pose_of(i)), c.geometry,
-                              margin_of(i, substep.h), contacts);
-            for (uint32_t k = 0; k < count; ++k) add(i, grounds_[g], contacts[k], pose, motion);
+            const uint32_t count = find_contacts(*step_->shape, arrays_.field[field_scale][i],
+                                                 relative(pose_at(c, substep.end), pose_of(i)), c.geometry,
+                                                 margin_of(i, substep.h), contacts);
+            add(i, grounds_[g], contacts, count, substep);
         }
     }
 }
@@ -219,9 +222,7 @@ void ContactGroup::touch_floors(const ContactSubstep& substep) {
         ContactPoints points(*step_->shape, scale, at, margin_of(i, substep.h));
         add_floor(points, *c.geometry.mesh, floor);
         Contact contacts[most_contacts];
-        const uint32_t count = points.keep(contacts, true);
-        const SurfaceMotion motion = motion_of(c, substep);
-        for (uint32_t n = 0; n < count; ++n) add(i, floor.slot, contacts[n], pose, motion);
+        add(i, floor.slot, contacts, points.keep(contacts, true), substep);
     }
     ContactSlots::Slot found[manifold_slots];
     while (left != 0) {
@@ -349,18 +350,13 @@ void ContactGroup::touch_others(uint32_t i, const ContactSubstep& substep) {
     const Pose at = pose_of(i), lifted{at.position + lift_[i], at.rotation};
     const Box around = grown({at.position, at.position}, 1.2f * step_->shape->reach * scale + margin);
     Contact contacts[most_contacts];
-    const auto add_all = [&](uint32_t slot, const Pose& pose, uint32_t count, Vector by) {
-        if (count == 0) return;
-        const SurfaceMotion motion = motion_of(step_->colliders->at(slot), substep);
-        for (uint32_t n = 0; n < count; ++n) add(i, slot, contacts[n], pose, motion, by);
-    };
     std::optional<Vector> face;
     // All parts of a mesh give one manifold: hundreds of parts can be under a body.
     std::optional<ContactPoints> mesh;
     uint32_t mesh_slot = 0;
     Pose mesh_pose{}, began{};
     const auto finish_mesh = [&] {
-        if (mesh) add_all(mesh_slot, mesh_pose, mesh->keep(contacts, true), lift_[i]);
+        if (mesh) add(i, mesh_slot, contacts, mesh->keep(contacts, true), substep, lift_[i]);
         mesh.reset();
     };
     const MeshFloor& floor = floor_[i];
@@ -373,11 +369,10 @@ void ContactGroup::touch_others(uint32_t i, const ContactSubstep& substep) {
             const Pose from = relative(pose_at(c, substep.begin), pose_in(substep.before, i));
             bool fast = false;
             const bool below = side_below(i, c, at, substep, fast) && !fast;
-            add_all(candidate.slot, pose,
-                    find_contacts(*step_->shape, scale, relative(pose, below ? at : lifted), c.geometry, margin,
-                                  contacts, &from, below ? Vector{} : rotate(inverse(pose.rotation), up_[i])),
-                    below ? Vector{} : lift_[i]);
-            return;
+            const uint32_t count =
+                find_contacts(*step_->shape, scale, relative(pose, below ? at : lifted), c.geometry, margin, contacts,
+                              &from, below ? Vector{} : rotate(inverse(pose.rotation), up_[i]));
+            return add(i, candidate.slot, contacts, count, substep, below ? Vector{} : lift_[i]);
         }
         if (!mesh) {
             mesh_slot = candidate.slot;

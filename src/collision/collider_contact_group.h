@@ -237,7 +237,8 @@ private:
     void touch_others(uint32_t lane, const ContactSubstep& substep);
     void touch_sleeping(uint32_t lane, const ContactSubstep& substep);
     uint32_t put(uint32_t lane, const SlotContact& contact);
-    void add(uint32_t lane, uint32_t collider, const Contact& contact, const Pose& pose, const SurfaceMotion& motion,
+    // Contacts with one collider, given in its frame at the end of the substep, of a body seen higher by `lifted`.
+    void add(uint32_t lane, uint32_t collider, const Contact* contacts, uint32_t count, const ContactSubstep& substep,
              Vector lifted = {});
     uint32_t place(uint32_t lane, const SlotContact& contact);
     Pose pose_of(uint32_t lane) const { return pose_in(arrays_.field, lane); }

@@ -31,24 +31,18 @@ float lowest(const BodyShape& s, float scale, const Pose& pose, Vector n) {
     return dot(n, pose.position) + scale * least;
 }
 
-// Half space n . x >= offset; x is relative to the body's position before the substep.
-struct Side {
-    Vector normal;
-    float offset;
-};
-
 // Triangles that the swept test skips: those already met, and those behind planes that the body stays in front of.
 struct PassedTriangles {
     const Candidate* met;
     uint32_t met_count, slot, side_count;
-    float little;           // m
-    Side sides[most_stops]; // in the mesh's frame
+    float little;               // m
+    FlatSide sides[most_stops]; // that it stays in front of, in the mesh's frame
 
     static bool skips(const void* passed, const Triangle& t, uint32_t index) {
         const auto& p = *static_cast<const PassedTriangles*>(passed);
         const auto is_it = [&](const Candidate& m) { return m.slot == p.slot && m.part.first == index; };
         if (std::any_of(p.met, p.met + p.met_count, is_it)) return true;
-        return std::any_of(p.sides, p.sides + p.side_count, [&](const Side& side) {
+        return std::any_of(p.sides, p.sides + p.side_count, [&](const FlatSide& side) {
             return std::all_of(t.corners, t.corners + 3,
                                [&](Vector corner) { return dot(side.normal, corner) <= side.offset + p.little; });
         });
@@ -100,7 +94,7 @@ Contact nearest_contact(const BodyShape& s, float scale, const Pose& at, const G
 // A plane that separates two convex things at the moment of touch. As long as the whole body stays on its side, it may slide along it and cannot pass
 // through. `met` is in the collider's frame. began, face: for meshes, as in ContactPoints.
 void find_side(const BodyShape& s, float scale, const Pose& met, const Geometry& g, ColliderPart part, float margin,
-               const Pose& began, Vector face, Stop& stop, Side& side) {
+               const Pose& began, Vector face, Stop& stop, FlatSide& side) {
     const float near = 0.2f * s.reach * scale;
     Contact* end = stop.contacts;
     if (g.kind == ColliderKind::mesh) {
@@ -123,7 +117,7 @@ void find_side(const BodyShape& s, float scale, const Pose& met, const Geometry&
 }
 
 // Moves a body to its side of all planes. False if they leave no room, up to `little` (m).
-bool keep_sides(const BodyShape& s, float scale, const Side* sides, uint32_t count, float little, Pose& pose) {
+bool keep_sides(const BodyShape& s, float scale, const FlatSide* sides, uint32_t count, float little, Pose& pose) {
     float room[most_stops];
     for (uint32_t k = 0; k < count; ++k)
         room[k] = sides[k].offset - lowest(s, scale, {{0.0f, 0.0f, 0.0f}, pose.rotation}, sides[k].normal);
@@ -252,7 +246,7 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
             return free_fraction(*step_->shape, scale, first, last, c.geometry);
         };
         std::optional<Vector> face;
-        const auto side_of = [&](const Candidate& candidate, const Pose& met, Stop& stop, Side& side) {
+        const auto side_of = [&](const Candidate& candidate, const Pose& met, Stop& stop, FlatSide& side) {
             const Collider& c = step_->colliders->at(candidate.slot);
             if (!face) face = face_below(i, substep);
             find_side(*step_->shape, scale, met, c.geometry, candidate.part, margin,
@@ -263,7 +257,7 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
         bool slid = false;
         uint32_t count = 0, met_count = 0;
         Pose target = to;
-        Side sides[most_stops];
+        FlatSide sides[most_stops]; // x is relative to the body's position before the substep
         Stop stops[most_stops];
         Candidate met_before[most_met];
         for (bool slides = true; slides;) {
@@ -309,13 +303,14 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
             }
             Pose aside{to.position - from.position, to.rotation};
             Stop& stop = stops[count];
-            Side& side = sides[count];
+            FlatSide& side = sides[count];
             stop.candidate = candidate;
             side_of(candidate, relative(ends, met), stop, side);
             side.normal = rotate(ends.rotation, side.normal);
             side.offset += dot(side.normal, ends.position - from.position);
-            Side* const like = std::find_if(
-                sides, sides + count, [&](const Side& other) { return dot(other.normal, side.normal) > same_side; });
+            FlatSide* const like = std::find_if(sides, sides + count, [&](const FlatSide& other) {
+                return dot(other.normal, side.normal) > same_side;
+            });
             if (like != sides + count)
                 like->offset = std::max(like->offset, side.offset);
             else
@@ -340,15 +335,12 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
         // The body may have left a thing again, which still takes its speed.
         for (uint32_t n = 0; n < count; ++n) {
             const uint32_t slot = stops[n].candidate.slot;
-            const Collider& c = step_->colliders->at(slot);
-            const Pose ends = pose_at(c, end);
             // Contacts of a pose that a rocking stone had earlier push it further. Thin bodies over edges of stairs need them.
             if (rests && stone) {
-                Side side;
-                side_of(stops[n].candidate, relative(ends, target), stops[n], side);
+                FlatSide side;
+                side_of(stops[n].candidate, relative(pose_at(step_->colliders->at(slot), end), target), stops[n], side);
             }
-            const SurfaceMotion motion = motion_of(c, substep);
-            for (uint32_t k = 0; k < stops[n].count; ++k) add(i, slot, stops[n].contacts[k], ends, motion, lift_[i]);
+            add(i, slot, stops[n].contacts, stops[n].count, substep, lift_[i]);
         }
     }
 }
