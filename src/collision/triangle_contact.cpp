@@ -10,9 +10,6 @@ namespace {
 constexpr uint8_t all_front = 7;
 // An edge is a ridge if the next triangle falls below this one's plane by more than this share of a cell.
 constexpr float ridge = 1e-3f;
-// Cosine between triangle normal and separation; below it the body is beside the triangle.
-constexpr double beside = 0.1;
-
 // Whether the corner or edge farthest along the normal is hidden (hidden_edges). Corners within 1e-4 of the triangle's size count as equal.
 bool is_hidden(const Triangle& t, Vector n) {
     const float side = dot(n, t.normal);
@@ -33,17 +30,6 @@ bool is_hidden(const Triangle& t, Vector n) {
     const auto hidden = [&](uint32_t edge) { return (bits >> edge & 1u) != 0; };
     if ((out & (out - 1)) == 0) return hidden(first) && hidden((first + 2) % 3);
     return hidden(out == 3 ? 0 : out == 6 ? 1 : 2);
-}
-
-// Direction to the side on which the body was when the substep began; 0 if unknown. A thin body pressed in beyond its middle plane would otherwise
-// leave on the other side.
-Double3 side_before(const ContactPoints& set, const Triangle& t) {
-    if (!set.before) return {};
-    const PlacedBody body(*set.body.shape, set.body.scale, *set.before);
-    const PlacedCollider collider(t.corners, set.before->position);
-    const Double3 side = separate(body, collider, std::numeric_limits<double>::infinity(), {.up = set.up}).normal;
-    // If the body was beside the triangle and slides over it, rounding would decide.
-    return std::abs(dot(side, to_double(t.normal))) < beside ? Double3{} : side;
 }
 
 // A centre of mass does not pass through a surface, so it tells on which side of a triangle the body is: of one that it is over, or that is in line
@@ -88,8 +74,7 @@ void add_triangle(ContactPoints& set, const Triangle& t, bool alone = false) {
     const PlacedCollider collider(t.corners, position);
     const double enough = static_cast<double>(set.margin + body.radius);
     if (body.count > 0 && is_over(t, position, reach)) {
-        Separation flat = separate_from_side(set, t, collider, {});
-        if (flat.distance < 0.0 && !t.one_sided) flat = separate_from_side(set, t, collider, side_before(set, t));
+        const Separation flat = separate_from_side(set, t, collider, {});
         if (flat.distance < enough) add_manifold(set, collider, flat);
         return;
     }
@@ -100,17 +85,13 @@ void add_triangle(ContactPoints& set, const Triangle& t, bool alone = false) {
     if (t.one_sided && !nearest.overlap && dot(nearest.normal, normal) <= 0.0 &&
         !is_over(t, position + to_float(nearest.on_body)))
         return add_over_triangle(set, t, collider, false, normal);
-    Separation along =
+    const Separation along =
         separate(body, collider, nearest, t.one_sided ? Sides{normal, 0.0, set.up} : Sides{.up = set.up});
     if (along.distance >= enough) return;
-    Double3 side = along.has_points ? along.normal : Double3{};
-    if (!along.has_points && !t.one_sided) {
-        side = side_before(set, t);
-        if (dot(side, side) > 0.0) along = separate(body, collider, enough, {side, 0.0, set.up});
-    }
     if (!is_hidden(t, to_float(along.normal))) return add_manifold(set, collider, along);
-    // A body that was beside it, as over the upper edge of a wall between two tiles, is up to the neighbours: across the wall the way out is long.
-    if (!alone && !t.one_sided && set.before && dot(side, side) == 0.0) return;
+    // A body whose side is not known, as over the upper edge of a wall between two tiles, is up to the neighbours: across the wall the way out is long.
+    if (!alone && !t.one_sided && set.before && !along.has_points) return;
+    const Double3 side = along.has_points ? along.normal : Double3{};
     if (!alone) return add_over_triangle(set, t, collider, along.has_points, side);
     // Along the plane of its floor if all of the body is above it: an edge within a floor is no obstacle.
     const Separation flat = separate_from_side(set, t, collider, side);
