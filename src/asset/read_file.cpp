@@ -15,9 +15,11 @@ lr_status lr::read_asset_bytes(const char*, std::vector<unsigned char>&) {
 #include <io.h>
 #include <string>
 #include <windows.h>
+#define LR_POSIX(function) ::_##function // without the underscore MSVC warns
 #else
 #include <sys/stat.h>
 #include <unistd.h>
+#define LR_POSIX(function) ::function
 #endif
 
 namespace lr {
@@ -41,7 +43,7 @@ lr_status status_of(int reason) {
 struct Descriptor {
     int fd;
     ~Descriptor() {
-        if (fd >= 0) ::close(fd);
+        if (fd >= 0) LR_POSIX(close)(fd);
     }
 };
 
@@ -77,7 +79,7 @@ lr_status read_asset_bytes(const char* path_utf8, std::vector<unsigned char>& ou
     out.resize(std::max<size_t>(expected, 4096) + 1);
     for (;;) {
         const auto room = static_cast<unsigned>(out.size() - size); // the type that Windows takes
-        const auto got = ::read(file.fd, out.data() + size, room);
+        const auto got = LR_POSIX(read)(file.fd, out.data() + size, room);
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) return status_of(errno);
         if (got == 0) break;
