@@ -41,10 +41,11 @@ sanitized() { # the release build's tests of the API with the library of build/a
     echo "asan: $((count - failed)) passed, $failed failed"
 }
 step_asan() { # the API on one instruction set; scripts/verify.sh asan tests units, the baker, AVX2 and long tests, and has checks in the tests too
-    configure build/release --preset release
-    cmake --build build/release --target tests_api
     configure build/asan --preset asan -DLR_BUILD_BAKER=OFF -DLR_DISABLED_TARGETS="HWY_AVX2;HWY_AVX3"
     cmake --build build/asan --target langevin_rigid tests_replay
+    # After the above, during which the step `outside` installs this build.
+    configure build/release --preset release
+    cmake --build build/release --target tests_api
     run_ctest build/asan -R '^tests_replay' -LE "$left_to_verify|exact"
     api_cases=--test-suite-exclude=long,exact,long-exact
     cases=$(build/release/tests/tests_api $api_cases --count | sed -n 's/.*filters: *//p')
@@ -97,10 +98,22 @@ for name in "${wanted[@]}"; do [ -n "${titles[$name]:-}" ] || { sed -n 's/^#   /
 
 rm -f "$results"/test-*.log
 start_clock build/release
+outside=
 for name in "${wanted[@]}"; do
-    run_step test "$name" "${titles[$name]}"
+    if [ "$name" = outside ] && [ -n "$outside" ]; then
+        wait "$outside" || outcome=failed
+        cat "$results/outside.txt"
+    else
+        # The samples wait for windows and engines, so they run beside the sanitizers.
+        if [[ $name = asan && " ${wanted[*]} " = *" outside "* ]]; then
+            (run_step test outside "${titles[outside]}"; [ $outcome != failed ]) >"$results/outside.txt" 2>&1 &
+            outside=$!
+        fi
+        run_step test "$name" "${titles[$name]}"
+    fi
     [ $outcome != failed ] || break
 done
+wait
 read_cpu
 [ $# -gt 0 ] || [ $outcome = failed ] || note_time test.sh $SECONDS "$cpu"
 echo

@@ -22,8 +22,10 @@ skip() { # reason; ends the calling step
 
 # Sets `cpu`: processor time of all finished programs, s. Not for $(...): a subshell has no finished programs.
 read_cpu() {
-    times >"$results/times.txt"
-    cpu=$(awk 'NR == 2 { gsub("s", ""); split($1, u, "m"); split($2, s, "m"); printf "%d", 60 * (u[1] + s[1]) + u[2] + s[2] }' "$results/times.txt")
+    local file=$results/times-$BASHPID # steps can run side by side
+    times >"$file"
+    cpu=$(awk 'NR == 2 { gsub("s", ""); split($1, u, "m"); split($2, s, "m"); printf "%d", 60 * (u[1] + s[1]) + u[2] + s[2] }' "$file")
+    rm "$file"
 }
 cache_counts() { # hits and misses of the compiler cache
     { ccache --print-stats 2>/dev/null || true; } |
