@@ -5,8 +5,8 @@
 #include "world/world.h"
 
 #include <algorithm>
-#include <compare>
 #include <limits>
+#include <tuple>
 
 namespace lr {
 namespace {
@@ -18,7 +18,9 @@ constexpr double slack = 200.0; // s: bound of an age's rounding error
 
 struct Neighbour {
     uint32_t batch, noise_seed, index;
-    auto operator<=>(const Neighbour&) const = default;
+    bool operator<(const Neighbour& other) const {
+        return std::tie(batch, noise_seed, index) < std::tie(other.batch, other.noise_seed, other.index);
+    }
 };
 
 bool equal(Vector a, Vector b) {
