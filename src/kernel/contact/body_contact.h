@@ -62,9 +62,8 @@ struct PairBlock {
     };
     // A contact's own data.
     struct Place {
-        alignas(64) LaneRow arm_a[3],
-            arm_b[3]; // as in BodyContactPoint; of pairs, set_gaps() moves them to the end of the substep
-        LaneRow gap;  // m: given as in BodyContactPoint, then at the end of the substep; no_contact: none
+        alignas(64) LaneRow arm_a[3], arm_b[3]; // as in BodyContactPoint; set_gaps() moves them to the end
+        LaneRow gap; // m: given as in BodyContactPoint, then at the end of the substep; no_contact: none
         LaneRow before, bounce, touching;
         LaneRow start; // m: impulse of the path projection: its warm start, then the result
         LaneRow came;  // m/s, along the normal, before the velocity projection

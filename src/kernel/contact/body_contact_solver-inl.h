@@ -424,8 +424,7 @@ void body_contact_move(const BodyContactInput& in, uint32_t kind, uint32_t begin
 void body_contact_touch(const BodyContactInput& in, PairBlock& block) {
     const Gathered g(in, block);
     const VF zero = hn::Zero(DF()), one = constant(1.0f), empty = constant(0.5f * no_contact);
-    const VF presses =
-        constant(0.5f * in.gravity * (in.h * in.h)); // weight presses bodies into each other by this much
+    const VF presses = constant(0.5f * in.gravity * (in.h * in.h)); // weight presses bodies in by this
     alignas(64) LaneRow carried, shallow, touching;
     for (size_t at = 0; at < block.lanes; at += hn::Lanes(DF())) {
         const Size size_a = size_of(in.kinds[block.kind_a], g.a, at), size_b = size_of(in.kinds[block.kind_b], g.b, at);
