@@ -507,8 +507,8 @@ LR_API lr_status lr_world_update_blower(lr_world* world, lr_wind_source source, 
 /* Reads a blower as last set. Returns what lr_world_get_gusts would. */
 LR_API lr_status lr_world_get_blower(const lr_world* world, lr_wind_source source, lr_blower_desc* desc);
 
-/* Turbulence: random eddies everywhere, divergence-free, carried along by the uniform wind. An update continues them;
- * only another size or velocity moves them. */
+/* Turbulence: random eddies everywhere, divergence-free, carried along by the uniform wind. An update continues them,
+ * also with another velocity; only another size moves them. */
 typedef struct lr_turbulence_desc {
     uint32_t struct_size;
     uint32_t seed;         /* combined with the world's; default 0 */
@@ -540,7 +540,8 @@ enum {
 
 #define LR_MAX_WIND_SAMPLES 67108864u /* of one grid, all frames together */
 
-/* Samples of wind on a lattice, in one or more frames that are played in a loop, from the first at world time 0. */
+/* Samples of wind on a lattice, in one or more frames that are played in a loop, from the first at world time 0. An
+ * update with another frame_time, but as many frames, goes on from the present one. */
 typedef struct lr_wind_grid_desc {
     uint32_t struct_size;
     lr_wind_outside outside; /* LR_WIND_OUTSIDE_*; default LR_WIND_OUTSIDE_ZERO */

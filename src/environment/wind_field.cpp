@@ -14,7 +14,8 @@ const WindSource* WindField::find(lr_wind_source source) const {
     return slot < capacity && slots_[slot].generation == source.id >> slot_bits ? slots_[slot].source : nullptr;
 }
 
-lr_status WindField::make(const SourceDesc& desc, double time, uint64_t seed, GridSamples* grid, WindSource*& out) {
+lr_status WindField::make(const SourceDesc& desc, const SourcePhase& phase, uint64_t seed, GridSamples* grid,
+                          WindSource*& out) {
     if (desc.kind == SourceDesc::grid && !grid) {
         grid = allocator_->make<GridSamples>();
         const uint64_t count = sample_count(desc);
@@ -38,7 +39,7 @@ lr_status WindField::make(const SourceDesc& desc, double time, uint64_t seed, Gr
     WindSource* const source = new (memory) WindSource{};
     source->desc = desc;
     source->desc.samples = nullptr;
-    source->since = time;
+    source->phase = phase;
     source->grid = grid;
     if (desc.kind == SourceDesc::gusts) source->gusts = Gusts(desc, seed);
     out = source;
@@ -84,9 +85,10 @@ uint32_t WindField::total_instants() const {
     return total;
 }
 
-lr_status WindField::put(Slot& slot, const SourceDesc& desc, double since, uint64_t seed, GridSamples* grid) {
+lr_status WindField::put(Slot& slot, const SourceDesc& desc, const SourcePhase& phase, uint64_t seed,
+                         GridSamples* grid) {
     WindSource* source = nullptr;
-    const lr_status status = make(desc, since, seed, grid, source);
+    const lr_status status = make(desc, phase, seed, grid, source);
     if (status != LR_OK) return status;
     if (!reserve(total_instants() - (slot.source ? slot.source->instants() : 0) + source->instants())) {
         release(source);
@@ -100,7 +102,7 @@ lr_status WindField::put(Slot& slot, const SourceDesc& desc, double since, uint6
 lr_status WindField::add(const SourceDesc& desc, double time, uint64_t seed, lr_wind_source& out) {
     Slot* const slot = std::find_if(slots_, slots_ + capacity, [](const Slot& s) { return !s.source; });
     if (slot == slots_ + capacity) return LR_ERROR_CAPACITY;
-    const lr_status status = put(*slot, desc, time, seed, nullptr);
+    const lr_status status = put(*slot, desc, {time, {}}, seed, nullptr);
     if (status != LR_OK) return status;
     ++used_;
     out = {static_cast<uint32_t>(slot - slots_ + 1) | slot->generation << slot_bits};
@@ -113,7 +115,7 @@ lr_status WindField::update(lr_wind_source handle, const SourceDesc& desc, doubl
     const bool keep = desc.kind == SourceDesc::grid && !desc.samples;
     if (keep && (!std::equal(desc.counts, desc.counts + 3, old.counts) || desc.frames != old.frames))
         return LR_ERROR_NULL_ARGUMENT;
-    return put(slot, desc, slot.source->since_for(desc, time), seed, keep ? slot.source->grid : nullptr);
+    return put(slot, desc, slot.source->phase_for(desc, time), seed, keep ? slot.source->grid : nullptr);
 }
 
 void WindField::remove(lr_wind_source handle) {
@@ -140,7 +142,7 @@ void WindField::uniform_at(const UniformWind& over, double part, double time, do
     }
     for (const Slot& slot : slots_)
         if (slot.source && slot.source->desc.kind == SourceDesc::gusts)
-            slot.source->gusts.add(time - slot.source->since, wind);
+            slot.source->gusts.add(time - slot.source->phase.since, wind);
 }
 
 // All but the uniform wind and the gusts.
@@ -220,7 +222,10 @@ uint64_t WindField::hash(double time) const {
         uint32_t words[source_bytes / 4];
         std::memcpy(words, &slot.source->desc, source_bytes);
         for (size_t i = 1; i < source_bytes / 4; ++i) take(words[i]); // all but struct_size
-        take(bit_cast<uint64_t>(slot.source->since));
+        take(bit_cast<uint64_t>(slot.source->phase.since));
+        const auto& shift = slot.source->phase.shift;
+        if (shift[0] != 0.0 || shift[1] != 0.0 || shift[2] != 0.0)
+            for (double part : shift) take(bit_cast<uint64_t>(part));
         if (slot.source->grid) take(slot.source->grid->hash);
     }
     return hash;

@@ -76,8 +76,9 @@ private:
         WindSource* source;
         uint32_t generation; // of its source, or of the next one
     };
-    lr_status make(const SourceDesc& desc, double time, uint64_t seed, GridSamples* grid, WindSource*& out);
-    lr_status put(Slot& slot, const SourceDesc& desc, double since, uint64_t seed, GridSamples* grid);
+    lr_status make(const SourceDesc& desc, const SourcePhase& phase, uint64_t seed, GridSamples* grid,
+                   WindSource*& out);
+    lr_status put(Slot& slot, const SourceDesc& desc, const SourcePhase& phase, uint64_t seed, GridSamples* grid);
     // Keeps the memory for later sources.
     void release(WindSource* source);
     void keep_spares(uint32_t most);

@@ -173,18 +173,38 @@ float WindSource::fastest() const {
     }
 }
 
-// Random winds go on, at the same phase in units of their own time: they may be set anew in each frame.
-double WindSource::since_for(const SourceDesc& next, double now) const {
-    if (desc.kind != SourceDesc::gusts && desc.kind != SourceDesc::turbulence) return now;
-    const double ratio = duration(next) / duration(desc);
-    return ratio == 1.0 ? since : now - std::min(ratio * (now - since), most_time);
+bool wrong_phase(const SourceDesc& d, const SourcePhase& phase, double now) {
+    const double least = d.kind == SourceDesc::turbulence ? -most_way : 0.0;
+    const double most = d.kind == SourceDesc::grid ? d.frames : -least;
+    return !in_range(phase.since, -most_time, now) || !in_range(phase.shift[0], least, most) ||
+           !in_range(phase.shift[1], least, -least) || !in_range(phase.shift[2], least, -least);
+}
+
+// Random winds go on, at the same phase in units of their own time, and frames do: they may be set anew in each frame.
+SourcePhase WindSource::phase_for(const SourceDesc& next, double now) const {
+    SourcePhase to = phase;
+    const double was = duration(desc), is = duration(next);
+    if (desc.kind != SourceDesc::gusts && desc.kind != SourceDesc::turbulence)
+        to.since = now;
+    else if (is != was)
+        to.since = now - std::min(is / was * (now - phase.since), most_time);
+    if (desc.kind == SourceDesc::turbulence)
+        for (size_t k = 0; k < 3; ++k)
+            to.shift[k] =
+                std::clamp(to.shift[k] + now * (wide(desc.velocity[k]) - wide(next.velocity[k])), -most_way, most_way);
+    if (desc.kind == SourceDesc::grid) {
+        // Another number of frames is another loop, and begins at world time 0.
+        to.shift[0] = next.frames == desc.frames ? std::fmod(to.shift[0] + (now / was - now / is), next.frames) : 0.0;
+        if (to.shift[0] < 0.0) to.shift[0] += next.frames;
+    }
+    return to;
 }
 
 namespace {
 
 // One instant for each octave.
-void turbulence_at(const SourceDesc& desc, double time, double age, uint64_t world_seed, const Carried& carried,
-                   SourceInstant* out) {
+void turbulence_at(const SourceDesc& desc, const SourcePhase& phase, double time, uint64_t world_seed,
+                   const Carried& carried, SourceInstant* out) {
     double energy = 0.0, length = 0.0, part = 1.0, cell = 1.0;
     for (uint32_t o = 0; o < desc.octaves; ++o, part *= octave_energy, cell *= 0.5)
         energy += part, length += part * cell;
@@ -204,7 +224,7 @@ void turbulence_at(const SourceDesc& desc, double time, double age, uint64_t wor
         s.inverse_spacing[0] = narrow(1.0 / cell);
         double way[3];
         for (size_t k = 0; k < 3; ++k) {
-            way[k] = carried.way[k] + time * wide(desc.velocity[k]);
+            way[k] = carried.way[k] + time * wide(desc.velocity[k]) + phase.shift[k];
             s.motion[k] = narrow(carried.velocity[k] + wide(desc.velocity[k]));
         }
         for (size_t i = 0; i < 3; ++i) {
@@ -225,7 +245,7 @@ void turbulence_at(const SourceDesc& desc, double time, double age, uint64_t wor
             const auto cells = static_cast<int64_t>(std::fmod(whole, 4294967296.0));
             s.cell[i] = static_cast<int32_t>(static_cast<uint32_t>(cells));
         }
-        const double beats = age / (slow_beats * life);
+        const double beats = (time - phase.since) / (slow_beats * life);
         s.turn = narrow(beats - std::floor(beats));
         s.turn_rate = narrow(1.0 / (slow_beats * life));
         out[o] = s;
@@ -234,13 +254,12 @@ void turbulence_at(const SourceDesc& desc, double time, double age, uint64_t wor
 } // namespace
 
 Double3 WindSource::place(double time) const {
-    return to_double(vector_of(desc.position)) + (time - since) * to_double(vector_of(desc.velocity));
+    return to_double(vector_of(desc.position)) + (time - phase.since) * to_double(vector_of(desc.velocity));
 }
 
 void WindSource::at(double time, uint64_t world_seed, const Carried& carried, SourceInstant* out) const {
     SourceInstant s{};
     s.kind = static_cast<SourceInstant::Kind>(desc.kind);
-    const double age = time - since;
     const Double3 position = place(time);
     Double3 direction{}, side{};
     normalise(desc.direction, direction);
@@ -293,7 +312,7 @@ void WindSource::at(double time, uint64_t world_seed, const Carried& carried, So
         }
         s.outside = desc.outside;
         if (desc.outside == LR_WIND_OUTSIDE_ZERO) s.reach = narrow(margin * std::sqrt(span) + 1e-3);
-        const double frame = time / duration(desc);
+        const double frame = time / duration(desc) + phase.shift[0];
         const double whole = std::floor(frame);
         const auto first = static_cast<uint64_t>(std::fmod(whole, static_cast<double>(desc.frames)));
         const uint64_t stride = sample_count(desc) / desc.frames;
@@ -308,7 +327,7 @@ void WindSource::at(double time, uint64_t world_seed, const Carried& carried, So
         s.inverse_log = narrow(1.0 / shape::portable_log(1.0 + wide(desc.reference_height) / size));
         break;
     default:
-        return turbulence_at(desc, time, age, world_seed, carried, out);
+        return turbulence_at(desc, phase, time, world_seed, carried, out);
     }
     *out = s;
 }

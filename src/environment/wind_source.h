@@ -218,17 +218,25 @@ struct Carried {
     double way[3], velocity[3];
 };
 
+// What a source keeps through updates.
+struct SourcePhase {
+    double since; // s, world time when it was at desc.position, or gusts and turbulence began
+    // How far earlier rates took turbulence (m) or, in the first number, frames ahead of the present rate. 0 if it never changed.
+    double shift[3];
+};
+bool wrong_phase(const SourceDesc& desc, const SourcePhase& phase, double now);
+
 struct WindSource {
-    SourceDesc desc;   // without samples
-    double since;      // s, world time when it was at desc.position, or gusts and turbulence began
+    SourceDesc desc; // without samples
+    SourcePhase phase;
     GridSamples* grid; // null for other kinds
     Gusts gusts;
 
     uint64_t hash() const { return grid ? grid->hash : 0; } // of its samples
     uint32_t instants() const;                              // how many SourceInstants it makes
     Double3 place(double time) const;
-    double since_for(const SourceDesc& next, double now) const; // if it becomes `next` now
-    float fastest() const;                                      // m/s, bound of its velocities, or a typical speed
+    SourcePhase phase_for(const SourceDesc& next, double now) const; // if it becomes `next` now
+    float fastest() const;                                           // m/s, bound of its velocities, or a typical speed
     void at(double time, uint64_t world_seed, const Carried& carried, SourceInstant* out) const; // instants() of them
 };
 } // namespace lr

@@ -345,6 +345,48 @@ TEST_CASE("random winds that are set anew in each frame go on as smoothly as oth
     CHECK(length(wind_at(fresh, {}) - wind_at(world, {})) == 0.0);
 }
 
+TEST_CASE("another velocity moves turbulence on from where it is, however old the world is") {
+    const World world = make(world_desc());
+    lr_turbulence_desc d = initialised(lr_turbulence_desc_init);
+    d.eddy_life = 1e6f; // as good as frozen
+    d.velocity[0] = 3.0f;
+    const lr_wind_source source = add_source(world, d);
+    steps(world, 3600, 1.0f, 1);
+    const uint64_t before_updates = hash_of(world);
+    REQUIRE(lr_world_update_turbulence(world.get(), source, &d) == LR_OK);
+    CHECK(hash_of(world) == before_updates);
+    // The pattern's way is the integral of all velocities.
+    const Vec x = {0.3, 0.4, 0.5}, first = wind_at(world, x);
+    Vec way{};
+    for (int i = 0; i < 60; ++i) {
+        set(d.velocity, narrow(std::cos(0.1 * i)), 0.01f * static_cast<float>(i), -0.25f);
+        const Vec before = wind_at(world, x);
+        REQUIRE(lr_world_update_turbulence(world.get(), source, &d) == LR_OK);
+        CHECK(length(wind_at(world, x) - before) < 1e-5);
+        steps(world, 1, 0.125f, 1);
+        way = way + 0.125 * vec(d.velocity);
+        CHECK(length(wind_at(world, x + way) - first) < 1e-4);
+    }
+    // It is state: of hash and snapshot.
+    const std::vector<unsigned char> saved = snapshot_of(world);
+    const World fresh = make(world_desc());
+    REQUIRE(lr_world_snapshot_restore(fresh.get(), saved.data(), saved.size()) == LR_OK);
+    CHECK(hash_of(fresh) == hash_of(world));
+    CHECK(length(wind_at(fresh, x) - wind_at(world, x)) == 0.0);
+    REQUIRE(lr_world_update_turbulence(fresh.get(), source, &d) == LR_OK);
+    CHECK(hash_of(fresh) == hash_of(world));
+    d.velocity[0] += 1.0f; // and back: the same desc, another way
+    REQUIRE(lr_world_update_turbulence(fresh.get(), source, &d) == LR_OK);
+    steps(fresh, 1, 0.0625f, 1);
+    steps(world, 1, 0.0625f, 1);
+    d.velocity[0] -= 1.0f;
+    REQUIRE(lr_world_update_turbulence(fresh.get(), source, &d) == LR_OK);
+    REQUIRE(lr_world_update_turbulence(world.get(), source, &d) == LR_OK);
+    CHECK(hash_of(fresh) != hash_of(world));
+    REQUIRE(lr_world_snapshot_restore(fresh.get(), saved.data(), saved.size()) == LR_OK);
+    CHECK(snapshot_of(fresh) == saved);
+}
+
 TEST_CASE("turbulence goes along with the uniform wind, and changes on the way") {
     lr_turbulence_desc d = initialised(lr_turbulence_desc_init);
     d.integral_length = 1.0f, d.eddy_life = 1e6f; // as good as frozen

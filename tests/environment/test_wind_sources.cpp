@@ -149,6 +149,50 @@ TEST_CASE("the ground multiplies the uniform wind by a logarithm, and nothing el
     CHECK(length(wind_at(world, {1.0, -2.5, 0.0})) == doctest::Approx(1.0 / (2.0 * pi)));
 }
 
+TEST_CASE("frames of a grid go on from where they are at another frame time, however old the world is") {
+    const World world = make(world_desc());
+    lr_wind_grid_desc d = initialised(lr_wind_grid_desc_init);
+    const float values[5] = {0.0f, 10.0f, 40.0f, 20.0f, -30.0f};
+    std::vector<float> samples;
+    for (float v : values) samples.insert(samples.end(), {v, 0.0f, 0.0f});
+    for (uint32_t& n : d.counts) n = 1;
+    d.frames = 5, d.frame_time = 0.5f, d.outside = LR_WIND_OUTSIDE_CLAMP;
+    d.samples = samples.data();
+    const lr_wind_source source = add_source(world, d);
+    d.samples = nullptr;
+    steps(world, 3600, 1.0f, 1);
+    steps(world, 1, 0.25f, 1); // frame 7200.5
+    double frame = 0.5;
+    const auto check = [&](const World& w) {
+        const double whole = std::floor(frame), part = frame - whole;
+        const auto at = [&](double i) { return wide(values[static_cast<size_t>(i) % 5]); };
+        CHECK(std::abs(wind_at(w, {})[0] - (1.0 - part) * at(whole) - part * at(whole + 1.0)) < 2e-4);
+    };
+    check(world);
+    for (int i = 0; i < 100; ++i) {
+        d.frame_time = i % 9 == 0 ? 1e-3f : 0.2f + 0.01f * static_cast<float>(i);
+        REQUIRE(lr_world_update_wind_grid(world.get(), source, &d) == LR_OK);
+        check(world);
+        steps(world, 1, 0.125f, 1);
+        frame += 0.125 / wide(d.frame_time);
+        check(world);
+    }
+    // It is state: of hash and snapshot.
+    const std::vector<unsigned char> saved = snapshot_of(world);
+    const uint64_t hash = hash_of(world);
+    d.frame_time = 2.0f;
+    REQUIRE(lr_world_update_wind_grid(world.get(), source, &d) == LR_OK);
+    steps(world, 1, 0.125f, 1);
+    REQUIRE(lr_world_snapshot_restore(world.get(), saved.data(), saved.size()) == LR_OK);
+    CHECK(hash_of(world) == hash);
+    check(world);
+    // Another number of frames is another loop.
+    d.frames = 4, d.samples = samples.data();
+    REQUIRE(lr_world_update_wind_grid(world.get(), source, &d) == LR_OK);
+    frame = 3612.75 / 2.0 - 1804.0; // 3612.75 s by now
+    check(world);
+}
+
 TEST_CASE("a grid is exact for what is linear in each direction and in time") {
     const World world = make(world_desc());
     const auto linear = [](double i, double j, double k, double frame) {

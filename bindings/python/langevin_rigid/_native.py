@@ -395,8 +395,8 @@ class lr_blower_desc(ctypes.Structure):
 
 
 class lr_turbulence_desc(ctypes.Structure):
-    """Turbulence: random eddies everywhere, divergence-free, carried along by the uniform wind. An update continues them;
-    only another size or velocity moves them.
+    """Turbulence: random eddies everywhere, divergence-free, carried along by the uniform wind. An update continues them,
+    also with another velocity; only another size moves them.
     """
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
@@ -410,7 +410,9 @@ class lr_turbulence_desc(ctypes.Structure):
 
 
 class lr_wind_grid_desc(ctypes.Structure):
-    """Samples of wind on a lattice, in one or more frames that are played in a loop, from the first at world time 0."""
+    """Samples of wind on a lattice, in one or more frames that are played in a loop, from the first at world time 0. An
+    update with another frame_time, but as many frames, goes on from the present one.
+    """
     _fields_ = [
         ('struct_size', ctypes.c_uint32),
         ('outside', ctypes.c_int32),

@@ -94,7 +94,7 @@ private:
     struct Source {
         uint32_t slot;
         uint32_t reserved;
-        double since;
+        SourcePhase phase;
         uint64_t samples; // hash of the samples
         unsigned char desc[source_bytes];
     };

@@ -23,7 +23,7 @@ void WindSnapshot::save(const WindField& field, unsigned char* to) {
     for (uint32_t i = 0; i < WindField::capacity; ++i) {
         const WindSource* const source = field.slots_[i].source;
         if (!source) continue;
-        Source saved{i, 0, source->since, source->hash(), {}};
+        Source saved{i, 0, source->phase, source->hash(), {}};
         std::memcpy(saved.desc, &source->desc, source_bytes);
         std::memcpy(to, &saved, sizeof saved);
         to += sizeof saved;
@@ -32,7 +32,7 @@ void WindSnapshot::save(const WindField& field, unsigned char* to) {
 
 bool WindSnapshot::is_there(const Source& saved, uint64_t seed) const {
     const WindSource* const source = field_->slots_[saved.slot].source;
-    return source && seed == world_seed_ && same(source->since, saved.since) && source->hash() == saved.samples &&
+    return source && seed == world_seed_ && same(source->phase, saved.phase) && source->hash() == saved.samples &&
            std::memcmp(&source->desc, saved.desc, source_bytes) == 0;
 }
 
@@ -54,7 +54,7 @@ lr_status WindSnapshot::read(const Head& head, const unsigned char* from, uint64
         SourceDesc desc{};
         std::memcpy(static_cast<void*>(&desc), saved.desc, source_bytes);
         if (saved.slot >= WindField::capacity || sources_[saved.slot] || kept_[saved.slot] ||
-            !in_range(saved.since, -most_time, time) || check_wind_source(desc).refused())
+            check_wind_source(desc).refused() || wrong_phase(desc, saved.phase, time))
             return LR_ERROR_SNAPSHOT_FORMAT;
         if (is_there(saved, seed)) {
             kept_[saved.slot] = true;
@@ -66,7 +66,7 @@ lr_status WindSnapshot::read(const Head& head, const unsigned char* from, uint64
             grid = field_->find_samples(desc, saved.samples);
             if (!grid) return LR_ERROR_SNAPSHOT_MISMATCH;
         }
-        const lr_status status = field_->make(desc, saved.since, seed, grid, sources_[saved.slot]);
+        const lr_status status = field_->make(desc, saved.phase, seed, grid, sources_[saved.slot]);
         if (status != LR_OK) return status;
         instants += sources_[saved.slot]->instants();
     }

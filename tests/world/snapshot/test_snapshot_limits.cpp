@@ -36,6 +36,11 @@ struct Scene {
         lr_world* const w = world.get();
         set_wind(world, 1.0f, 0.0f, 0.5f);
         add_source(world, initialised(lr_turbulence_desc_init));
+        lr_wind_grid_desc grid = initialised(lr_wind_grid_desc_init);
+        const float samples[6] = {};
+        for (uint32_t& n : grid.counts) n = 1;
+        grid.frames = 2, grid.samples = samples;
+        add_source(world, grid);
         lr_water_desc water = initialised(lr_water_desc_init);
         water.position[1] = -50.0f;
         water.wave_count = 1;
@@ -96,6 +101,11 @@ TEST_CASE("a snapshot with a value beyond the limit of its setter is refused, an
     refused(head, offsetof(Head, wind_field) + offsetof(Wind, before), -1000.1f);
     refused(head, offsetof(Head, wind_field) + offsetof(Wind, drift), 1e26);
     for (double since : {-1.1e22, 0.0301}) refused(sources, 8, since); // behind the slot
+    for (size_t k = 0; k < 3; ++k)
+        for (double shift : {-1.1e25, infinitely}) refused(sources, 16 + 8 * k, shift);
+    const size_t grid = 16 + sizeof(lr::SourcePhase) + lr::source_bytes; // after the turbulence
+    for (double frames : {-0.1, 2.1}) refused(sources, grid + 16, frames);
+    for (double other : {-0.1, 0.1}) refused(sources, grid + 24, other);
     const size_t frequencies = offsetof(Head, surface) + offsetof(lr::Water::Record, frequency);
     for (double frequency : {-1.0, 110.0}) refused(head, frequencies, frequency);
     refused(head, frequencies + 8, 1.0); // of no wave
@@ -147,7 +157,7 @@ TEST_CASE("a snapshot with a value beyond the limit of its setter is refused, an
     refused(batch, resting + offsetof(Rest, wind), 1000.1f);
     for (double birth : {-1.1e9, 1000.0}) refused(column + lr::column_birth, 8 * 3, birth);
     refused(batch, offsetof(Batch, contact) + offsetof(lr_batch_contact, friction), 10.1f);
-    CHECK(forgeries == 81);
+    CHECK(forgeries == 91);
     std::vector<unsigned char> same = good;
     seal(same);
     CHECK(lr_world_snapshot_restore(scene.world.get(), same.data(), same.size()) == LR_OK);

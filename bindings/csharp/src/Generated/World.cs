@@ -237,7 +237,7 @@ namespace LangevinRigid
     }
 
     /// <summary>Turbulence: random eddies everywhere, divergence-free, carried along by the uniform wind. An update
-    /// continues them; only another size or velocity moves them.</summary>
+    /// continues them, also with another velocity; only another size moves them.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct TurbulenceDesc
     {
@@ -267,7 +267,7 @@ namespace LangevinRigid
     }
 
     /// <summary>Samples of wind on a lattice, in one or more frames that are played in a loop, from the first at world
-    /// time 0.</summary>
+    /// time 0. An update with another frame_time, but as many frames, goes on from the present one.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public unsafe partial struct WindGridDesc
     {

@@ -435,8 +435,8 @@ export interface BlowerDesc {
 }
 
 /**
- * Turbulence: random eddies everywhere, divergence-free, carried along by the uniform wind. An update continues them;
- * only another size or velocity moves them.
+ * Turbulence: random eddies everywhere, divergence-free, carried along by the uniform wind. An update continues them,
+ * also with another velocity; only another size moves them.
  */
 export interface TurbulenceDesc {
   /** combined with the world's; default 0 */
@@ -453,7 +453,10 @@ export interface TurbulenceDesc {
   eddyLife: number;
 }
 
-/** Samples of wind on a lattice, in one or more frames that are played in a loop, from the first at world time 0. */
+/**
+ * Samples of wind on a lattice, in one or more frames that are played in a loop, from the first at world time 0. An
+ * update with another frame_time, but as many frames, goes on from the present one.
+ */
 export interface WindGridDesc {
   /** LR_WIND_OUTSIDE_*; default LR_WIND_OUTSIDE_ZERO */
   outside: number;
