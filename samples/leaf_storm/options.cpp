@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <map>
 
@@ -51,6 +52,14 @@ CLI::Validator one_of(std::map<std::string, std::int32_t> names) {
                 return value + "  is not one of" + known;
             },
             ""};
+}
+
+// A picture under the name of another format would not open everywhere. Names without an ending are taken.
+std::string wrong_picture_name(const std::string& name) {
+    const std::string ending = std::filesystem::path(name).extension().string();
+    return ending.empty() || ending == ".png" || ending == ".PNG"
+               ? ""
+               : "the picture is a PNG; its name '" + name + "' must end in .png";
 }
 
 // Every output needs its own path, different from all inputs.
@@ -152,7 +161,9 @@ std::optional<Options> parse_options(int argc, char** argv, int& exit_code) {
         ->type_name("NAME")
         ->default_str("auto")
         ->transform(one_of(simd_names()));
-    app.add_option("--png", options.png, "picture to write: frames of the storm on one sheet")->type_name("F");
+    app.add_option("--png", options.png, "picture to write: frames of the storm on one sheet")
+        ->type_name("F.png")
+        ->check(wrong_picture_name);
     app.add_option("--mesh", options.meshes,
                    "OBJ in metres to draw, for each --asset in turn (default: STEM.obj beside the asset or in meshes/, "
                    "else an ellipse)")
@@ -173,7 +184,8 @@ std::optional<Options> parse_options(int argc, char** argv, int& exit_code) {
         ->check(within(1, 1024, "from 1 to 1024"));
     add_ground_options(app, options);
     app.add_option("--tracks", options.tracks, "picture to write: single falls from rest in still air, side view")
-        ->type_name("F");
+        ->type_name("F.png")
+        ->check(wrong_picture_name);
     app.add_option("--tracks-count", options.track_count, "number of falls")->check(within(1, 400, "from 1 to 400"));
     app.add_option("--tracks-seconds", options.track_seconds, "length of a fall, s")
         ->check(within(0.1, 60, "from 0.1 to 60 s"));

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "drawing/failure.h"
 #include "film.h"
@@ -182,6 +183,13 @@ static void read_scene(options* o, int count, char** arguments) {
     }
 }
 
+/* A picture under the name of another format would not open everywhere. Names without an ending are taken. */
+static int is_picture_name(const char* path) {
+    const char* folder = strrchr(path, '/');
+    const char* ending = strrchr(folder ? folder : path, '.');
+    return !ending || strcasecmp(ending, ".png") == 0;
+}
+
 static void check_all(options* o) {
     if (ticks_a_second % o->fps != 0) fail_usage("--fps is a divisor of %d, not %d", (int)ticks_a_second, o->fps);
     if (o->frames && !o->png) fail_usage("--frames needs --png FILE: a name with %%04d in it, or film.mp4");
@@ -192,6 +200,8 @@ static void check_all(options* o) {
     if (o->frames && strlen(o->png) > 4 && strcmp(o->png + strlen(o->png) - 4, ".png") == 0 &&
         !film_is_numbered(o->png))
         fail_usage("%u pictures cannot have the same name '%s': use a name with %%04d", o->frames, o->png);
+    if (o->png && (!o->frames || film_is_numbered(o->png)) && !is_picture_name(o->png))
+        fail_usage("--png writes PNGs; the name '%s' must end in .png", o->png);
     if (!o->png) o->window = 1;
     if (o->seconds < 0.0 && !o->window) o->seconds = o->frames ? 0.0 : 8.0;
 }

@@ -172,7 +172,8 @@ def main(asset, mesh):
                     [*storm, "--simd", "mmx"], [*storm, "--threads", "99"], [*storm, "--what"],
                     [*storm, "--walk", 1], [*storm, "--heap"], [*storm, "--gusts", 1], [*storm, "--check"], [*storm, "--at", "0.5,0.2"],
                     [*storm, "--at", "0.5,2"], [*storm, "--rate", 0], [*storm, "--seed", "-1"], [*storm, "--ground", "--gust-speed", "nan"],
-                    [*storm, "--csv", path("x"), "--json", path("x")], [*storm, "--csv", asset]):
+                    [*storm, "--csv", path("x"), "--json", path("x")], [*storm, "--csv", asset],
+                    [*storm, "--png", path("x.jpg")], [*storm, "--tracks", path("x.jpg")]):
             assert run(*bad, code=1).stderr, bad
         with open(path("bad.lrb"), "wb") as file:
             file.write(b"no asset")

@@ -287,6 +287,7 @@ def check_messages(path, baked, meshes):
                 ["--model", "newton", *shot], ["--substeps", "0", *shot], ["--time-scale", "0", *shot], ["--threads", "99", *shot],
                 ["--camera", "1,2", *shot], ["--camera", "0,89,1", *shot], ["--target", "1,x,2", *shot], ["--frames", 3],
                 ["--frames", 3, "--png", path("x.png")], ["--frames", 3, "--png", path("%d%s.png")], ["--png", path("x%d.png")],
+                ["--png", path("x.jpg"), "--seconds", 0], ["--frames", 3, "--png", path("x%d.jpg")],
                 ["--fps", 7, *shot], ["--frames", 2, "--window", "--png", path("x%d.png")], ["--mesh", f"{meshes}/leaf.obj", *shot],
                 ["--press", "space", *shot], ["--press", "1:jump", *shot], ["--press", "2:a,1:a", *shot], ["--press", "1:a*0", *shot],
                 ["--seconds", "-1", *shot], ["--seed", "x", *shot]):
