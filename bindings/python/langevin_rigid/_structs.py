@@ -83,6 +83,14 @@ def vectors(values: Any, width: int, count: int, name: str) -> NDArray[Any]:
     return np.broadcast_to(array, (count, width))
 
 
+def scalars(values: Any, of: Any, count: int, name: str) -> NDArray[Any]:
+    """`count` numbers, from as many or from a single one."""
+    array = contiguous(values, of, name)
+    if array.shape not in ((1,), (count,)):
+        raise ValueError(f"{name}: shape {array.shape} is neither () nor ({count},)")
+    return array
+
+
 def rows(values: Any, width: int, name: str) -> NDArray[Any]:
     """Vectors as an array of shape (count, width), from one vector or an array that ends with the width."""
     array = np.ascontiguousarray(values, np.float32)
@@ -109,10 +117,12 @@ def assign(value: Any, fields: Mapping[str, Any], keep: List[Any]) -> Any:
         if given is None:
             continue
         kind = kinds[name]
-        if kind in _INTEGERS:
-            setattr(value, name, integer(given, kind, name))
-        elif kind in _FLOATS:
-            setattr(value, name, float(given))
+        if kind in _INTEGERS or kind in _FLOATS:
+            try:
+                setattr(value, name, integer(given, kind, name) if kind in _INTEGERS else float(given))
+            except TypeError as error:
+                shape = np.shape(given)
+                raise TypeError(f"{name}: shape {shape}, but it is one number" if shape else f"{name}: {error}") from None
         elif issubclass(kind, ctypes.Array):
             _assign_array(value, name, kind, given, keep)
         elif issubclass(kind, ctypes._Pointer):

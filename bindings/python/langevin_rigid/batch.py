@@ -11,7 +11,7 @@ import numpy as np
 from . import _native as native
 from ._records import Aerodynamics, BatchRules, Emitter
 from ._plain import BatchPlain
-from ._structs import address, as_fields, contiguous, elements, init, integer, takes, vectors
+from ._structs import address, as_fields, elements, init, integer, scalars, takes, vectors
 from .enums import ForceFrame, ForceMode, TransformFormat
 from .view import View
 
@@ -64,11 +64,11 @@ class Batch(BatchPlain):
                 "angular_velocity": (angular_velocity, 3)}
         narrow = {"scale": scale, "age": age, "noise_seed": noise_seed, "user": user}
         if count is None:
-            lengths = {len(v) for v, _ in wide.values() if v is not None and np.ndim(v) == 2}
-            lengths |= {len(v) for v in narrow.values() if v is not None and np.ndim(v) == 1}
-            if len(lengths) > 1:
-                raise ValueError(f"arrays of different lengths: {sorted(lengths)}")
-            count = lengths.pop() if lengths else 1
+            lengths = {name: len(v) for name, (v, _) in wide.items() if v is not None and np.ndim(v) == 2}
+            lengths.update((name, len(v)) for name, v in narrow.items() if v is not None and np.ndim(v) == 1)
+            if len(set(lengths.values())) > 1:
+                raise ValueError(f"arrays of different lengths: {lengths}")
+            count = max(lengths.values(), default=1)
         descs = elements(native.lr_body_desc, count)
         for name, (values, width) in wide.items():
             if values is not None:
@@ -76,7 +76,7 @@ class Batch(BatchPlain):
         for name, value in narrow.items():
             if value is not None:
                 kind = {"noise_seed": ctypes.c_uint32, "user": ctypes.c_uint64}.get(name, ctypes.c_float)
-                descs[name] = contiguous(value, kind, name)
+                descs[name] = scalars(value, kind, count, name)
         ids = np.zeros(count, np.uint64)
         self.world._create("lr_body_create", self.id, address(descs, native.lr_body_desc), count, address(ids, ctypes.c_uint64))
         return ids

@@ -174,6 +174,16 @@ class Bodies(WorldCase):
         for wrong in ({"position": np.zeros((3, 2))}, {"position": np.zeros((3, 3)), "scale": np.ones(4)}):
             with self.assertRaises(ValueError):
                 self.batch.create(**wrong)
+        for count, name, given, said in ((3, "scale", [1, 2], r"scale: shape \(2,\) is neither \(\) nor \(3,\)"),
+                                         (3, "user", [1, 2], r"user: shape \(2,\)"),
+                                         (1, "age", np.ones((2, 2)), r"age: shape \(2, 2\)")):
+            with self.assertRaisesRegex(ValueError, said):
+                self.batch.create(count, **{name: given})
+        with self.assertRaisesRegex(ValueError, "'position': 3, 'scale': 2"):
+            self.batch.create(position=np.zeros((3, 3)), scale=[1, 2])
+        for name, given in (("scale", [1, 2]), ("user", np.ones(2, int))):
+            with self.assertRaisesRegex(TypeError, rf"{name}: shape \(2,\), but it is one number"):
+                self.world.set_state(ids[0], **{name: given})
         with self.assertRaises(TypeError):
             self.batch.create(noise_seed=1.5)
         with self.assertRaises(OverflowError):
