@@ -118,7 +118,9 @@ typedef struct lr_asset lr_asset;
 
 /* Handles: each is a number in a struct of its own, so that mixing them up does not compile. Pass them by value. Store
  * and compare `id`; its bits mean nothing to a caller. id 0 is never valid and stands for "none". A handle of something
- * destroyed is stale: that is detected, and it is never followed. */
+ * destroyed is stale: that is detected, and it is never followed. The limit: a stale handle is valid again, for another
+ * thing, once its place has been taken anew 262,143 times by a batch, 16.7 million times by a body, 33 million times by
+ * a wind source or 4 billion times by a collider. */
 
 /* Handle of a batch. */
 typedef struct lr_batch {
