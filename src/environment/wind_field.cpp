@@ -18,17 +18,11 @@ lr_status WindField::make(const SourceDesc& desc, const SourcePhase& phase, uint
                           WindSource*& out) {
     if (desc.kind == SourceDesc::grid && !grid) {
         grid = allocator_->make<GridSamples>();
-        const uint64_t count = sample_count(desc);
-        if (!grid || !grid->values.allocate(*allocator_, count + 1)) {
+        if (!grid || !grid->values.allocate(*allocator_, sample_count(desc) + 1)) {
             release(grid);
             return LR_ERROR_OUT_OF_MEMORY;
         }
-        for (size_t i = 0; i < count; ++i) {
-            grid->values[i] = desc.samples[i];
-            grid->fastest = std::max(grid->fastest, std::abs(desc.samples[i]));
-        }
-        grid->values[static_cast<size_t>(count)] = 0.0f; // the kernel loads samples as four floats
-        grid->hash = hash_samples(desc, desc.samples);
+        take_samples(desc, *grid);
     }
     if (grid) ++grid->references;
     void* const memory = spares_ != 0 ? spare_[--spares_] : allocator_->allocate(sizeof(WindSource));

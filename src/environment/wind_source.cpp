@@ -142,11 +142,20 @@ uint64_t sample_count(const SourceDesc& d) {
     return uint64_t{3} * d.counts[0] * d.counts[1] * d.counts[2] * d.frames;
 }
 
-uint64_t hash_samples(const SourceDesc& d, const float* samples) {
+// In one pass: the hash is a chain in which each sample waits for the one before, and the rest is done meanwhile.
+void take_samples(const SourceDesc& d, GridSamples& grid) {
     uint64_t hash = random_bits(d.counts[0] + (uint64_t{d.counts[1]} << 32), d.counts[2] + (uint64_t{d.frames} << 32));
     const uint64_t count = sample_count(d);
-    for (uint64_t i = 0; i < count; ++i) hash = random_bits(hash ^ bit_cast<uint32_t>(samples[i]), 0);
-    return hash;
+    float fastest = 0.0f;
+    float* const to = grid.values.data();
+    for (size_t i = 0; i < count; ++i) {
+        to[i] = d.samples[i];
+        fastest = std::max(fastest, std::abs(d.samples[i]));
+        hash = random_bits(hash ^ bit_cast<uint32_t>(d.samples[i]), 0);
+    }
+    to[static_cast<size_t>(count)] = 0.0f; // the kernel loads samples as four floats
+    grid.fastest = fastest;
+    grid.hash = hash;
 }
 
 uint32_t WindSource::instants() const {

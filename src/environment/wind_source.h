@@ -211,7 +211,8 @@ struct GridSamples {
 Outcome check_wind_source(const SourceDesc& desc);
 // Number of floats in a grid.
 uint64_t sample_count(const SourceDesc& desc);
-uint64_t hash_samples(const SourceDesc& desc, const float* samples);
+// Fills a grid, whose values are allocated, from the desc's samples.
+void take_samples(const SourceDesc& desc, GridSamples& grid);
 
 // Displacement and velocity of the uniform wind, which carries turbulence along.
 struct Carried {
