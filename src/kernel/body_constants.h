@@ -18,7 +18,7 @@ struct StationConstants {
     float spin_lift[3], spin_drag[3], spin_drag_stream[3], spin_drag_stokes[3], spin_weight[3];
     float lift[2], vortex[2], stall[2]; // along chord and span; stall: the inverse
     float plate_drag, start_drag;
-    float lift_arm[2], separated_shedding, plate_share;
+    float lift_arm[2], separated_shedding, shed_length, plate_share;
     float hollow[3], camber;
 };
 

@@ -114,7 +114,8 @@ private:
         for (size_t k = 0; k < 3; ++k) {
             const double part = k == 2 ? 0.0 : s.plate_drag / (s.plate_drag + s.drag[2] + s.drag_blunt[2]);
             // A stream along the axis of a spin makes no lift.
-            const double crossing = k == 2 ? 1.0 : 1.0 - u[k] * u[k] / (speed * speed);
+            const double across = 1.0 - u[k] * u[k] / (speed * speed);
+            const double crossing = k == 2 ? 1.0 : k == 1 ? across * across : across;
             circulation = circulation + crossing * (1.0 - part * (1.0 - streaming(light))) * s3 * s.spin_lift[k] *
                                             pitching[k] * axes[k];
             const double resists = s5 * s.spin_drag[k] * std::sqrt(whirl) +
@@ -124,8 +125,10 @@ private:
         push(density * cross(circulation, stream), place);
 
         const double critical = whole.shedding_reynolds * viscosity / (speed * whole.wake_length * scale);
+        const double turned = s.plate_drag > 0.0 ? 1.25 * s.separated_shedding / s.plate_drag * scale * w[1] : 0.0;
+        const double slow = speed * speed / (speed * speed + turned * turned);
         const double mass =
-            density * s3 * s.separated_shedding * (1.0 - attached) * std::max(1.0 - critical * critical, 0.0);
+            density * s3 * s.separated_shedding * (1.0 - attached) * std::max(1.0 - critical * critical, 0.0) * slow;
         sum.lost = sum.lost + mass * u[2] * n;
         sum.lost_moment = sum.lost_moment + mass * u[2] * cross(place, n);
     }

@@ -69,9 +69,10 @@ HWY_INLINE void add_station(const StationConstants& k, const A& a, const Held& h
     const VF pitching = fluid_lift * (one - constant(k.plate_share) * (one - constant(a.streaming)));
     const auto circulation = [&](int i, VF wi)
                                  LR_LAMBDA { return (i < 2 ? pitching : fluid_lift) * constant(k.spin_lift[i]) * wi; };
+    const VF crossing = one - part.y;
     const Vec3 turn =
         columns(k.axes, {(one - part.x) * circulation(0, dot(broadcast(k.axes), tumbling)) - normal * u.y,
-                         (one - part.y) * circulation(1, dot(broadcast(k.axes + 3), tumbling)) + normal * u.x,
+                         crossing * crossing * circulation(1, dot(broadcast(k.axes + 3), tumbling)) + normal * u.x,
                          circulation(2, w.z)});
 
     const Vec3 r = broadcast(k.place);
@@ -105,9 +106,10 @@ HWY_INLINE void add_station(const StationConstants& k, const A& a, const Held& h
     out.spin_drag[3] += push.y * at.y;
     out.spin_drag[4] += push.y * at.z;
     out.spin_drag[5] += push.z * at.z;
-    // A separated stream leaves the momentum of its added mass behind.
+    // A separated stream leaves the momentum of its added mass behind, if the plate does not turn before.
+    const VF turned = constant(k.shed_length) * w.y, slow = s2 / (s2 + turned * turned);
     const VF critical = constant(a.shedding_reynolds) * nu * hn::Sqrt(inverse_s2);
-    const VF shed = separated * hn::Max(one - critical * critical, zero) * constant(k.separated_shedding) *
+    const VF shed = separated * hn::Max(one - critical * critical, zero) * slow * constant(k.separated_shedding) *
                     constant(a.fluid[3]) * u.z;
     out.lost += Twist{shed * n, shed * arm};
 }
