@@ -219,7 +219,7 @@ struct Carried {
     double way[3], velocity[3];
 };
 
-// What a source keeps through updates.
+// State of a source that updates keep.
 struct SourcePhase {
     double since; // s, world time when it was at desc.position, or gusts and turbulence began
     // How far earlier rates took turbulence (m) or, in the first number, frames ahead of the present rate. 0 if it never changed.

@@ -501,6 +501,7 @@ void make_station(const StationData& from, double d, double start_drag, StationC
     to.plate_drag = static_cast<float>(0.5 * d * from.plate_drag);
     to.start_drag = static_cast<float>(0.5 * d * from.plate_drag * start_drag);
     to.separated_shedding = static_cast<float>(from.separated_shedding);
+    // m/plate_drag, as separated_shedding is 0.8 m; bounded, since its square with the spin would overflow.
     const double shed_length = from.plate_drag > 0.0 ? 1.25 * from.separated_shedding / from.plate_drag : 0.0;
     to.shed_length = static_cast<float>(std::min(shed_length / d, 1e3));
     narrow(from.hollow, to.hollow);

@@ -119,10 +119,11 @@ def assign(value: Any, fields: Mapping[str, Any], keep: List[Any]) -> Any:
         kind = kinds[name]
         if kind in _INTEGERS or kind in _FLOATS:
             try:
-                setattr(value, name, integer(given, kind, name) if kind in _INTEGERS else float(given))
+                number = integer(given, kind, name) if kind in _INTEGERS else float(given)
             except TypeError as error:
                 shape = np.shape(given)
                 raise TypeError(f"{name}: shape {shape}, but it is one number" if shape else f"{name}: {error}") from None
+            setattr(value, name, number)
         elif issubclass(kind, ctypes.Array):
             _assign_array(value, name, kind, given, keep)
         elif issubclass(kind, ctypes._Pointer):

@@ -281,9 +281,10 @@ RowResult run_strips(const Context& context) {
     RowResult result;
     struct Strip {
         double aspect, rise;
+        bool checked = true; // false: a known weakness, many fall end first
     };
     static constexpr std::array<Strip, 8> strips{
-        {{2.0, 0.0}, {3.0, 0.0}, {4.0, 0.0}, {6.0, 0.0}, {10.0, 0.0}, {5.0, 0.1}, {8.0, 0.1}, {12.0, 0.05}}};
+        {{2.0, 0.0}, {3.0, 0.0}, {4.0, 0.0}, {6.0, 0.0}, {10.0, 0.0}, {5.0, 0.1}, {8.0, 0.1, false}, {12.0, 0.05}}};
     const double width = 0.02, areal = 0.08; // m, kg/m^2
     std::array<std::vector<Track>, strips.size()> tracks;
     context.parallel(strips.size(), [&](size_t i) {
@@ -301,10 +302,10 @@ RowResult run_strips(const Context& context) {
         const std::string of = name;
         plots.push_back(side_view("Strip " + of, tracks[i], 5, 2.5, 1.0, {Vector3d::UnitX(), 0.1, 1}));
         const std::string share = of + ": share that turns about its length";
-        if (strip.aspect == 8.0) // a known weakness: the rest falls end first
-            result.show(share, t.share, "");
-        else
+        if (strip.checked)
             result.add(share, Rule::at_least, t.share, 0.75, 0.0);
+        else
+            result.show(share, t.share, "");
         result.show(of + ": descent of those", t.down, "m/s");
         result.show(of + ": horizontal speed", t.sideways, "m/s");
         result.show(of + ": turns a second", t.spin / (2.0 * pi), "/s");
