@@ -12,7 +12,7 @@ namespace lr {
 namespace {
 
 constexpr auto lanes = static_cast<uint32_t>(contact_lanes);
-constexpr uint32_t path_sweeps = 36, velocity_sweeps = 24, roll_every = 4;
+constexpr uint32_t path_sweeps = 7, velocity_sweeps = 18, roll_every = 4; // path_sweeps: in each short step
 constexpr uint32_t bounce_rounds = 2, bounce_sweeps = 3;
 constexpr uint32_t held_sweeps = 4; // extra sweeps over fixed things: a heap must not press a body into a collider
 constexpr uint32_t lanes_grain = 4;
@@ -27,7 +27,7 @@ constexpr uint32_t first_task(uint32_t levels, uint32_t level) {
 bool BodyContactSolver::reserve_bodies(uint32_t count) {
     if (!grow(*allocator_, bodies_, size_t{count} + 1) || !grow(*allocator_, twists_, size_t{count} + 1) ||
         !grow(*allocator_, twists_before_, count) || !grow(*allocator_, directions_, count) ||
-        !grow(*allocator_, holding_, count) || !grow(*allocator_, heaps_, count) ||
+        !grow(*allocator_, holding_, count) || !grow(*allocator_, steps_, count) || !grow(*allocator_, heaps_, count) ||
         !grow(*allocator_, kind_of_, count / lanes + 1))
         return false;
     body_count_ = count;
@@ -285,19 +285,21 @@ void BodyContactSolver::sweep(const BodyContactTarget& target, const BodyContact
         }
         if (last || !changed) break;
     }
-    const auto hold = [&](uint32_t tile, uint32_t) {
+}
+
+void BodyContactSolver::hold(const BodyContactTarget& target, const BodyContactInput& in, const Workers& workers) {
+    workers.run(1u << tile_levels_, 1, [&](uint32_t tile, uint32_t) {
         for (uint32_t n = 0; n < held_sweeps; ++n)
             for (uint32_t b = first_block_[2 * tile + 1]; b < first_block_[2 * tile + 2]; ++b)
                 target.sweep(in, blocks_[b], 0.0f);
-    };
-    workers.run(tiles, 1, hold);
+    });
 }
 
 // The velocity projection starts from the path's impulses p times a factor f, the one that leaves the least energy: p . J (v + f M^-1 J^T p) = 0.
 // All bodies of a heap, which touch each other if only through others, share one factor. A heap is full of large impulses that hold each
 // other. With a factor for each pair they no longer do, and the start has up to a hundred times the energy of the heap.
 void BodyContactSolver::start_velocities(const BodyContactScene& scene, float h) {
-    constexpr double most = 2.0; // that of bodies at rest: weight moves them by g h^2/2 and gives them g h
+    constexpr double most = 2.0 * short_steps; // half of it for bodies at rest
     for (uint32_t i = 0; i < body_count_; ++i) heaps_[i] = {i, 0.0, 0.0};
     const auto parent = [&](uint32_t body) -> uint32_t& { return heaps_[body].parent; };
     const std::span<const BodyContactPair> units(scene.units, scene.unit_count);
@@ -344,17 +346,23 @@ bool BodyContactSolver::solve(const BodyContactTarget& target, float h, float gr
     twists_[body_count_] = SolverTwist{};
     bool rolls = false;
     for (uint32_t r = 0; r < scene.range_count; ++r) rolls = rolls || scene.kinds[scene.ranges[r].kind].rolling != 0.0f;
-    const BodyContactInput in{h, gravity, scene.kinds, bodies_.data(), twists_.data()};
+    const BodyContactInput in{h, gravity, scene.kinds, bodies_.data(), twists_.data(), steps_.data()};
     each_block(workers,
                [&](const PairBlock& block) { fill(scene.kinds, static_cast<uint32_t>(&block - blocks_.data())); });
     each_lanes(workers, [&](uint32_t kind, uint32_t begin) { target.begin(in, kind, begin); });
     each_block(workers, [&](PairBlock& block) { target.way(in, block); });
-    sweep(target, in, workers, rolls, path_sweeps);
+    for (uint32_t n = 1; n <= short_steps; ++n) {
+        each_lanes(workers, [&](uint32_t kind, uint32_t begin) { target.short_step(in, kind, begin, n == 1); });
+        sweep(target, in, workers, rolls, path_sweeps);
+        if (n == short_steps) hold(target, in, workers);
+        each_block(workers, [&](PairBlock& block) { target.end_short_step(in, block, n); });
+    }
     each_lanes(workers, [&](uint32_t kind, uint32_t begin) { target.move(in, kind, begin); });
     each_block(workers, [&](PairBlock& block) { target.touch(in, block); });
     start_velocities(scene, h);
     each_block(workers, [&](PairBlock& block) { target.velocity(in, block); });
     sweep(target, in, workers, rolls, velocity_sweeps);
+    hold(target, in, workers);
     restrain(target, in, workers);
     each_lanes(workers, [&](uint32_t kind, uint32_t begin) { target.finish(in, kind, begin); });
     return true;

@@ -15,11 +15,11 @@ namespace lr {
 struct BodyContactPoint {
     Vector arm_a, arm_b;  // m, body frames, from the centres of mass; time as for the gap
     float gap;            // m: between bodies at the beginning of the substep; to a fixed thing at its end
-    float pressed = 0.0f; // warm start of the path projection: impulse over the lighter body's mass unit, m
+    float pressed = 0.0f; // warm start of the first short step: impulse over the lighter body's mass unit, m
     uint32_t from = 0;    // which contact of the pair's manifold, or WayContact::swept
 };
 
-// Friction impulses of the path projection over the lighter body's mass unit, m: the force on a in the world frame; the couple about the
+// Friction impulses of a short step over the lighter body's mass unit, m: the force on a in the world frame; the couple about the
 // normal.
 struct PathFriction {
     Vector drag{};
@@ -83,7 +83,7 @@ public:
         const bool touching = block.place[contact].touching[unit.lane] > 0.0f;
         return touching ? std::max(block.row[contact].pressed[unit.lane], 0.0f) : -1.0f;
     }
-    // After solve(): the impulse of the path projection, as BodyContactPoint::pressed. 0 after a blow faster than `slow` (m/s): it does not
+    // After solve(): the impulse of the last short step, as BodyContactPoint::pressed. 0 after a blow faster than `slow` (m/s): it does not
     // come again.
     float path_pressed(const BodyContactPair& unit, uint32_t contact, float slow) const {
         const PairBlock::Place& place = blocks_[unit.block].place[contact];
@@ -112,6 +112,7 @@ private:
     void sweep(const BodyContactTarget& target, const BodyContactInput& in, const Workers& workers, bool rolls,
                uint32_t most);
     void start_velocities(const BodyContactScene& scene, float h);
+    void hold(const BodyContactTarget& target, const BodyContactInput& in, const Workers& workers);
     void restrain(const BodyContactTarget& target, const BodyContactInput& in, const Workers& workers);
 
     Allocator* allocator_;
@@ -119,6 +120,7 @@ private:
     uint32_t tile_levels_ = 0, task_count_ = 0, group_count_ = 0;
     Buffer<SolverBody> bodies_; // the last one stands for fixed things
     Buffer<SolverTwist> twists_, twists_before_, directions_;
+    Buffer<SolverSteps> steps_;
     Buffer<uint32_t> kind_of_; // by contact_lanes of bodies
     struct Run {
         uint32_t begin, end; // bodies

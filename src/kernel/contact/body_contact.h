@@ -24,12 +24,24 @@ struct alignas(64) SolverBody {
     float rolled[3]; // angular impulse against rolling
     float dust;      // m or m/s: smaller changes are ignored
     float share;     // the share of the path's impulses that warm-starts the next substep
+    float acted[6];  // sum over the short steps of the displacements by contacts
+    float spare[3];
 };
 // The part of a body that sweeps change: its twist, displacement or velocity.
 struct alignas(32) SolverTwist {
     float v[3], u[3];
     float load; // sum of normal impulses of colliders over its mass unit
     float spare;
+};
+
+// The path of a substep is solved in so many short steps. Each begins with this share of the impulses of the one before: with more, motions that
+// sweeps correct slowly grow (docs/maintainers/contact.md, 13).
+inline constexpr uint32_t short_steps = 6;
+inline constexpr float short_kept = 0.5f;
+// Displacements of a body in short steps: in the present one, if no contact acted in it; the growth of these by loads and weight; from the beginning
+// of the substep to the end of the present one, likewise; by contacts in all before.
+struct alignas(16) SolverSteps {
+    float step[6], growth[6], end[6], acted[6];
 };
 
 // Of the conjugate gradients, beside the twists of a projection: twists before the last sweep, and the search direction.
@@ -57,7 +69,10 @@ struct PairBlock {
         alignas(64) LaneRow most, radius;
         // Inverses: of the 2x2 gain of the force; of its largest value; of the couple's gain.
         LaneRow hold[3], least, hold_spin;
-        LaneRow drift[2]; // tangential velocity or displacement of the surface
+        // Of the surface: tangential velocity or displacement, and spin; in a short step also that of the unit before it.
+        LaneRow drift[3];
+        LaneRow path[2]; // displacement of the surface in a short step
+        LaneRow sum[3];  // impulses of all short steps
         LaneRow dragged[3], change[3], search[3];
     };
     // A contact's own data.
@@ -65,7 +80,8 @@ struct PairBlock {
         alignas(64) LaneRow arm_a[3], arm_b[3]; // as in BodyContactPoint; set_gaps() moves them to the end
         LaneRow gap; // m: given as in BodyContactPoint, then at the end of the substep; no_contact: none
         LaneRow before, bounce, touching;
-        LaneRow start; // m: impulse of the path projection: its warm start, then the result
+        LaneRow start; // m: impulse of the last short step: its warm start, then the result
+        LaneRow sum;   // m: impulses of all short steps
         LaneRow came;  // m/s, along the normal, before the velocity projection
     };
 
@@ -87,7 +103,7 @@ struct PairBlock {
     Row row[block_contacts];
     LaneRow changed; // sum of squares of the last sweep's changes
     // start: the path's impulses times the velocities that they have to stop, m^2/s; then the factor from these impulses to the start of the
-    // velocity projection, 1/s. moving: the path's impulses times the displacement that they made, m^2.
+    // velocity projection, 1/s. moving: the path's impulses times the displacements that they made, m^2.
     LaneRow start, moving;
 
     // Used only outside of sweeps.
@@ -95,7 +111,7 @@ struct PairBlock {
     LaneRow surface[3], lag[3]; // of an immovable surface, as in ContactSlots
     LaneRow restitution;
     LaneRow solid; // 1: a collider, which nothing can overlap
-    // Friction of the path projection, m: force in the world frame, couple about the normal; the warm start, then the result.
+    // Friction of a short step, m: force in the world frame, couple about the normal; the warm start, then the result.
     LaneRow start_drag[3], start_spin;
     LaneRow came[3]; // relative velocity along the tangents and spin, before the velocity projection
     Place place[block_contacts];
@@ -112,6 +128,7 @@ struct BodyContactInput {
     const SolverBodyKind* kinds;
     SolverBody* bodies;
     SolverTwist* twists;
+    SolverSteps* steps;
 };
 
 // Functions with `kind` take bodies [begin, begin + contact_lanes), all of that kind. Functions with a block take one; blocks that share no
@@ -119,6 +136,8 @@ struct BodyContactInput {
 struct BodyContactTarget {
     void (*begin)(const BodyContactInput&, uint32_t kind, uint32_t begin); // first of all
     void (*way)(const BodyContactInput&, PairBlock&);                      // rows of the first projection
+    void (*short_step)(const BodyContactInput&, uint32_t kind, uint32_t begin, bool first);
+    void (*end_short_step)(const BodyContactInput&, PairBlock&, uint32_t ended); // ended: how many have
     // First moves the impulses by `part` of their search direction, as follow() has moved the bodies. False: nothing has changed.
     bool (*sweep)(const BodyContactInput&, PairBlock&, float part);
     void (*follow)(const BodyContactInput&, const SolverSearch&, uint32_t begin, uint32_t end,

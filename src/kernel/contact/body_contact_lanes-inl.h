@@ -17,8 +17,9 @@ namespace lr::LR_KERNEL_NAMESPACE {
 // Fields of SolverBody by their index in floats.
 constexpr size_t at_x = 0, at_q = 3, at_x0 = 7, at_q0 = 10, at_v = 14, at_w = 17, at_v0 = 20, at_w0 = 23, at_scale = 26,
                  at_way = 27, at_correction = 33, at_shallow = 39, at_carried = 40, at_touches = 41, at_rolled = 42,
-                 at_dust = 45, at_share = 46, fields_of_body = 48; // a multiple of 4
-constexpr size_t twist_floats = sizeof(SolverTwist) / sizeof(float);
+                 at_dust = 45, at_share = 46, at_acted = 47, fields_of_body = 56; // a multiple of 4
+constexpr size_t twist_floats = sizeof(SolverTwist) / sizeof(float), steps_floats = sizeof(SolverSteps) / sizeof(float);
+constexpr size_t at_step = 0, at_growth = 6, at_end = 12, at_steps_acted = 18; // of SolverSteps
 static_assert(offsetof(SolverBody, rolled) == at_rolled * sizeof(float));
 
 #if HWY_TARGET == HWY_SCALAR
@@ -250,19 +251,25 @@ struct GatheredTwists {
             in.twists);
     }
 };
+// contact_lanes neighbours.
+template <class T, size_t kFields> HWY_INLINE void take_lanes(const T* from, LaneRow (&to)[kFields]) {
+    take(
+        from, [](size_t lane) { return lane; }, to);
+}
+template <class T, size_t kFields> HWY_INLINE void put_lanes(const LaneRow (&from)[kFields], T* to) {
+    put(
+        from, [](size_t lane) { return lane; }, [](size_t) { return true; }, to);
+}
 // Bodies [begin, begin + contact_lanes), and their twists.
 struct GatheredBodies {
     alignas(64) LaneRow row[fields_of_body], twist[twist_floats];
     GatheredBodies(const BodyContactInput& in, uint32_t begin) {
-        const auto nth = [](size_t lane) { return lane; };
-        take(in.bodies + begin, nth, row);
-        take(in.twists + begin, nth, twist);
+        take_lanes(in.bodies + begin, row);
+        take_lanes(in.twists + begin, twist);
     }
     void put_back(const BodyContactInput& in, uint32_t begin) const {
-        const auto nth = [](size_t lane) { return lane; };
-        const auto all = [](size_t) { return true; };
-        put(row, nth, all, in.bodies + begin);
-        put(twist, nth, all, in.twists + begin);
+        put_lanes(row, in.bodies + begin);
+        put_lanes(twist, in.twists + begin);
     }
 };
 } // namespace lr::LR_KERNEL_NAMESPACE

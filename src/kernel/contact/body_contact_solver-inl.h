@@ -16,19 +16,52 @@ void body_contact_begin(const BodyContactInput& in, uint32_t kind, uint32_t begi
     GatheredBodies bodies(in, begin);
     auto& row = bodies.row;
     auto& twist = bodies.twist;
+    constexpr float part = 1.0f / short_steps;
     const VF zero = hn::Zero(DF());
+    alignas(64) LaneRow steps[steps_floats];
     for (size_t at = 0; at < contact_lanes; at += hn::Lanes(DF())) {
         const VF length = load1(row[at_scale], at) * constant(in.kinds[kind].body->length);
         const Quaternion q = load4(row + at_q, at), q0 = load4(row + at_q0, at);
         const Twist way = way_of(q0, q, load3(row + at_x, at) - load3(row + at_x0, at), length);
         store6(row + at_way, at, way);
-        store6(twist, at, way);
+        // Without contacts the short steps make up the way, and their speed goes evenly from that before the substep to that after it.
+        const Twist before{to_body(q, to_world(q0, load3(row + at_v0, at))),
+                           length * to_body(q, to_world(q0, load3(row + at_w0, at)))};
+        const Twist after{load3(row + at_v, at), length * load3(row + at_w, at)};
+        const Twist growth = constant(part * part * in.h) * (after - before);
+        store6(steps + at_step, at, constant(part) * way - constant(0.5f * (short_steps + 1.0f)) * growth);
+        store6(steps + at_growth, at, growth);
         for (size_t f = at_correction; f < fields_of_body; ++f) store1(row[f], at, zero);
         const Size size = size_of(in.kinds[kind], row, at);
-        store1(row[at_dust], at, constant(1e-4f) * size.slop);
-        for (size_t f = 6; f < twist_floats; ++f) store1(twist[f], at, zero);
+        store1(row[at_dust], at, constant(1e-4f * part * part) * size.slop);
+        for (LaneRow& of : twist) store1(of, at, zero);
+        for (size_t f = at_end; f < steps_floats; ++f) store1(steps[f], at, zero);
     }
+    put_lanes(steps, in.steps + begin);
     bodies.put_back(in, begin);
+}
+
+// Bodies go on at the speed at which the last short step left them, and contacts act on them with `short_kept` of its impulses.
+void body_contact_short_step(const BodyContactInput& in, uint32_t kind, uint32_t begin, bool first) {
+    alignas(64) LaneRow twist[twist_floats], steps[steps_floats];
+    take_lanes(in.twists + begin, twist);
+    take_lanes(in.steps + begin, steps);
+    const VF gone = constant(first ? 0.0f : 1.0f), kept = constant(first ? 1.0f : short_kept);
+    for (size_t at = 0; at < contact_lanes; at += hn::Lanes(DF())) {
+        const Twist now = load6(twist, at), by_contacts = now - load6(steps + at_end, at);
+        const Twist step = load6(steps + at_step, at) + load6(steps + at_growth, at) + gone * by_contacts;
+        const Twist end = gone * now + step;
+        store6(steps + at_step, at, step);
+        store6(steps + at_end, at, end);
+        store6(steps + at_steps_acted, at, load6(steps + at_steps_acted, at) + gone * by_contacts);
+        store6(twist, at, end + kept * by_contacts);
+        store1(twist[6], at, kept * load1(twist[6], at));
+    }
+    put_lanes(twist, in.twists + begin);
+    put_lanes(steps, in.steps + begin);
+    if (!first && in.kinds[kind].rolling != 0.0f)
+        for (size_t lane = 0; lane < contact_lanes; ++lane)
+            for (float& rolled : in.bodies[begin + lane].rolled) rolled *= short_kept;
 }
 
 // The two bodies of a unit after the substep's motion.
@@ -202,27 +235,34 @@ HWY_NOINLINE Matrix frame_of(const PairBlock& block, size_t at) {
 }
 
 void body_contact_way(const BodyContactInput& in, PairBlock& block) {
+    constexpr float part = 1.0f / short_steps;
+    const VF zero = hn::Zero(DF());
     const Gathered g(in, block);
     GatheredTwists twists(in, block);
     for (size_t at = 0; at < block.lanes; at += hn::Lanes(DF())) {
         const PairState s = state_of(in, block, g, at);
-        store1(block.dust, at, constant(1e-3f) * s.slop);
+        store1(block.dust, at, constant(1e-3f * part * part) * s.slop);
         for (uint32_t k = 0; k < block.used; ++k) set_gaps(s, constant(in.h), block, block.place[k], at);
         Side a, b;
         set_frame(in, g, block, at, s.size_a, s.size_b, a, b);
         const Matrix frame = frame_of(block, at);
-        const Vec3 path = frame * (load3(block.lag, at) + constant(in.h) * load3(block.surface, at));
-        store1(block.friction.drift[0], at, path.y);
-        store1(block.friction.drift[1], at, path.z);
+        const Vec3 path = constant(part) * (frame * (load3(block.lag, at) + constant(in.h) * load3(block.surface, at)));
+        store1(block.friction.path[0], at, path.y);
+        store1(block.friction.path[1], at, path.z);
+        store3(block.friction.drift, at, {path.y, path.z, zero});
+        store3(block.friction.sum, at, zero3());
         const Reduced way = relative_motion(a, b, s.way[0], s.way[1]);
         VF guess[block_contacts];
         for (uint32_t k = 0; k < block.used; ++k) {
             const PairBlock::Place& c = block.place[k];
             const VF gap = load1(c.gap, at), began = load1(c.before, at);
-            const auto solid = load1(block.solid, at) > hn::Zero(DF());
+            const auto solid = load1(block.solid, at) > zero;
             const VF out = push_out(gap, began, s.slop, s.reach, solid);
-            store1(block.row[k].target, at, dot(press_direction(block.row[k], at), way.press) - out);
-            store1(block.row[k].push, at, pushed(gap, began, out, solid));
+            // A gap may close at once; older overlap is undone evenly.
+            const VF target = dot(press_direction(block.row[k], at), way.press) - out;
+            store1(block.row[k].target, at, hn::Min(target, constant(part) * target));
+            store1(block.row[k].push, at, constant(part) * pushed(gap, began, out, solid));
+            store1(block.place[k].sum, at, zero);
             guess[k] = load1(c.start, at);
         }
         const Vec3 drag = frame * load3(block.start_drag, at);
@@ -231,8 +271,38 @@ void body_contact_way(const BodyContactInput& in, PairBlock& block) {
         push_pair(in, block, a, b, impulse, ta, tb);
         store6(twists.a, at, ta);
         store6(twists.b, at, tb);
+        store1(twists.a[6], at, load1(twists.a[6], at) + load1(block.solid, at) * impulse.press.x);
     }
     twists.put_back(in, block);
+}
+
+void body_contact_end_short_step(const BodyContactInput& in, PairBlock& block, uint32_t ended) {
+    const bool last = ended == short_steps;
+    const VF more = constant((static_cast<float>(ended) + 1.0f) / static_cast<float>(ended)),
+             kept = constant(short_kept);
+    const GatheredTwists twists(in, block);
+    for (size_t at = 0; at < block.lanes; at += hn::Lanes(DF())) {
+        PairBlock::Friction& f = block.friction;
+        const Vec3 dragged = load3(f.dragged, at);
+        store3(f.sum, at, load3(f.sum, at) + dragged);
+        for (uint32_t k = 0; k < block.used; ++k) {
+            PairBlock::Row& row = block.row[k];
+            LaneRow& sum = block.place[k].sum;
+            const VF pressed = load1(row.pressed, at), target = load1(row.target, at);
+            store1(sum, at, load1(sum, at) + pressed);
+            if (last) continue;
+            store1(row.pressed, at, kept * pressed);
+            store1(row.target, at, hn::Max(target, more * target));
+            store1(row.push, at, more * load1(row.push, at));
+        }
+        if (last) continue;
+        store3(f.dragged, at, kept * dragged);
+        // Friction undoes half of the slip since the substep began. If it undid none, stacks would creep; if all, heaps would rest later.
+        const Reduced went =
+            relative_motion(side_a(in, block, at), side_b(in, block, at), load6(twists.a, at), load6(twists.b, at));
+        const Vec3 path{load1(f.path[0], at), load1(f.path[1], at), hn::Zero(DF())};
+        store3(f.drift, at, constant(0.5f) * went.drag + constant(0.5f * static_cast<float>(ended) + 1.0f) * path);
+    }
 }
 
 // Squares of impulses over a mass, m^2 or m^2/s^2. A unit with larger changes, or NaN, does not act on its bodies and is dropped for the
@@ -267,7 +337,8 @@ HWY_INLINE Vec3 drag_unit(PairBlock& block, size_t at, Vec3 slip, Vec3 dragged, 
     r.dragged[0] = dragged.x, r.dragged[1] = dragged.y;
     Vec3 step;
     drag(r, slip.x - load1(f.drift[0], at), slip.y - load1(f.drift[1], at), dust, step.x, step.y);
-    const VF spin = load1(block.drag_drag[2], at) * step.x + load1(block.drag_drag[4], at) * step.y + slip.z;
+    const VF spin = load1(block.drag_drag[2], at) * step.x + load1(block.drag_drag[4], at) * step.y +
+                    (slip.z - load1(f.drift[2], at));
     const VF most = load1(f.radius, at) * (r.friction * load);
     const VF wanted = dragged.z - load1(f.hold_spin, at) * spin;
     const VF couple = hn::Max(hn::Min(hn::IfThenElse(hn::Abs(spin) > dust, wanted, dragged.z), most), -most);
@@ -391,10 +462,14 @@ void body_contact_move(const BodyContactInput& in, uint32_t kind, uint32_t begin
     GatheredBodies bodies(in, begin);
     auto& row = bodies.row;
     auto& twist = bodies.twist;
+    const float h = in.h / short_steps;
+    alignas(64) LaneRow steps[steps_floats];
+    take_lanes(in.steps + begin, steps);
     const VF zero = hn::Zero(DF()), half = constant(0.5f);
     for (size_t at = 0; at < contact_lanes; at += hn::Lanes(DF())) {
         const Size size = size_of(in.kinds[kind], row, at);
         const Twist moved = load6(twist, at), way = load6(row + at_way, at);
+        store6(row + at_acted, at, load6(steps + at_steps_acted, at) + (moved - load6(steps + at_end, at)));
         Twist correction = moved - way;
         correction = small_part(correction.u, size.inverse) * correction;
         store6(row + at_correction, at, correction);
@@ -402,9 +477,9 @@ void body_contact_move(const BodyContactInput& in, uint32_t kind, uint32_t begin
         store3(row + at_x, at, load3(row + at_x, at) + to_world(q, correction.v));
         const Twist met = twist_of(row, at_v, at, size.length);
         // A warm start that the sweeps correct only in part integrates the overlap: impulses overshoot, and a high heap swings. A share below 1 damps
-        // this; the rest, at most a slop of a body's fall, is found anew. In short substeps, in which a body falls by less than the slop, most of the
-        // path undoes older overlap, which does not come again: the share then leaves about the weight.
-        const VF falls = constant(in.gravity * (in.h * in.h)) / size.slop, grown = falls * falls + falls;
+        // this. If a body falls by less than the slop in a short step, most of the path undoes older overlap, which does not come again: the share then
+        // leaves about the weight.
+        const VF falls = constant(in.gravity * (h * h)) / size.slop, grown = falls * falls + falls;
         const VF share = grown / (grown + constant(2.0f));
         store1(row[at_share], at, share);
         const Twist seen{to_world(q, met.v), to_world(q, met.u)};
@@ -435,18 +510,19 @@ void body_contact_touch(const BodyContactInput& in, PairBlock& block) {
         const VF within = hn::IfThenElseZero(hn::Not(solid), hn::Min(presses, constant(0.1f) * reach));
         const Side a = side_a(in, block, at), b = side_b(in, block, at);
         const Reduced moved = relative_motion(a, b, load6(g.a + at_correction, at), load6(g.b + at_correction, at));
+        const Reduced acted = relative_motion(a, b, load6(g.a + at_acted, at), load6(g.b + at_acted, at));
         const Reduced came = relative_motion(a, b, load6(g.a + at_way, at), load6(g.b + at_way, at));
-        const Vec3 drift = frame_of(block, at) * load3(block.surface, at), dragged = load3(block.friction.dragged, at);
+        const Vec3 drift = frame_of(block, at) * load3(block.surface, at), dragged = load3(block.friction.sum, at);
         VF least = zero, any = zero;
-        VF stopping = dot(dragged, Vec3{drift.y, drift.z, zero} - came.drag), moving = dot(dragged, moved.drag);
+        VF stopping = dot(dragged, Vec3{drift.y, drift.z, zero} - came.drag), moving = dot(dragged, acted.drag);
         for (uint32_t k = 0; k < block.used; ++k) {
             PairBlock::Place& c = block.place[k];
             const Vec3 direction = press_direction(block.row[k], at);
-            const VF given = load1(c.gap, at), pressed = load1(block.row[k].pressed, at);
+            const VF given = load1(c.gap, at), pressed = load1(c.sum, at);
             const auto there = given < empty;
             const VF opened = dot(direction, moved.press);
             stopping += pressed * (drift.x - dot(direction, came.press));
-            moving += pressed * opened;
+            moving += pressed * dot(direction, acted.press);
             const VF gap = hn::IfThenElse(there, given + opened, given);
             const auto touches = hn::And(there, hn::Or(pressed > zero, gap <= slop));
             store1(c.gap, at, gap);
@@ -490,12 +566,11 @@ void body_contact_velocity(const BodyContactInput& in, PairBlock& block) {
         Side a, b;
         set_frame(in, g, block, at, size_a, size_b, a, b);
         store1(block.dust, at, constant(1e-4f) * slow);
-        const auto load = [&](const LaneRow* row, size_t field) LR_LAMBDA { return load1(row[field], at); };
         const VF guess = load1(block.start, at);
+        const auto load = [&](const LaneRow* row, size_t field) LR_LAMBDA { return load1(row[field], at); };
         const auto any = hn::Max(load(g.a, at_touches), load(g.b, at_touches)) > zero;
         const Vec3 drift = frame * load3(block.surface, at);
-        store1(f.drift[0], at, drift.y);
-        store1(f.drift[1], at, drift.z);
+        store3(f.drift, at, {drift.y, drift.z, zero});
         const Reduced came = relative_motion(a, b, load6(g.a + at_way, at), load6(g.b + at_way, at));
         store3(block.came, at, came.drag - Vec3{drift.y, drift.z, zero});
         VF had[block_contacts];
@@ -515,11 +590,10 @@ void body_contact_velocity(const BodyContactInput& in, PairBlock& block) {
             store1(c.bounce, at, bounces);
             bouncing = bouncing || !hn::AllTrue(DF(), hn::Eq(bounces, zero));
             store1(c.came, at, dot(press_direction(row, at), came.press) - drift.x);
-            const VF pressed = load1(row.pressed, at);
-            store1(c.start, at, pressed);
-            had[k] = hn::IfThenElseZero(touches, guess * pressed);
+            store1(c.start, at, load1(row.pressed, at));
+            had[k] = hn::IfThenElseZero(touches, guess * load1(c.sum, at));
         }
-        const Reduced impulse = started(block, at, had, guess * path);
+        const Reduced impulse = started(block, at, had, guess * load3(f.sum, at));
         Twist ta = load6(twists.a, at), tb = load6(twists.b, at);
         push_pair(in, block, a, b, impulse, ta, tb);
         store6(twists.a, at, ta);

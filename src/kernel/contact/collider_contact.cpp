@@ -97,7 +97,8 @@ extern const ContactTarget contact_functions;
 extern const BodyContactTarget body_contact_functions;
 const ContactTarget contact_functions{&near_colliders, &touch_ground, &resolve_contacts};
 const BodyContactTarget body_contact_functions{
-    &body_contact_begin, &body_contact_way,   &body_contact_sweep,    &body_contact_follow,   &body_contact_roll,
-    &body_contact_move,  &body_contact_touch, &body_contact_velocity, &body_contact_restrain, &body_contact_finish};
+    &body_contact_begin, &body_contact_way,      &body_contact_short_step, &body_contact_end_short_step,
+    &body_contact_sweep, &body_contact_follow,   &body_contact_roll,       &body_contact_move,
+    &body_contact_touch, &body_contact_velocity, &body_contact_restrain,   &body_contact_finish};
 } // namespace lr::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
