@@ -264,12 +264,12 @@ TEST_CASE("a high heap of plates comes to rest within four seconds, and they do 
         const HeapState state = heap_state(world.get(), batch);
         const HeapQuality quality = heap_quality(plate_half, state.poses);
         MESSAGE(state.awake << " awake, " << quality.share_deep << " deep, mean height " << quality.height_mean);
-        CHECK(state.awake <= plates / 40);
+        CHECK(state.awake <= plates / (substeps == 2 ? 100 : 40));
         plates_in_all += plates, awake_in_all += state.awake;
         CHECK(quality.share_deep < 0.07);
         deep += quality.share_deep / static_cast<double>(std::size(heaps));
         high += quality.height_mean / static_cast<double>(std::size(heaps));
-        CHECK(quality.height_mean > 0.015);
+        CHECK(quality.height_mean > 0.018);
         // Four substeps leave fewer overlaps, and more air.
         CHECK(quality.height_mean < (substeps == 2 ? 0.026 : 0.028) * plates / 1000.0);
     }
