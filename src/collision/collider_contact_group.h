@@ -36,7 +36,7 @@ const char* wrong_in(const lr_batch_contact& settings);
 float rolling_of(const lr_batch_contact& settings, const BodyShape& shape);
 
 // Awake bodies meet sleeping ones as fixed things.
-inline constexpr uint32_t most_sleeping = 32; // near one body, by batch and noise seed
+inline constexpr uint32_t most_sleeping = 32; // that one body can touch, by batch and noise seed
 
 struct SleepingTouch {
     uint32_t batch, index; // of the sleeping body: batch slot and dense index

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <tuple>
 
 namespace lr {
@@ -142,7 +143,24 @@ uint32_t SleepingNeighbours::touched_by(uint32_t noise_seed, float scale, const 
     const float bulge = 0.25f * moving.turns * moving.turns / moving.reach();
     const Box box =
         grown(around(bounds(own.pair_hull(), scale, from), bounds(own.pair_hull(), scale, to)), margin + bulge);
+    // In a heap the boxes of dozens of bodies overlap the path's. Only those that can touch are counted.
     Neighbours near;
+    Neighbour waiting[search_lanes];
+    PlacedBox boxes[search_lanes + 1]; // the body's own is the last
+    boxes[search_lanes] = placed_box(moving, margin);
+    uint32_t count = 0;
+    const auto body_of = [&](const Neighbour& one) {
+        const Batch& batch = *world_->batches[one.batch].batch;
+        const Pose pose = pose_of(batch.arrays(), one.index);
+        return PairBody{&batch.pair_hull(), batch.arrays().field[field_scale][one.index], pose, pose, {}, 0.0f};
+    };
+    const auto take_near = [&] {
+        uint32_t met[search_lanes];
+        std::iota(met, met + count, 0u);
+        const uint32_t met_count = world_->target->near_boxes(boxes, search_lanes, met, count);
+        for (uint32_t k = 0; k < met_count; ++k) near.take(waiting[met[k]]);
+        count = 0;
+    };
     world_->pairs.visit_partners(slot_, [&](uint32_t other) {
         const Batch& batch = *world_->batches[other].batch;
         batch.visit_sleeping(box, [&](uint32_t index) {
@@ -150,35 +168,27 @@ uint32_t SleepingNeighbours::touched_by(uint32_t noise_seed, float scale, const 
             // The copy in a trial must not touch its original.
             if (other == slot_ && its == noise_seed && equal(pose_of(batch.arrays(), index).position, from.position))
                 return;
-            near.take({other, its, index});
+            waiting[count] = {other, its, index};
+            boxes[count] = placed_box(body_of(waiting[count]), margin);
+            if (++count == search_lanes) take_near();
         });
     });
+    if (count != 0) take_near();
     PairBody others[most_sleeping];
     PairBatch pairs(world_->target->search_pairs);
-    const auto found = [&](uint32_t n, const WayContact* contacts, uint32_t count, const Manifold&) {
-        out[n].count = count;
-        for (uint32_t k = 0; k < count; ++k) {
+    const auto found = [&](uint32_t n, const WayContact* contacts, uint32_t its, const Manifold&) {
+        out[n].count = its;
+        for (uint32_t k = 0; k < its; ++k) {
             out[n].contact[k] = contacts[k].begin;
             out[n].contact[k].arm_a = contacts[k].end_a;
             out[n].contact[k].gap = contacts[k].end - nearer_ * moving.reach();
         }
     };
-    PlacedBox boxes[most_sleeping + 1]; // the body's own is the last
-    uint32_t met[most_sleeping];
     for (uint32_t n = 0; n < near.count; ++n) {
-        const Neighbour& one = near.found[n];
-        const Batch& batch = *world_->batches[one.batch].batch;
-        const Pose pose = pose_of(batch.arrays(), one.index);
-        others[n] = {&batch.pair_hull(), batch.arrays().field[field_scale][one.index], pose, pose, {}, 0.0f};
-        boxes[n] = placed_box(others[n], margin);
-        met[n] = n;
-        out[n].count = 0;
+        others[n] = body_of(near.found[n]);
+        pairs.find(moving, others[n], margin, 0.0f, n, found);
     }
-    boxes[near.count] = placed_box(moving, margin);
-    const uint32_t met_count = world_->target->near_boxes(boxes, near.count, met, near.count);
-    for (uint32_t k = 0; k < met_count; ++k) pairs.find(moving, others[met[k]], margin, 0.0f, met[k], found);
     pairs.finish(found);
-    uint32_t count = 0;
     for (uint32_t n = 0; n < near.count; ++n) {
         if (out[n].count == 0) continue;
         if (n != count) out[count] = out[n];
