@@ -108,8 +108,11 @@ LR_INLINE constexpr Vector middle_of(const Box& box) {
     return 0.5f * (box.low + box.high);
 }
 LR_INLINE constexpr bool overlap(const Box& a, const Box& b) {
-    return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
-           a.low.z <= b.high.z && b.low.z <= a.high.z;
+    const auto along = [](float low_a, float high_a, float low_b, float high_b) -> uint32_t {
+        return (low_a <= high_b) & (low_b <= high_a);
+    };
+    return (along(a.low.x, a.high.x, b.low.x, b.high.x) & along(a.low.y, a.high.y, b.low.y, b.high.y) &
+            along(a.low.z, a.high.z, b.low.z, b.high.z)) != 0;
 }
 constexpr bool contains(const Box& a, const Box& b) {
     return a.low.x <= b.low.x && a.low.y <= b.low.y && a.low.z <= b.low.z && b.high.x <= a.high.x &&
