@@ -148,7 +148,7 @@ uint32_t SleepingNeighbours::touched_by(uint32_t noise_seed, float scale, const 
     Neighbour waiting[search_lanes];
     PlacedBox boxes[search_lanes + 1]; // the body's own is the last
     boxes[search_lanes] = placed_box(moving, margin);
-    uint32_t count = 0;
+    uint32_t waiting_count = 0;
     const auto body_of = [&](const Neighbour& one) {
         const Batch& batch = *world_->batches[one.batch].batch;
         const Pose pose = pose_of(batch.arrays(), one.index);
@@ -156,10 +156,10 @@ uint32_t SleepingNeighbours::touched_by(uint32_t noise_seed, float scale, const 
     };
     const auto take_near = [&] {
         uint32_t met[search_lanes];
-        std::iota(met, met + count, 0u);
-        const uint32_t met_count = world_->target->near_boxes(boxes, search_lanes, met, count);
+        std::iota(met, met + waiting_count, 0u);
+        const uint32_t met_count = world_->target->near_boxes(boxes, search_lanes, met, waiting_count);
         for (uint32_t k = 0; k < met_count; ++k) near.take(waiting[met[k]]);
-        count = 0;
+        waiting_count = 0;
     };
     world_->pairs.visit_partners(slot_, [&](uint32_t other) {
         const Batch& batch = *world_->batches[other].batch;
@@ -168,17 +168,17 @@ uint32_t SleepingNeighbours::touched_by(uint32_t noise_seed, float scale, const 
             // The copy in a trial must not touch its original.
             if (other == slot_ && its == noise_seed && equal(pose_of(batch.arrays(), index).position, from.position))
                 return;
-            waiting[count] = {other, its, index};
-            boxes[count] = placed_box(body_of(waiting[count]), margin);
-            if (++count == search_lanes) take_near();
+            waiting[waiting_count] = {other, its, index};
+            boxes[waiting_count] = placed_box(body_of(waiting[waiting_count]), margin);
+            if (++waiting_count == search_lanes) take_near();
         });
     });
-    if (count != 0) take_near();
+    take_near();
     PairBody others[most_sleeping];
     PairBatch pairs(world_->target->search_pairs);
-    const auto found = [&](uint32_t n, const WayContact* contacts, uint32_t its, const Manifold&) {
-        out[n].count = its;
-        for (uint32_t k = 0; k < its; ++k) {
+    const auto found = [&](uint32_t n, const WayContact* contacts, uint32_t count, const Manifold&) {
+        out[n].count = count;
+        for (uint32_t k = 0; k < count; ++k) {
             out[n].contact[k] = contacts[k].begin;
             out[n].contact[k].arm_a = contacts[k].end_a;
             out[n].contact[k].gap = contacts[k].end - nearer_ * moving.reach();
@@ -189,6 +189,7 @@ uint32_t SleepingNeighbours::touched_by(uint32_t noise_seed, float scale, const 
         pairs.find(moving, others[n], margin, 0.0f, n, found);
     }
     pairs.finish(found);
+    uint32_t count = 0;
     for (uint32_t n = 0; n < near.count; ++n) {
         if (out[n].count == 0) continue;
         if (n != count) out[count] = out[n];
