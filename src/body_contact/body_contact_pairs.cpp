@@ -161,17 +161,26 @@ bool BodyContactStep::find_pairs(uint32_t substep) {
     workers_.run(c.grid.placed(), grain, [&](uint32_t begin, uint32_t end) {
         for (uint32_t i = begin; i < end; ++i) {
             const uint32_t body = c.grid.placed(i);
-            uint32_t count = 0;
+            // In a heap upright boxes of dozens of bodies overlap. Only those that can touch are counted.
+            uint32_t count = 0, met_count = 0, met[BodyContactBuffers::most_seen];
             uint32_t* const seen = c.seen.data() + size_t{BodyContactBuffers::most_seen} * body;
+            const auto take_near = [&] {
+                for (uint32_t k = 0; k < met_count; ++k) hide_each_other(body, met[k]);
+                met_count = world_->target->near_boxes(c.placed.data(), body, met, met_count);
+                for (uint32_t k = 0; k < met_count; ++k)
+                    if (count < BodyContactBuffers::most_seen)
+                        seen[count++] = met[k];
+                    else
+                        keep_first(seen, met[k]);
+                met_count = 0;
+            };
             c.grid.visit(c.grid.box(body), [&](uint32_t other, bool mutual) {
                 if (!finds(body, other, mutual)) return;
-                if (count < BodyContactBuffers::most_seen)
-                    seen[count++] = other;
-                else
-                    keep_first(seen, other);
+                met[met_count] = other;
+                if (++met_count == BodyContactBuffers::most_seen) take_near();
             });
-            for (uint32_t k = 0; k < count; ++k) hide_each_other(body, seen[k]);
-            c.first_pair[body] = world_->target->near_boxes(c.placed.data(), body, seen, count);
+            take_near();
+            c.first_pair[body] = count;
         }
     });
     uint32_t sum = 0;

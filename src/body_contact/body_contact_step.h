@@ -78,8 +78,7 @@ struct BodyContactBuffers {
     BodyBroadPhase grid;
     Buffer<uint32_t> first_pair; // by body, and the end: the first of the pairs that it has found
     Buffer<PlacedBox> placed;    // by body
-    // By body: at first others whose upright boxes overlap its own (of more than this number the first by batch and noise seed), then the ones
-    // among them that can touch it.
+    // By body: the others that can touch it and whose pair it finds. Of more than this number the first by batch and noise seed.
     static constexpr uint32_t most_seen = 48;
     Buffer<uint32_t> seen;
     Buffer<Pair> pairs;
