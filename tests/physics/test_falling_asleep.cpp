@@ -233,7 +233,7 @@ TEST_CASE("a high heap of plates comes to rest within four seconds, and they do 
     // waking all whose boxes they fall through, 174 and 137 of the same.
     // How many are awake, how deep plates lie in each other, and how high, is chance in a single heap: the sum and the means count. With one projection
     // of the whole path 99 of these are awake, 49 in one heap. If only 32 sleeping plates with boxes near a plate's count, a tenth lie deep with one
-    // substep, and 1.3 % with four.
+    // substep, and 1.3 % with four. If no more of deep overlap is undone than of shallow, 4.5 and 0.02 %.
     const Heap heaps[] = {{1000, 1, 1}, {1000, 2, 1}, {1000, 3, 1}, {1000, 2, 2}, {1000, 3, 2},
                           {1200, 3, 2}, {1200, 4, 2}, {1200, 1, 4}, {1200, 2, 4}, {1200, 3, 4},
                           {1200, 4, 4}, {1200, 5, 4}, {1200, 6, 4}, {1200, 7, 4}, {1200, 8, 4}};
@@ -271,13 +271,13 @@ TEST_CASE("a high heap of plates comes to rest within four seconds, and they do 
         plates_in_all += plates, awake_in_all += state.awake;
         const size_t of = substeps / 2;
         deep[of] += quality.share_deep, high[of] += quality.height_mean, ++heaps_of[of];
-        CHECK(quality.share_deep < 0.07);
+        CHECK(quality.share_deep < 0.04);
         // More substeps leave fewer overlaps, and more air.
         CHECK(quality.height_mean > (substeps == 1 ? 0.014 : 0.018));
         CHECK(quality.height_mean < (substeps == 4 ? 0.028 : 0.026) * plates / 1000.0);
     }
     CHECK(awake_in_all <= plates_in_all / 500);
-    const double most_deep[] = {0.07, 0.015, 0.005};
+    const double most_deep[] = {0.03, 0.005, 0.002};
     const double least_high[] = {0.015, 0.02, 0.024}; // m
     for (size_t of = 0; of < 3; ++of) {
         CAPTURE(of);

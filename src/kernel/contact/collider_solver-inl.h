@@ -196,15 +196,17 @@ HWY_INLINE VF small_part(Vec3 u, VF inverse) {
 // apart.
 constexpr float pair_push = 0.02f, collider_push = 0.5f;
 // Of an overlap between awake bodies, beyond the slop, a substep undoes this share. With more, pairs of a heap that contradict each other would
-// oscillate. A body alone among sleeping ones gets out at once, or it would fall asleep before.
-constexpr float undone = 0.3f, undone_alone = 1.0f;
+// oscillate. Few lie deeper than `deep` slops beyond it: they get out sooner, and the heap still rests. A body alone among sleeping ones gets out at
+// once, or it would fall asleep before.
+constexpr float undone = 0.3f, deep = 3.0f, undone_deep = 0.6f, undone_alone = 1.0f;
 
 // How far the path projection may let a contact's gap close, m; negative: how far it must open. gap, before: at the end of the substep and at its
 // beginning. share: of older overlap between bodies.
 HWY_INLINE VF push_out(VF gap, VF before, VF slop, VF reach, hn::Mask<DF> solid, float share = undone) {
     const VF zero = hn::Zero(DF());
     const VF overlap = hn::Min(before + slop, zero), most = constant(pair_push) * reach;
-    const VF stays = hn::Min(constant(1.0f - share) * overlap, overlap + most);
+    const VF deep_stays = constant(1.0f - undone_deep) * overlap - constant((undone_deep - undone) * deep) * slop;
+    const VF stays = hn::Min(hn::Max(constant(1.0f - share) * overlap, deep_stays), overlap + most);
     // Deep overlap with a collider, as when it was placed on a body, is undone over several substeps.
     const VF gained = gap - hn::Min(before, zero);
     const VF out = hn::Max(gap, hn::Min(constant(-collider_push) * reach + gained, zero));
