@@ -47,7 +47,7 @@ bool BodyContactStep::prepare() {
         const WaterBody* const water = batch.step.water;
         for (SolverBodyKind& kind : member->kind)
             kind = {&batch.step.body, batch.asset().shape.reach, batch.pair_hull().shape.radius,
-                    rolling_of(batch.contact(), batch.asset().shape)};
+                    rounding_of(batch.asset().shape), rolling_of(batch.contact(), batch.asset().shape)};
         if (water) member->kind[1].body = &water->water;
         first += batch.padded_awake();
     }

@@ -5,6 +5,7 @@
 #include "base/convex_hull.h"
 #include "base/pose.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -47,6 +48,13 @@ struct BodyShape {
         return sum;
     }
 };
+
+// m: of a hull, or the least radius of curvature of an ellipsoid. About a core so much smaller the shape can turn without a change of its surface there.
+inline float rounding_of(const BodyShape& shape) {
+    if (shape.count != 0) return shape.radius;
+    const auto [least, most] = std::minmax({shape.semi_axes.x, shape.semi_axes.y, shape.semi_axes.z});
+    return least * (least / most);
+}
 
 // The point farthest along a direction, the first among equals. x, y, z: `count` > 0 points, kStride apart.
 template <size_t kStride = 1>

@@ -468,7 +468,7 @@ float rolling_of(const lr_batch_contact& settings, const BodyShape& shape) {
 
 ContactBodies ContactGroup::bodies(const ContactSubstep& substep) const {
     const BodyShape& s = *step_->shape;
-    ShapeConstants shape{s.count, s.sample_count, s.x, s.y, s.z, s.radius, {}, {}, s.reach};
+    ShapeConstants shape{s.count, s.sample_count, s.x, s.y, s.z, s.radius, {}, {}, s.reach, rounding_of(s)};
     lr::put(s.center, shape.center);
     lr::put(s.semi_axes, shape.semi_axes);
     const float rolling = rolling_of(*step_->settings, s);

@@ -108,7 +108,7 @@ struct Balls {
     void solve() {
         for (size_t i = 0; i < units.size(); ++i)
             units[i].frame = &contacts[i].frame, units[i].contact = &contacts[i].point;
-        const SolverBodyKind kind{&body, 1.0f, 1.0f, 0.0f};
+        const SolverBodyKind kind{&body, 1.0f, 1.0f, 1.0f, 0.0f};
         const BodyContactRange range{0, 0, count};
         const FloatMode mode;
         tiles.resize((count + 31) / 32 * 32);

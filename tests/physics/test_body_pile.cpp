@@ -93,7 +93,21 @@ TEST_CASE("a pile in a bin loses energy, hardly overlaps, and nothing is outside
 TEST_CASE("balls rest on each other in a bin, with usual friction, with little, and with none") {
     constexpr double radius = 0.01;
     constexpr uint32_t count = 200;
-    for (const float friction : {0.5f, 0.1f, 0.05f, 0.0f}) {
+    struct Fall {
+        float friction;
+        uint32_t substeps, seed;
+    };
+    // If contacts on a rounding turned with the ball, those with one substep would lie in each other as a hot gas, at 1 m/s (rms).
+    for (const auto [friction, substeps, seed] : {Fall{0.5f, 2, 5},
+                                                  {0.1f, 2, 5},
+                                                  {0.05f, 2, 5},
+                                                  {0.05f, 2, 2},
+                                                  {0.0f, 2, 5},
+                                                  {0.5f, 1, 5},
+                                                  {0.1f, 1, 5},
+                                                  {0.05f, 1, 2}}) {
+        CAPTURE(friction);
+        CAPTURE(substeps);
         const World world = make(world_desc());
         const lr_batch batch = add_batch(world, unloaded(), make(ellipsoid(radius, radius, radius, 900.0)), count);
         lr_batch_contact c = contact_desc(friction, 0.1f, 0.05f);
@@ -101,7 +115,7 @@ TEST_CASE("balls rest on each other in a bin, with usual friction, with little, 
         set_contact(world, batch, c);
         set_pair(world, batch, batch);
         add_bin(world, 0.06f, 1.0f);
-        Random random(5);
+        Random random(seed);
         for (uint32_t i = 0; i < count; ++i) {
             const Vec place{(i % 4 - 1.5) * 2.6 * radius, (2.0 + 2.6 * (i / 16)) * radius,
                             (i / 4 % 4 - 1.5) * 2.6 * radius};
@@ -109,7 +123,7 @@ TEST_CASE("balls rest on each other in a bin, with usual friction, with little, 
                 world, batch,
                 turned_anyhow(random, place + Vec{random.uniform(-0.002, 0.002), 0.0, random.uniform(-0.002, 0.002)}));
         }
-        steps(world, 240, 1.0f / 60.0f, 2);
+        steps(world, 240, 1.0f / 60.0f, substeps);
         const lr_batch_view v = view_of(world, batch);
         int deep = 0;
         double height = 0.0;
@@ -122,7 +136,7 @@ TEST_CASE("balls rest on each other in a bin, with usual friction, with little, 
         }
         MESSAGE("friction " << friction << ": " << deep << " pairs overlap by more than a tenth, mean height " << height
                             << ", awake " << v.awake_count);
-        CHECK(deep <= 2);
+        CHECK(deep == 0);
         if (friction > 0.0f) CHECK(v.awake_count == 0); // nothing stops them from rolling on
     }
 }
@@ -140,19 +154,32 @@ TEST_CASE("a heap stays at rest in slow motion, and when time goes on") {
             add_body(world, batch,
                      turned_anyhow(random, {random.real(-0.05, 0.05), 0.1 + 0.03 * i, random.real(-0.05, 0.05)}));
         steps(world, 600, 1.0f / 60.0f, 2);
-        const auto fastest = [&] {
-            double most = 0.0;
-            for (const Velocity& u : velocities_of(world, batch)) most = std::max(most, length(vec(u.linear)));
-            return most;
+        // m^2/s^2: kinetic energy over the mass of one, and what bodies that have rolled down since had to lose.
+        const auto kinetic = [&] {
+            double sum = 0.0;
+            for (const Velocity& u : velocities_of(world, batch)) sum += 0.5 * dot(vec(u.linear), vec(u.linear));
+            return sum;
         };
-        REQUIRE(fastest() < 0.1);
+        std::vector<double> began;
+        const auto fallen = [&] {
+            const lr_batch_view v = view_of(world, batch);
+            double sum = 0.0;
+            for (uint32_t i = 0; i < dropped; ++i) {
+                const double y = wide(v.position[1][i]);
+                if (began.size() == i) began.push_back(y);
+                sum += gravity * std::max(began[i] - y, 0.0);
+            }
+            return sum;
+        };
+        REQUIRE(kinetic() < 0.002);
+        REQUIRE(fallen() == 0.0);
         for (int round = 0; round < 10; ++round)
             for (const float dt : {1e-6f, 1e-9f, 1e-4f, 1.0f / 60.0f, 1e-5f, 1e-3f}) {
                 CAPTURE(round);
                 CAPTURE(dt);
                 for (int k = 0; k < 4; ++k) {
                     steps(world, 1, dt, 2);
-                    REQUIRE(fastest() < 0.2);
+                    REQUIRE(kinetic() < 0.002 + fallen());
                 }
             }
     }

@@ -77,7 +77,8 @@ struct PairBlock {
     };
     // A contact's own data.
     struct Place {
-        alignas(64) LaneRow arm_a[3], arm_b[3]; // as in BodyContactPoint; set_gaps() moves them to the end
+        // As in BodyContactPoint, then from set_gaps() on without the rounding.
+        alignas(64) LaneRow arm_a[3], arm_b[3];
         LaneRow gap; // m: given as in BodyContactPoint, then at the end of the substep; no_contact: none
         LaneRow before, bounce, touching;
         LaneRow start; // m: impulse of the last short step: its warm start, then the result
@@ -120,8 +121,9 @@ struct PairBlock {
 // Bodies of one kind belong to one batch.
 struct SolverBodyKind {
     const BodyConstants* body;
-    float reach, rounding; // m, at scale 1
-    float rolling;         // ContactBodies::rolling
+    float reach;                  // m, at scale 1
+    float rounding, own_rounding; // m, at scale 1: against other bodies, and against colliders
+    float rolling;                // ContactBodies::rolling
 };
 struct BodyContactInput {
     float h, gravity;

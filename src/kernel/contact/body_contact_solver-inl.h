@@ -70,7 +70,7 @@ struct PairState {
     Quaternion began_a, began_b;
     Size size_a, size_b;
     Vec3 moved_a, moved_b;
-    Vec3 roll_a, roll_b; // body frames: displacement of the surface's point at a contact beside that of the body
+    Vec3 round_a, round_b; // world: from the core to the surface, at a contact
     Twist way[2], met[2], before[2];
     decltype(VF() > VF()) pair; // both are bodies
     VF slop, reach;             // of the smaller body
@@ -78,11 +78,14 @@ struct PairState {
 HWY_INLINE Twist twist_of(const LaneRow* row, size_t field, size_t at, VF length) {
     return {load3(row + field, at), length * load3(row + field + 3, at)};
 }
-// A rounding does not turn with its body: the point of a ball that is nearest to another ball stays on the line between them. With points that turn
-// along, balls that spin sank into each other.
-HWY_INLINE Vec3 roll_of(const SolverBodyKind& kind, const LaneRow* row, size_t at, const Matrix& turn, Vec3 normal) {
-    const VF radius = load1(row[at_scale], at) * constant(kind.rounding);
-    return radius * (to_body(load4(row + at_q0, at), normal) - transposed_times(turn, normal));
+// From a body's core to its surface where it touches the other body, or a collider. A rounding does not turn with its body: the point of a ball that is
+// nearest to the ground stays below the middle. With points that turn along, balls sank into each other, and the velocities of those that had rolled in
+// a correction were not stopped.
+HWY_INLINE Vec3 rounding_of(const SolverBodyKind& kind, const LaneRow* row, size_t at, const PairBlock& block,
+                            Vec3 normal) {
+    const auto solid = load1(block.solid, at) > hn::Zero(DF());
+    const VF radius = hn::IfThenElse(solid, constant(kind.own_rounding), constant(kind.rounding));
+    return -(load1(row[at_scale], at) * radius) * normal;
 }
 HWY_INLINE PairState state_of(const BodyContactInput& in, const PairBlock& block, const Gathered& g, size_t at) {
     const SolverBodyKind &kind_a = in.kinds[block.kind_a], &kind_b = in.kinds[block.kind_b];
@@ -96,8 +99,8 @@ HWY_INLINE PairState state_of(const BodyContactInput& in, const PairBlock& block
     s.moved_a = load3(g.a + at_x, at) - load3(g.a + at_x0, at);
     s.moved_b = load3(g.b + at_x, at) - load3(g.b + at_x0, at);
     const Vec3 normal = load3(block.normal, at);
-    s.roll_a = select(s.pair, roll_of(kind_a, g.a, at, s.turn_a, normal), zero3());
-    s.roll_b = select(s.pair, roll_of(kind_b, g.b, at, s.turn_b, constant(-1.0f) * normal), zero3());
+    s.round_a = rounding_of(kind_a, g.a, at, block, normal);
+    s.round_b = rounding_of(kind_b, g.b, at, block, constant(-1.0f) * normal);
     s.way[0] = load6(g.a + at_way, at), s.way[1] = load6(g.b + at_way, at);
     s.met[0] = twist_of(g.a, at_v, at, s.size_a.length), s.met[1] = twist_of(g.b, at_v, at, s.size_b.length);
     s.before[0] = twist_of(g.a, at_v0, at, s.size_a.length), s.before[1] = twist_of(g.b, at_v0, at, s.size_b.length);
@@ -134,14 +137,16 @@ HWY_NOINLINE void set_frame(const BodyContactInput& in, const Gathered& g, PairB
     store1(block.lengths, at, size_a.length * size_b.inverse);
     const Vec3 apart = load3(g.a + at_x, at) - load3(g.b + at_x, at);
     const VF smaller = hn::Min(size_a.reach, size_b.reach);
+    const Vec3 round_a = rounding_of(in.kinds[block.kind_a], g.a, at, block, normal);
+    const Vec3 round_b = rounding_of(in.kinds[block.kind_b], g.b, at, block, constant(-1.0f) * normal);
     Vec3 on_a[block_contacts], sum_a = zero3(), sum_b = zero3();
     VF there[block_contacts], count = zero;
     for (uint32_t k = 0; k < block.used; ++k) {
         const PairBlock::Place& c = block.place[k];
         there[k] = hn::IfThenElseZero(load1(c.gap, at) < constant(0.5f * no_contact), one);
-        on_a[k] = turn_a * load3(c.arm_a, at);
+        on_a[k] = turn_a * load3(c.arm_a, at) + round_a;
         if (pairs) {
-            const Vec3 on_b = turn_b * load3(c.arm_b, at);
+            const Vec3 on_b = turn_b * load3(c.arm_b, at) + round_b;
             const Vec3 half = constant(0.5f) * (apart + (on_a[k] - on_b));
             on_a[k] = on_a[k] - joined(in.kinds[block.kind_a], g.a, at, smaller, half);
             sum_b += there[k] * (on_b + joined(in.kinds[block.kind_b], g.b, at, smaller, half));
@@ -186,24 +191,30 @@ HWY_INLINE void set_gaps(const PairState& s, VF h, const PairBlock& block, PairB
     const VF zero = hn::Zero(DF());
     const Vec3 normal = load3(block.normal, at), surface = load3(block.surface, at);
     const Vec3 path = load3(block.lag, at) + h * surface;
-    const Vec3 arm_a = load3(c.arm_a, at), arm_b = load3(c.arm_b, at);
-    const Vec3 end_a = arm_a + s.roll_a, end_b = arm_b + s.roll_b;
-    const Vec3 over_a = s.size_a.inverse * arm_a, over_b = s.size_b.inverse * arm_b;
-    store3(c.arm_a, at, end_a);
-    store3(c.arm_b, at, end_b);
+    const auto in_a = [&](Vec3 v) LR_LAMBDA { return transposed_times(s.turn_a, v); };
+    const auto in_b = [&](Vec3 v) LR_LAMBDA { return transposed_times(s.turn_b, v); };
+    // Given are arms to the surfaces: of pairs as the substep begins, else at its end.
+    const Vec3 began_round_a = to_body(s.began_a, s.round_a), began_round_b = to_body(s.began_b, s.round_b);
+    const Vec3 arm_a = load3(c.arm_a, at) - select(s.pair, began_round_a, in_a(s.round_a));
+    const Vec3 arm_b = load3(c.arm_b, at) - select(s.pair, began_round_b, in_b(s.round_b));
+    store3(c.arm_a, at, arm_a);
+    store3(c.arm_b, at, arm_b);
     const VF given = load1(c.gap, at);
     const auto empty = given >= constant(0.5f * no_contact);
-    const Vec3 went_a = s.moved_a + s.turn_a * end_a - to_world(s.began_a, arm_a);
-    const Vec3 went_b = s.moved_b + s.turn_b * end_b - to_world(s.began_b, arm_b);
+    const Vec3 went_a = s.moved_a + s.turn_a * arm_a - to_world(s.began_a, arm_a);
+    const Vec3 went_b = s.moved_b + s.turn_b * arm_b - to_world(s.began_b, arm_b);
     const VF closed = dot(normal, select(s.pair, went_b, path) - went_a);
     const VF gap = hn::IfThenElse(empty, given, hn::IfThenElse(s.pair, given - closed, given));
     const VF before = hn::IfThenElse(empty, given, hn::IfThenElse(s.pair, given, given + closed));
     store1(c.gap, at, gap);
     store1(c.before, at, before);
+    const Vec3 over_a = s.size_a.inverse * (arm_a + began_round_a), over_b = s.size_b.inverse * (arm_b + began_round_b);
+    const Vec3 end_a = s.size_a.inverse * (arm_a + in_a(s.round_a)),
+               end_b = s.size_b.inverse * (arm_b + in_b(s.round_b));
     const Vec3 first = select(s.pair, to_world(s.began_b, velocity_at(s.before[1], over_b)), surface);
-    const Vec3 last = select(s.pair, s.turn_b * velocity_at(s.met[1], s.size_b.inverse * end_b), surface);
+    const Vec3 last = select(s.pair, s.turn_b * velocity_at(s.met[1], end_b), surface);
     const VF from = dot(normal, to_world(s.began_a, velocity_at(s.before[0], over_a)) - first);
-    const VF to = dot(normal, s.turn_a * velocity_at(s.met[0], s.size_a.inverse * end_a) - last);
+    const VF to = dot(normal, s.turn_a * velocity_at(s.met[0], end_a) - last);
     const auto closes = hn::And(before > s.slop, closed > zero);
     const VF time = before / hn::Max(closed, constant(1e-30f));
     const VF part = hn::IfThenElseZero(closes, hn::Min(time, constant(1.0f)));

@@ -68,6 +68,7 @@ struct ShapeConstants {
     float radius;
     float center[3], semi_axes[3];
     float reach;
+    float rounding; // rounding_of() of the shape
 };
 
 // How an ellipsoid rocks on its broad side. With the radius of curvature R = a^2/c, c the shortest semi-axis, and the radius of gyration k it rocks

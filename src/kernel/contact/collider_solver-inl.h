@@ -236,11 +236,11 @@ struct Solved {
     bool done;
 
     size_t at;
-    VF length, inverse, reach, slop, depth;
+    VF length, inverse, reach, rounding, slop, depth;
     Vec3 x, x0, floor; // floor: velocity of the first surface
     Quaternion q, q0;
     Twist began, way;
-    Vec3 over[contact_slots]; // over d s
+    Vec3 core[contact_slots]; // from the centre of mass to the core at a contact, over d s
     VF gap[contact_slots], before[contact_slots], bounce[contact_slots], touching[contact_slots];
     VF left[contact_slots]; // overlap that later substeps undo
     VF struck;              // share of the substep before the first contact that bounces
@@ -249,6 +249,9 @@ struct Solved {
     Vec3 carried;           // velocity of the first touching surface
     hn::Mask<DF> any_touch;
     Twist met;
+
+    // The arm of a contact over d s; normal: in the body frame.
+    HWY_INLINE Vec3 surface_at(uint32_t k, Vec3 normal) const { return core[k] - (inverse * rounding) * normal; }
 
     // Prepares the path projection. False if the bodies have no contact.
     template <bool kFull> HWY_NOINLINE bool begin(const ContactBodies& b, ContactSlots& slots, size_t from) {
@@ -264,6 +267,7 @@ struct Solved {
         const VF body_scale = load1(b.arrays, field_scale, at);
         length = body_scale * constant(c.length), inverse = one / length;
         reach = body_scale * constant(b.shape.reach);
+        rounding = body_scale * constant(b.shape.rounding);
         x = load3(b.arrays, field_x, at);
         q = load4(b.arrays, at);
         x0 = load3(b.before, at);
@@ -280,8 +284,11 @@ struct Solved {
             const ContactSlots::Slot& s = slots.slot[used[k]];
             const Vec3 normal = load3(s.normal, at), arm = load3(s.arm, at), surface = load3(s.surface, at);
             Row& r = rows[k];
-            over[k] = inverse * arm;
-            set_row<kFull>(c, to_body(q, normal), over[k], r);
+            // A rounding does not turn with its body: the point of a ball that is nearest to the ground stays below the middle.
+            const Vec3 axis = to_body(q, normal), axis0 = to_body(q0, normal), end = inverse * arm,
+                       of_core = arm + rounding * axis;
+            core[k] = inverse * of_core;
+            set_row<kFull>(c, axis, end, r);
             r.pressed = r.dragged[0] = r.dragged[1] = zero;
             gap[k] = load1(s.gap, at);
             const auto empty_slot = gap[k] >= empty;
@@ -293,17 +300,17 @@ struct Solved {
             set_surface(r, to_body(q, path));
             r.friction = hn::IfThenElse(empty_slot, zero, load1(s.friction, at));
             // Gap at the beginning, and the approach speed when it closed, interpolated between both ends.
-            const Vec3 moved = x - x0 + to_world(q, arm) - to_world(q0, arm);
+            const Vec3 moved = x - x0 + to_world(q, of_core) - to_world(q0, of_core);
             before[k] = gap[k] + dot(normal, path - moved);
             const auto solid = solid_lanes(s, at);
             const VF push = push_out(gap[k], before[k], slop, reach, solid, undone_alone);
             r.target = product(r.along[0], way) - push;
             r.push = pushed(gap[k], before[k], push, solid);
             left[k] = gap[k] - push;
-            const Twist end{load3(b.arrays, field_vx, at), length * load3(b.arrays, field_wx, at)};
+            const Twist after{load3(b.arrays, field_vx, at), length * load3(b.arrays, field_wx, at)};
             const VF carried = dot(normal, surface);
-            const VF first = dot(normal, to_world(q0, velocity_at(began, over[k]))) - carried;
-            const VF last = dot(normal, to_world(q, velocity_at(end, over[k]))) - carried;
+            const VF first = dot(normal, to_world(q0, velocity_at(began, surface_at(k, axis0)))) - carried;
+            const VF last = dot(normal, to_world(q, velocity_at(after, end))) - carried;
             const VF closed = before[k] - gap[k];
             const auto closes = hn::And(before[k] > slop, closed > zero);
             // The swept test ends the path at the touch: there the mean velocity tells how far the gap would have closed. What gravity adds after the
@@ -361,9 +368,10 @@ struct Solved {
         const Vec3 v = load3(b.arrays, field_vx, at), seen = to_world(q, v);
         q = normalised(turn(q, q, half * inverse, correction.u));
 
-        // In an impact the correction turns the body but not its velocity in the world, or a vertical blow would throw a tilted body sideways.
+        // In an impact the correction turns the body but not its velocity in the world, or a vertical blow would throw a tilted body sideways. Nor that of a
+        // ball, whose contacts do not turn with it.
         const VF slow = constant(2.0f * b.gravity * b.h);
-        auto hits = reach < zero;
+        auto hits = rounding > half * reach;
         for (uint32_t k = 0; k < count; ++k) hits = hn::Or(hits, hn::And(touching[k] > zero, bounce[k] < -slow));
         t = {select(hits, to_body(q, seen), v), length * load3(b.arrays, field_wx, at)};
         // The energy guard counts what the body had then: after the touch it falls no farther.
@@ -394,7 +402,8 @@ struct Solved {
             const ContactSlots::Slot& s = slots.slot[used[k]];
             const Vec3 surface = to_body(q, load3(s.surface, at));
             Row& r = rows[k];
-            set_row<kFull>(c, to_body(q, load3(s.normal, at)), over[k], r);
+            const Vec3 normal = to_body(q, load3(s.normal, at));
+            set_row<kFull>(c, normal, surface_at(k, normal), r);
             const auto touches = hn::And(touching[k] > zero, load1(s.gap, at) < empty);
             const auto present = load1(s.gap, at) < empty;
             r.inverse = hn::IfThenElseZero(hn::And(present, any_touch), r.inverse);
