@@ -43,7 +43,8 @@ enum Note : uint8_t { noted_touch = 1, noted_landing = 2, noted_waking = 4, note
 
 // Per body of a batch, by dense index, written by the thread that steps it.
 struct ContactCache {
-    float* still_time = nullptr; // s, time gathered for sleep (see enter_body); null: nothing is recorded
+    // Share of the time to sleep that has passed (see enter_body); null: nothing is recorded.
+    float* stillness = nullptr;
     // How long the body has stayed in place, s, and since then its displacement (m, world frame) and turn (rad, body frame).
     float* stay[stay_rows] = {};
     // Share of the wind's speed lost to shelter; lee_unknown, which counts as 0: not known since the body woke. Of sleeping bodies 0, or lee_unknown
@@ -55,15 +56,15 @@ struct ContactCache {
     TouchNotes notes;
 
     void forget(uint32_t index) const {
-        still_time[index] = 0.0f;
+        stillness[index] = 0.0f;
         if (stay[0][index] != 0.0f)
             for (float* row : stay) row[index] = 0.0f;
         for (uint32_t* row : touching) row[index] = 0;
     }
 };
 
-// Time after which a still body that touches something falls asleep.
-inline constexpr float time_to_sleep = 0.5f; // s
+// Times after which a body that touches something falls asleep, s: without a change in any bit of its pose; still, at most; trembling.
+inline constexpr float time_unmoved = 0.05f, time_to_sleep = 0.5f, time_to_tremble = 2.0f;
 // Speed below which a body is still, over the square root of its reach: that of a fall by 1e-5 of the reach. m/s over sqrt(m).
 inline float still_speed(float gravity) {
     return std::sqrt(2e-5f * gravity);
@@ -78,6 +79,7 @@ struct BodyAfter {
     float speed;                // m/s, of its fastest point
     float still, moving;        // m/s: still below `still`, moving above `moving`
     float place;                // m: limit of staying in place
+    float rest;                 // s: after this time it falls asleep if it is still
     bool moved;                 // a bit of its pose changed
     Vector way, turn;           // m, world frame; rad, body frame: change in the substep
     Vector extent;              // m, along its axes
@@ -120,6 +122,8 @@ inline BodyAfter body_moved(uint32_t index, const BodyShape& shape, float scale,
     body.still = still_speed * std::sqrt(body.reach);
     body.moving = trembling * body.still;
     body.place = stay_way * body.reach;
+    // As long as it would take to leave its place when barely still, in proportion to sqrt(reach/g). Longer keeps heaps awake.
+    body.rest = std::min(time_to_sleep, body.place / body.still);
     body.speed = fastest(body.extent, v, w);
     body.way = now.position - before.position;
     body.turn = chord(inverse(before.rotation) * now.rotation);
@@ -181,12 +185,12 @@ void enter_body(const ContactCache& book, const BodyAfter& body, bool may_sleep,
                 const TouchWith& touch_with) {
     const uint32_t at = body.index;
     if (!body.touches() && book.touching[0][at] == touching_water) return;
-    // Stillness counts fully, ten times if not a bit of the pose changed, a quarter if the body trembles. Motion starts the time over.
+    // Motion starts the time over.
     const bool moves = !body.touches() || body.speed > body.moving;
-    const float share = moves ? 0.0f : body.speed > body.still ? 0.25f : body.moved ? 1.0f : 10.0f;
-    book.still_time[at] = share > 0.0f ? book.still_time[at] + share * seconds : 0.0f;
+    const float needed = body.speed > body.still ? time_to_tremble : body.moved ? body.rest : time_unmoved;
+    book.stillness[at] = moves ? 0.0f : book.stillness[at] + seconds / needed;
     const bool stayed = stays(book, body, seconds) && body.touches();
-    if (last && may_sleep && (stayed || book.still_time[at] >= time_to_sleep)) book.falls_asleep(book.batch, at);
+    if (last && may_sleep && (stayed || book.stillness[at] >= 1.0f)) book.falls_asleep(book.batch, at);
     if (!body.touches()) book.lee[at] = 0.0f;
     if (!last && !body.touches()) return; // the contact can return within the step
     if (book.notes.noted) note_touches(book, body, touch_with);

@@ -188,7 +188,7 @@ uint32_t Batch::wake(uint32_t index) {
     oldest_ = std::max(oldest_, wide(arrays_.field[field_age][index]));
     columns_.clear(index, index + 1, column_birth, 1);
     columns_.clear(index, index + 1, column_gust, wake_fields); // they held the wind withstood
-    columns_.clear(index, index + 1, column_still_time, 1);
+    columns_.clear(index, index + 1, column_stillness, 1);
     columns_.clear(index, index + 1, column_stay, stay_rows);
     if (events_) events_->note(slot, noted_waking);
     swap(index, awake_);
@@ -309,7 +309,7 @@ bool Batch::any_contact() const {
 
 void Batch::forget_touched_bodies() {
     const ContactCache book = contact_cache();
-    for (uint32_t i = 0; i < count_ && book.still_time; ++i) {
+    for (uint32_t i = 0; i < count_ && book.stillness; ++i) {
         size_t kept = 0;
         for (const uint32_t* touching : book.touching)
             if (touching[i] != touching_body) book.touching[kept++][i] = touching[i];
@@ -325,7 +325,7 @@ void Batch::make_ages_exact() {
 
 ContactCache Batch::contact_cache() {
     ContactCache book;
-    book.still_time = columns_.row<float>(column_still_time);
+    book.stillness = columns_.row<float>(column_stillness);
     book.lee = columns_.row<float>(column_lee);
     for (size_t k = 0; k < stay_rows; ++k) book.stay[k] = columns_.row<float>(column_stay + k);
     for (size_t k = 0; k < most_touches; ++k) book.touching[k] = columns_.row<uint32_t>(column_touching + k);

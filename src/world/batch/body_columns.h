@@ -49,7 +49,7 @@ enum ColumnIndex : uint32_t {
     column_gust,
     column_life = column_gust + wake_fields,
     column_force,
-    column_still_time = column_force + force_components,
+    column_stillness = column_force + force_components,
     column_touching,
     column_stay = column_touching + most_touches,
     column_lee = column_stay + stay_rows,
@@ -80,8 +80,8 @@ constexpr std::array<Column, column_count> make_columns() {
     rows(column_gust, wake_fields, {part_gust, 4, always, field_gust_x, -most, most});
     rows(column_life, 1, {part_life, 4, rare, field_count}); // how often a body has respawned
     rows(column_force, force_components, {part_forces, 4, rare, 64, -most, most});
-    // ContactCache: time gathered for sleep; touched things; time in place, and displacement and turn since.
-    rows(column_still_time, 1, {part_contact, 4, rare, 128, 0.0f, most});
+    // ContactCache: share of the time to sleep; touched things; time in place, and displacement and turn since.
+    rows(column_stillness, 1, {part_contact, 4, rare, 128, 0.0f, most});
     rows(column_touching, most_touches, {part_contact, 4, rare, 129});
     rows(column_stay, 1, {part_contact, 4, rare, 136, 0.0f, most});
     rows(column_stay + 1, stay_rows - 1, {part_contact, 4, rare, 137, -most, most});

@@ -59,9 +59,9 @@ void rest_afloat(const lr_world& world, Batch& batch, uint32_t begin, uint32_t e
         // Floats that move faster than still ones start over: nothing else stops a drift.
         touching = touching_water;
         body.way = seconds * rotate(pose.rotation, v), body.turn = seconds * w;
-        float& lasted = book.still_time[i];
-        lasted = body.speed <= body.still ? lasted + seconds : 0.0f;
-        if (stays(book, body, seconds) || lasted >= time_to_sleep) batch.note_sleep(i);
+        float& stillness = book.stillness[i];
+        stillness = body.speed <= body.still ? stillness + seconds / time_to_sleep : 0.0f;
+        if (stays(book, body, seconds) || stillness >= 1.0f) batch.note_sleep(i);
     }
 }
 

@@ -28,7 +28,7 @@ void touch(const ContactRun& run, ContactGroup& group, const States& states, con
         hold_if_insane(arrays, i, faults, [&](size_t f) { return before[f][i]; });
     for (uint32_t i = 0; i < bodies_from(states, first) && run.fall; ++i)
         run.fall[near.index(first + i)] = group.fall(i);
-    if (!run.book.still_time) return;
+    if (!run.book.stillness) return;
     for (uint32_t i = 0; i < bodies_from(states, first); ++i) {
         if (is_held(states.field[field_age_remainder][first + i])) continue;
         BodyAfter body = body_after(run, group, i, near.index(first + i), states.field, first + i, before);
@@ -45,7 +45,7 @@ void touch(const ContactRun& run, ContactGroup& group, const States& states, con
 
 // Bodies that were far throughout the step touch nothing any more.
 void leave(const ContactCache& book, uint32_t* floor, const NearContacts& near, uint32_t begin, uint32_t end) {
-    if (!book.still_time) return;
+    if (!book.stillness) return;
     for (uint32_t i = begin; i < end; ++i) {
         if (near.holds(i)) continue;
         floor[i] = 0; // it may come back from the other side
@@ -58,7 +58,7 @@ void leave(const ContactCache& book, uint32_t* floor, const NearContacts& near, 
 // Sorts bodies: in the air, not over grounds and over them; moving on grounds, moving on other things; nearly still on others, on grounds. A vector
 // has the contacts of its body with most, more on other things than on grounds, and is swept until its last body is done.
 void arrange(const ContactCache& book, const Colliders& colliders, NearContacts& near) {
-    if (!book.still_time) return;
+    if (!book.stillness) return;
     const auto on_others = [&](uint32_t i) {
         for (const uint32_t* const row : book.touching)
             if (row[i] != 0 && !(colliders.in_use(row[i] - 1) && is_ground(colliders.at(row[i] - 1).geometry.kind)))
@@ -67,7 +67,7 @@ void arrange(const ContactCache& book, const Colliders& colliders, NearContacts&
     };
     near.arrange(6, [&](uint32_t i) {
         if (book.touching[0][i] == 0) return near.over_ground(i) ? 1u : 0u;
-        return book.still_time[i] == 0.0f ? (on_others(i) ? 3u : 2u) : (on_others(i) ? 4u : 5u);
+        return book.stillness[i] == 0.0f ? (on_others(i) ? 3u : 2u) : (on_others(i) ? 4u : 5u);
     });
 }
 

@@ -15,7 +15,7 @@ namespace {
 struct Modelled {
     uint32_t noise_seed;
     bool rests;
-    float x, still_time;
+    float x, stillness;
     double pushed;
     uint32_t touching, life;
 };
@@ -45,12 +45,12 @@ struct Fixture {
     // Notes of contact and forces on an awake body.
     void decorate(uint32_t index, Random& random) {
         Modelled& m = model.at(batch->ids()[index]);
-        m.still_time = random.real(0.0, 1.0);
+        m.stillness = random.real(0.0, 1.0);
         m.touching = random.below(100);
         m.life = batch->columns().row<uint32_t>(lr::column_life)[index] = random.below(9);
         const lr::ContactCache contact = batch->contact_cache();
-        REQUIRE(contact.still_time);
-        contact.still_time[index] = m.still_time;
+        REQUIRE(contact.stillness);
+        contact.stillness[index] = m.stillness;
         contact.touching[2][index] = m.touching;
         batch->external.add(index, 0, lr::force_newton, {1.0, 0.0, 0.0});
         m.pushed += 1.0;
@@ -71,7 +71,7 @@ struct Fixture {
             good = good && batch->ids()[at] == id && batch->asleep(at) == m.rests && a.noise_seed[at] == m.noise_seed;
             good = good && a.field[lr::field_x][at] == m.x && a.field[lr::field_vx][at] == speed &&
                    a.field[lr::field_wz][at] == speed && a.field[lr::field_gust_y][at] == speed;
-            good = good && batch->contact_cache().still_time[at] == m.still_time &&
+            good = good && batch->contact_cache().stillness[at] == m.stillness &&
                    batch->contact_cache().touching[2][at] == m.touching;
             good = good && batch->columns().row<uint32_t>(lr::column_life)[at] == m.life;
             const float pushed = batch->columns().row<float>(lr::column_force)[at];
@@ -82,7 +82,7 @@ struct Fixture {
         // Free lanes stay finite and exert no forces.
         for (uint32_t i = batch->count(); i < batch->capacity(); ++i)
             good = good && batch->columns().row<float>(lr::column_force)[i] == 0.0f &&
-                   batch->arrays().field[lr::field_qw][i] == 1.0f && batch->contact_cache().still_time[i] == 0.0f &&
+                   batch->arrays().field[lr::field_qw][i] == 1.0f && batch->contact_cache().stillness[i] == 0.0f &&
                    batch->contact_cache().touching[2][i] == 0;
         CHECK(good);
     }
@@ -117,7 +117,7 @@ TEST_CASE(
                     if (!m.rests) continue;
                     const uint32_t now = batch.wake(index);
                     CHECK(batch.ids()[now] == id);
-                    m.rests = false, m.still_time = 0.0f, m.pushed = 0.0, ++wakes;
+                    m.rests = false, m.stillness = 0.0f, m.pushed = 0.0, ++wakes;
                     for (size_t field : {lr::field_vx, lr::field_wz, lr::field_gust_y})
                         batch.arrays().field[field][now] = 1.0f;
                 } else if (what < 10) {
@@ -204,7 +204,7 @@ TEST_CASE("notes of contact are part of the hash if they are not 0, and of snaps
     const std::vector<unsigned char> before = snapshot_of(f.world);
     f.batch->contact_cache().touching[3][7] = 5;
     const uint64_t touching = hash_of(f.world);
-    f.batch->contact_cache().still_time[7] = 0.25f;
+    f.batch->contact_cache().stillness[7] = 0.25f;
     const uint64_t noted = hash_of(f.world);
     CHECK((touching != plain && noted != touching && noted != plain));
     for (uint32_t i = 0; i < 20; ++i) f.batch->fall_asleep(i);
