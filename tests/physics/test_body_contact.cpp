@@ -49,6 +49,38 @@ struct Pair {
 
 } // namespace
 
+// Each ball gets J = min(mu (1 + e) u_n/2, u_t/7) along the slip, over its mass: 1/7 of it for solid balls that end without slip.
+TEST_CASE("a spinning ball turns the one that it hits by Coulomb's law, at any step") {
+    for (const double radius : {0.005, 0.02, 0.1})
+        for (const double friction : {0.1, 0.5})
+            for (const float rate : {30.0f, 60.0f, 240.0f}) {
+                const double speed = 2.0, slip = 3.0, e = 0.3;
+                if (slip / radius > 12.0 * wide(rate)) continue; // three turns in a step
+                CAPTURE(radius);
+                CAPTURE(friction);
+                CAPTURE(rate);
+                for (int i = 0; i < 10; ++i) {
+                    Pair p(ellipsoid(radius, radius, radius, 900.0), ellipsoid(radius, radius, radius, 900.0),
+                           narrow(friction), narrow(e));
+                    lr_body_desc d = body_desc();
+                    p.place(1, d);
+                    put(d.position, Vec{-2.0 * radius - 0.02 - 0.005 * i, 0.0, 0.0});
+                    d.linear_velocity[0] = narrow(speed), d.angular_velocity[2] = narrow(slip / radius);
+                    p.place(0, d);
+                    steps(p.world, static_cast<int>(0.05f * rate) + 2, 1.0f / rate, 1);
+                    const double along = std::min(friction * (1.0 + e) * speed / 2.0, slip / 7.0);
+                    for (size_t k = 0; k < 2; ++k) {
+                        const lr_body_state s = state_of(p.world, p.body[k]);
+                        CHECK(wide(s.linear_velocity[0]) ==
+                              doctest::Approx(speed * (k == 0 ? 1.0 - e : 1.0 + e) / 2.0).epsilon(0.01));
+                        CHECK(wide(s.linear_velocity[1]) == doctest::Approx(k == 0 ? -along : along).epsilon(0.01));
+                        CHECK(wide(s.angular_velocity[2]) * radius ==
+                              doctest::Approx((k == 0 ? slip : 0.0) - 2.5 * along).epsilon(0.01));
+                    }
+                }
+            }
+}
+
 TEST_CASE("boxes that meet head-on come apart with their coefficient of restitution, at every mass ratio and size") {
     double worst = 0.0, drift = 0.0, over = 0.0;
     for (double e : {0.0, 0.5, 1.0})

@@ -77,13 +77,6 @@ HWY_INLINE Vec3 to_body(Quaternion q, Vec3 a) {
     t += t;
     return a + q.w * t + cross(t, axis);
 }
-// The same for a quaternion of any length but 0.
-HWY_INLINE Vec3 to_world_scaled(Quaternion q, Vec3 a) {
-    const Vec3 axis{q.x, q.y, q.z};
-    const Vec3 t = constant(2.0f) / norm_squared(q) * cross(axis, a);
-    return a + q.w * t + cross(axis, t);
-}
-
 // q + s q (w, 0). With s = h/2 this is an Euler step of q' = 1/2 q (w, 0).
 HWY_INLINE Quaternion turn(Quaternion from, Quaternion q, VF s, Vec3 w) {
     const Vec3 v = s * w;

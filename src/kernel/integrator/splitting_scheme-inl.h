@@ -189,8 +189,8 @@ template <class C> HWY_INLINE Vec3 arm_velocity(const C& c, Vec3 u) {
     return {-(u.z * y), u.z * x, u.x * y - u.y * x};
 }
 
-// A step of free motion. kStretched (AERODYNAMIC loads): the turn is corrected, and the body moves by the mean of its end velocities, since the chord
-// is too short by (w h)^2/8.
+// A step of free motion. kStretched (AERODYNAMIC loads): the turn is corrected. The body moves by the mean of its end velocities: the way along the middle
+// velocity is too short by (w h)^2/8, a tenth for a coin that turns by one radian.
 template <bool kFull, bool kStretched = false, class C>
 HWY_INLINE void free_step(float h, const C& c, const Held& held, Body& b) {
     VF g = constant(0.5f * h) * held.inverse_length;
@@ -200,15 +200,15 @@ HWY_INLINE void free_step(float h, const C& c, const Held& held, Body& b) {
         m = free_motion_full<kStretched, !kFull>(c, held.shed, b.t, g);
     else
         m = free_motion(c, held.shed, b.t, g);
-    // Orientation by Cayley's map of h w, which stays on the group. Half of the map gives the middle.
+    // Orientation by Cayley's map of h w, which stays on the group.
     const Quaternion q1 = normalised(turn(b.q, b.q, constant(1.0f), m.g * m.middle.u));
-    if constexpr (kStretched) {
-        const auto velocity = [&](const Twist& t) LR_LAMBDA { return kFull ? t.v : t.v - arm_velocity(c, t.u); };
-        b.x += constant(0.5f * h) * (to_world(b.q, velocity(b.t)) + to_world(q1, velocity(m.end)));
-    } else {
-        const Quaternion middle{b.q.x + q1.x, b.q.y + q1.y, b.q.z + q1.z, b.q.w + q1.w};
-        b.x += constant(h) * to_world_scaled(middle, m.middle.v);
-    }
+    const auto velocity = [&](const Twist& t) LR_LAMBDA {
+        if constexpr (kFull || !kStretched)
+            return t.v;
+        else
+            return t.v - arm_velocity(c, t.u);
+    };
+    b.x += constant(0.5f * h) * (to_world(b.q, velocity(b.t)) + to_world(q1, velocity(m.end)));
     b.q = q1;
     b.t = m.end;
 }
