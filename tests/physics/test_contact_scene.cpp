@@ -96,6 +96,8 @@ TEST_CASE("bodies of all shapes come to rest on colliders of all kinds, and gain
         for (lr_batch batch : batches) awake += view_of(world, batch).awake_count;
         double lowest = 1.0;
         for (lr_body body : bodies) lowest = std::min(lowest, wide(state_of(world, body).position[1]));
+        CHECK(rise < 6e-4 * first);
+        CHECK(gains < 6e-3 * first);
         rises += rise / first / seeds, gained += gains / first / seeds;
         CHECK(fastest < std::sqrt(2.0 * gravity * 1.2));
         CHECK(awake <= 1);
