@@ -81,7 +81,7 @@ HWY_INLINE Twist twist_of(const LaneRow* row, size_t field, size_t at, VF length
 // From a body's core to its surface where it touches the other body, or a collider. A rounding does not turn with its body: the point of a ball that is
 // nearest to the ground stays below the middle. With points that turn along, balls sank into each other, and the velocities of those that had rolled in
 // a correction were not stopped.
-HWY_INLINE Vec3 rounding_of(const SolverBodyKind& kind, const LaneRow* row, size_t at, const PairBlock& block,
+HWY_INLINE Vec3 rounding_at(const SolverBodyKind& kind, const LaneRow* row, size_t at, const PairBlock& block,
                             Vec3 normal) {
     const auto solid = load1(block.solid, at) > hn::Zero(DF());
     const VF radius = hn::IfThenElse(solid, constant(kind.own_rounding), constant(kind.rounding));
@@ -99,8 +99,8 @@ HWY_INLINE PairState state_of(const BodyContactInput& in, const PairBlock& block
     s.moved_a = load3(g.a + at_x, at) - load3(g.a + at_x0, at);
     s.moved_b = load3(g.b + at_x, at) - load3(g.b + at_x0, at);
     const Vec3 normal = load3(block.normal, at);
-    s.round_a = rounding_of(kind_a, g.a, at, block, normal);
-    s.round_b = rounding_of(kind_b, g.b, at, block, constant(-1.0f) * normal);
+    s.round_a = rounding_at(kind_a, g.a, at, block, normal);
+    s.round_b = rounding_at(kind_b, g.b, at, block, constant(-1.0f) * normal);
     s.way[0] = load6(g.a + at_way, at), s.way[1] = load6(g.b + at_way, at);
     s.met[0] = twist_of(g.a, at_v, at, s.size_a.length), s.met[1] = twist_of(g.b, at_v, at, s.size_b.length);
     s.before[0] = twist_of(g.a, at_v0, at, s.size_a.length), s.before[1] = twist_of(g.b, at_v0, at, s.size_b.length);
@@ -137,8 +137,8 @@ HWY_NOINLINE void set_frame(const BodyContactInput& in, const Gathered& g, PairB
     store1(block.lengths, at, size_a.length * size_b.inverse);
     const Vec3 apart = load3(g.a + at_x, at) - load3(g.b + at_x, at);
     const VF smaller = hn::Min(size_a.reach, size_b.reach);
-    const Vec3 round_a = rounding_of(in.kinds[block.kind_a], g.a, at, block, normal);
-    const Vec3 round_b = rounding_of(in.kinds[block.kind_b], g.b, at, block, constant(-1.0f) * normal);
+    const Vec3 round_a = rounding_at(in.kinds[block.kind_a], g.a, at, block, normal);
+    const Vec3 round_b = rounding_at(in.kinds[block.kind_b], g.b, at, block, constant(-1.0f) * normal);
     Vec3 on_a[block_contacts], sum_a = zero3(), sum_b = zero3();
     VF there[block_contacts], count = zero;
     for (uint32_t k = 0; k < block.used; ++k) {
