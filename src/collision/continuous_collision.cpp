@@ -14,7 +14,7 @@ namespace lr {
 namespace {
 
 // Limits per body and substep; after the last stop the body stays there.
-constexpr uint32_t most_stops = 4, most_met = 32;
+constexpr uint32_t most_stops = 12, most_met = 32;
 constexpr float same_side = 0.9999f; // cosine: parts of one surface
 constexpr float shallow = 0.1f;      // share of the reach: contacts undo shallower overlap
 
@@ -52,6 +52,7 @@ struct PassedTriangles {
 // A thing that stops a body, with the contacts there.
 struct Stop {
     Candidate candidate;
+    Rotation turn; // from the collider's axes to the body's
     uint32_t count;
     Contact contacts[most_contacts];
 };
@@ -233,7 +234,7 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
         Pose to = pose_of(i);
         to.position = to.position + lift_[i];
         const float little = 1e-3f * scale * step_->shape->reach;
-        const float margin = margin_of(i, substep.h);
+        const float margin = margin_of(i, substep.h), rounding = scale * rounding_of(*step_->shape);
         const auto free_way = [&](const Pose& target, const Candidate& candidate) {
             const Collider& c = step_->colliders->at(candidate.slot);
             // Solid below: the path could jump only over parts thinner than itself.
@@ -249,6 +250,7 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
         const auto side_of = [&](const Candidate& candidate, const Pose& met, Stop& stop, FlatSide& side) {
             const Collider& c = step_->colliders->at(candidate.slot);
             if (!face) face = face_below(i, substep);
+            stop.turn = inverse(met.rotation);
             find_side(*step_->shape, scale, met, c.geometry, candidate.part, margin,
                       relative(pose_at(c, begin), pose_in(substep.before, i)),
                       rotate(inverse(pose_at(c, end).rotation), *face), stop, side);
@@ -340,6 +342,10 @@ void ContactGroup::stop_before_passing_through(const ContactSubstep& substep) {
                 FlatSide side;
                 side_of(stops[n].candidate, relative(pose_at(step_->colliders->at(slot), end), target), stops[n], side);
             }
+            // A rounding stays along the normal while the body turns on from the pose of the stop, as in the solver.
+            const Rotation now = inverse(relative(pose_at(step_->colliders->at(slot), end), pose_of(i)).rotation);
+            for (Contact* c = stops[n].contacts; c != stops[n].contacts + stops[n].count; ++c)
+                c->arm = c->arm + rounding * (rotate(stops[n].turn, c->normal) - rotate(now, c->normal));
             add(i, slot, stops[n].contacts, stops[n].count, substep, lift_[i]);
         }
     }

@@ -26,13 +26,14 @@ Double3 between(const PlacedBody& body, const PlacedCollider& collider) {
 }
 } // namespace
 
-HWY_ATTR Nearest nearest_points(const PlacedBody& body, const PlacedCollider& collider, double enough) {
+HWY_ATTR Nearest nearest_points(const PlacedBody& body, const PlacedCollider& collider, double enough,
+                                const Double3* guess) {
     const auto support = [&](Double3 direction) {
         const Double3 on_body = body.support(-direction);
         return HWY_NAMESPACE::Corner<Lane>{on_body - collider.support(direction), on_body};
     };
-    const auto found =
-        HWY_NAMESPACE::closest<Lane>(support, between(body, collider), enough, touching, 0.5 * converged);
+    const auto found = HWY_NAMESPACE::closest<Lane>(support, guess ? *guess : between(body, collider), enough, touching,
+                                                    0.5 * converged);
     // If rounding prevented convergence, the best normal is not that of the last points.
     const bool overlap = found.overlap || !(found.lower >= 0.0);
     return {overlap, found.distance, found.lower, found.normal, found.on_a, found.on_a - found.v};
@@ -114,7 +115,8 @@ void refine(Search& search, Separation from) {
         const Double3 by = -out * from.normal;
         moved.origin = moved.origin + by;
         for (uint32_t i = 0; i < moved.count; ++i) moved.points[i] = moved.points[i] + by;
-        const Nearest nearest = nearest_points(search.body, moved, std::numeric_limits<double>::infinity());
+        const Nearest nearest =
+            nearest_points(search.body, moved, std::numeric_limits<double>::infinity(), &from.normal);
         if (nearest.overlap || !search.allowed(nearest.normal)) return;
         const double distance = separation_along(search.body, search.collider, nearest.normal);
         // Further gain would be rounding.
@@ -174,11 +176,13 @@ Separation separate(const PlacedBody& body, const PlacedCollider& collider, cons
     }
     // For a sphere against a polytope a face normal is exact.
     if (collider.count == 1 && body.count > 0) return search.best;
-    // Each start leads to a local minimum of the depth.
+    // Each start leads to a local minimum of the depth. Out of a triangle on a known side others than these lead to a lesser one once in a hundred times
+    // or less, and cost half the time on rough ground.
+    const bool known_side = collider.count == 3 && sides.least == 0.0;
     if (has_collider) refine(search, of_collider);
-    if (has_body) refine(search, of_body);
+    if (has_body && !(known_side && has_collider && of_collider.distance >= of_body.distance)) refine(search, of_body);
     if (!has_collider && !has_body) refine(search, search.best);
-    if (collider.count == 1) return search.best; // the line between the middles has been tried
+    if (collider.count == 1 || known_side) return search.best; // of a point the line between the middles has been tried
     const Double3 apart = to_double(body.center) - collider.middle();
     const double size = length(apart);
     if (const Double3 n = 1.0 / size * apart; size > 0.0 && search.allowed(n))

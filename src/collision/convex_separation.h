@@ -14,7 +14,9 @@ struct Nearest {
 };
 
 // GJK (Gilbert, Johnson and Keerthi 1988), bounded. enough: m; stops once the cores are farther apart; then only `lower` and `normal` are valid.
-Nearest nearest_points(const PlacedBody& body, const PlacedCollider& collider, double enough);
+// guess: of the normal, unit; null: from the middle of the collider to that of the body.
+Nearest nearest_points(const PlacedBody& body, const PlacedCollider& collider, double enough,
+                       const Double3* guess = nullptr);
 
 // Separation of the cores along a unit normal; negative if they overlap.
 inline double separation_along(const PlacedBody& body, const PlacedCollider& collider, Double3 normal) {

@@ -79,8 +79,12 @@ void add_triangle(ContactPoints& set, const Triangle& t, bool alone = false) {
         return;
     }
     const Double3 normal = to_double(t.normal);
-    const Nearest nearest =
-        nearest_points(body, collider, t.one_sided ? std::numeric_limits<double>::infinity() : enough);
+    Nearest nearest = nearest_points(body, collider, enough);
+    if (!nearest.overlap && nearest.lower >= enough) {
+        // Along a normal that leads to the front side no point of the body is behind the triangle.
+        if (!t.one_sided || dot(nearest.normal, normal) > 0.0) return;
+        nearest = nearest_points(body, collider, std::numeric_limits<double>::infinity());
+    }
     // Behind a side and apart from it, beyond an edge: the neighbours handle that. Parted from this side, thin bodies rose into the air over steps.
     if (t.one_sided && !nearest.overlap && dot(nearest.normal, normal) <= 0.0 &&
         !is_over(t, position + to_float(nearest.on_body)))

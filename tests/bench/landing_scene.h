@@ -135,14 +135,16 @@ public:
     }
 
     // A saddle of triangles, 4 m wide. width: m, of a cell of two.
-    bool add_sheet(float width) {
+    // uneven: with slopes of up to a half.
+    bool add_sheet(float width, bool uneven = false) {
         const auto across = static_cast<uint32_t>(4.0f / width + 0.5f) + 1;
         std::vector<float> vertices;
         std::vector<uint32_t> triangles;
         for (uint32_t at = 0; at < across * across; ++at) {
             const uint32_t i = at % across, k = at / across, along = at + across;
             const float x = width * static_cast<float>(i) - 2.0f, z = width * static_cast<float>(k) - 2.0f;
-            vertices.insert(vertices.end(), {x, 0.05f * (x * x - z * z), z});
+            const float bump = uneven ? 0.06f * std::sin(9.0f * x) * std::cos(7.0f * z) : 0.0f;
+            vertices.insert(vertices.end(), {x, 0.05f * (x * x - z * z) + bump, z});
             if (i + 1 < across && k + 1 < across)
                 triangles.insert(triangles.end(), {at, along, along + 1, at, along + 1, at + 1});
         }
