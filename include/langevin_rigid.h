@@ -1220,7 +1220,9 @@ LR_API lr_status lr_batch_get_force(const lr_world* world, lr_batch batch, lr_ba
  *   HEIGHTFIELD  nothing: solid below its surface, along -y. Sample (i, k) lies at
  *                (i spacing[0], heights[i + counts[0] k], k spacing[1]); the diagonal from (i, k) to (i + 1, k + 1)
  *                splits each cell into two triangles
- *   MESH         nothing: triangles without an inside. Both sides collide, and winding does not matter
+ *   MESH         nothing: triangles without an inside. Both sides collide, and winding does not matter. A body pays for
+ *                each triangle near it: 2 us a substep on triangles of its own size, 20 us on those of an eighth, 70 us on
+ *                those of a sixteenth, far more on smaller ones. Give scanned scenery a coarser collision mesh
  */
 typedef int32_t lr_collider_kind;
 enum {

@@ -1,5 +1,6 @@
 #include "collision/mesh_floor.h"
 
+#include "base/scratch.h"
 #include "collision/triangle_contact.h"
 
 #include <algorithm>
@@ -102,6 +103,8 @@ private:
     float seam_; // m
 };
 
+static_assert(InScratch<FloorFaces>::size <= floor_scratch);
+
 void add_points(ContactPoints& set, const FloorFaces& faces, bool even) {
     const PlacedBody& body = set.body;
     const BodyShape& shape = *body.shape;
@@ -156,7 +159,8 @@ void add_ellipsoid(ContactPoints& set, const FloorFaces& faces, Vector up) {
 
 float height_over(const MeshGeometry& mesh, const MeshFloor& floor, Vector place, float if_none) {
     float height;
-    return FloorFaces(mesh, floor, place, 0.0f).under({}, height) ? height : if_none;
+    const InScratch<FloorFaces> faces(mesh, floor, place, 0.0f);
+    return faces->under({}, height) ? height : if_none;
 }
 
 // Whether a body on the `known` side of a surface can be on that side of these triangles, pressed in by at most `deep`. If not, they are another
@@ -251,7 +255,8 @@ void find_floor(const BodyShape& shape, float scale, const Pose& from, const Pos
 
 bool lay_below(const MeshGeometry& mesh, const MeshFloor& floor, Vector center, float reach, Rotation turn,
                uint32_t lane, FloorLanes& out) {
-    const FloorFaces faces(mesh, floor, center, reach);
+    const InScratch<FloorFaces> all(mesh, floor, center, reach);
+    const FloorFaces& faces = *all;
     if (faces.count() > most_floor_faces) return false;
     for (; out.count < faces.count(); ++out.count) {
         out.face[out.count] = {};
@@ -280,7 +285,8 @@ bool lay_below(const MeshGeometry& mesh, const MeshFloor& floor, Vector center, 
 }
 
 void add_floor(ContactPoints& set, const MeshGeometry& mesh, const MeshFloor& floor) {
-    const FloorFaces faces(mesh, floor, set.body.at.position, set.body.reach + set.body.radius);
+    const InScratch<FloorFaces> all(mesh, floor, set.body.at.position, set.body.reach + set.body.radius);
+    const FloorFaces& faces = *all;
     if (set.body.count > 0)
         add_points(set, faces, floor.even);
     else

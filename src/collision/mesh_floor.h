@@ -7,7 +7,7 @@
 namespace lr {
 
 struct MeshFloor {
-    static constexpr uint32_t most = 320;
+    static constexpr uint32_t most = 960;
 
     uint32_t slot = 0;        // of the collider
     uint32_t count = 0;       // of triangles near the body's path; 0: no floor
@@ -18,6 +18,9 @@ struct MeshFloor {
     // beyond it. 1: the side of the normals of triangles that are not turned; -1: the other; 0: unknown.
     int8_t side = 0;
 };
+
+// Scratch that one of these functions takes at a time.
+inline constexpr size_t floor_scratch = MeshFloor::most * 72;
 
 // On a known side a mesh stays a floor for paths up to this many times reach and margin; on others up to one.
 inline constexpr float longest_floor = 3.0f;

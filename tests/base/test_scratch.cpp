@@ -17,7 +17,8 @@ using Copies = BodyCopies<field_block>;
 // The trial of sleeping bodies, the step in which it ends, and the contacts or the water in that.
 using Felt = std::array<FeltFlow, field_block>;
 constexpr size_t trial = together<Copies, Felt, Copies>;
-constexpr size_t contacts = together<Copies, ContactGroup, SolverMemory, ContactSlots>;
+constexpr size_t solved = together<SolverMemory, ContactSlots>, floors = together<FloorLanes> + floor_scratch;
+constexpr size_t contacts = together<Copies, ContactGroup> + std::max(solved, floors);
 constexpr size_t water = together<NearBodies, std::array<SurfaceBlock, 3>>;
 static_assert(trial + together<ContactPass, StepApart> + std::max(contacts, water) <= Scratch::bytes);
 static_assert(trial + together<NearContacts, StepApart> + contacts <= Scratch::bytes);

@@ -126,8 +126,8 @@ bool fine(const Options& o, uint32_t workers) {
         float width;
         bool uneven;
     };
-    constexpr Sheet sheets[] = {{0.5f, false},  {0.1f, false}, {0.05f, false}, {0.02f, false},
-                                {0.01f, false}, {0.1f, true},  {0.05f, true},  {0.02f, true}};
+    constexpr Sheet sheets[] = {{0.5f, false},   {0.1f, false}, {0.05f, false}, {0.02f, false}, {0.01f, false},
+                                {0.005f, false}, {0.1f, true},  {0.05f, true},  {0.02f, true}};
     for (const Sheet& sheet : sheets) {
         Scene scene;
         if (!scene.make(o.asset, bodies, workers) || !scene.add_sheet(sheet.width, sheet.uneven) ||
@@ -138,7 +138,7 @@ bool fine(const Options& o, uint32_t workers) {
             awake += scene.awake();
             cpu += timed([&] { scene.step(); }).cpu;
         }
-        std::printf("%s triangles, %2.0f cm   workers %u  %7.2f us an awake body and substep  hash %016llx\n",
+        std::printf("%s triangles, %4.1f cm workers %u  %7.2f us an awake body and substep  hash %016llx\n",
                     sheet.uneven ? "uneven" : "smooth", 100.0 * static_cast<double>(sheet.width), workers,
                     1e6 * cpu / (awake * substeps), static_cast<unsigned long long>(scene.hash()));
     }
