@@ -20,7 +20,7 @@ struct MeshFloor {
 };
 
 // Scratch that one of these functions takes at a time.
-inline constexpr size_t floor_scratch = MeshFloor::most * 72;
+inline constexpr size_t floor_scratch = size_t{72} * MeshFloor::most;
 
 // On a known side a mesh stays a floor for paths up to this many times reach and margin; on others up to one.
 inline constexpr float longest_floor = 3.0f;
