@@ -176,8 +176,8 @@ Separation separate(const PlacedBody& body, const PlacedCollider& collider, cons
     }
     // For a sphere against a polytope a face normal is exact.
     if (collider.count == 1 && body.count > 0) return search.best;
-    // Each start leads to a local minimum of the depth. Out of a triangle on a known side others than these lead to a lesser one once in a hundred times
-    // or less, and cost half the time on rough ground.
+    // Each start leads to a local minimum of the depth. Out of a triangle on a known side some hardly ever lead to a lesser one, and took half of the time
+    // on rough ground.
     const bool known_side = collider.count == 3 && sides.least == 0.0;
     if (has_collider) refine(search, of_collider);
     if (has_body && !(known_side && has_collider && of_collider.distance >= of_body.distance)) refine(search, of_body);
