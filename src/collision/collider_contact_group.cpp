@@ -286,11 +286,8 @@ void ContactGroup::find_others(const ContactSubstep& substep) {
     }
 }
 
-namespace {
-constexpr uint32_t most_floor_parts = 256; // of meshes near a body
-}
-
 void ContactGroup::find_floors(const ContactSubstep& substep) {
+    constexpr uint32_t most_parts = 256; // of meshes near a body
     for (uint32_t i = 0; i < count_; ++i) {
         MeshFloor& floor = floor_[i];
         if (!near_[i].meets_others()) {
@@ -300,17 +297,17 @@ void ContactGroup::find_floors(const ContactSubstep& substep) {
         }
         const float reach = step_->shape->reach * arrays_.field[field_scale][i] + margin_of(i, substep.h);
         const Vector a = pose_in(substep.before, i).position, b = pose_of(i).position;
-        Candidate near[most_floor_parts];
+        Candidate near[most_parts];
         uint32_t near_count = 0;
         const auto take = [&](const Candidate& candidate) {
             if (!step_->colliders->at(candidate.slot).geometry.mesh) return;
-            if (near_count < most_floor_parts) near[near_count] = candidate;
+            if (near_count < most_parts) near[near_count] = candidate;
             ++near_count;
         };
         // Longer paths end on no floor, and on very long ones a search in order would be slow.
         if (length(b - a) < longest_floor * reach) each_candidate(i, grown({low_of(a, b), high_of(a, b)}, reach), take);
-        const bool all = near_count <= most_floor_parts; // if not, some parts still tell the side
-        near_count = std::min(near_count, most_floor_parts);
+        const bool all = near_count <= most_parts; // if not, some parts still tell the side
+        near_count = std::min(near_count, most_parts);
         const uint32_t known = arrays_.floor ? arrays_.floor[i] : 0;
         uint32_t kept = 0;
         floor.slot = 0, floor.count = 0, floor.side = 0;

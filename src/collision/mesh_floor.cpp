@@ -255,10 +255,9 @@ void find_floor(const BodyShape& shape, float scale, const Pose& from, const Pos
 
 bool lay_below(const MeshGeometry& mesh, const MeshFloor& floor, Vector center, float reach, Rotation turn,
                uint32_t lane, FloorLanes& out) {
-    const InScratch<FloorFaces> all(mesh, floor, center, reach);
-    const FloorFaces& faces = *all;
-    if (faces.count() > most_floor_faces) return false;
-    for (; out.count < faces.count(); ++out.count) {
+    const InScratch<FloorFaces> faces(mesh, floor, center, reach);
+    if (faces->count() > most_floor_faces) return false;
+    for (; out.count < faces->count(); ++out.count) {
         out.face[out.count] = {};
         std::fill_n(out.face[out.count].edge[0], contact_lanes, no_contact);
     }
@@ -268,8 +267,8 @@ bool lay_below(const MeshGeometry& mesh, const MeshFloor& floor, Vector center, 
     put_in(out.axes, 0, lane, rotate(turn, x));
     put_in(out.axes, 3, lane, rotate(turn, y));
     put_in(out.axes, 6, lane, rotate(turn, z));
-    for (uint32_t k = 0; k < faces.count(); ++k) {
-        const FloorFace& f = faces.face(k);
+    for (uint32_t k = 0; k < faces->count(); ++k) {
+        const FloorFace& f = faces->face(k);
         FloorLanes::Face& to = out.face[k];
         to.slope[0][lane] = f.lean * dot(f.normal, x);
         to.slope[1][lane] = f.lean * dot(f.normal, z);
@@ -285,12 +284,11 @@ bool lay_below(const MeshGeometry& mesh, const MeshFloor& floor, Vector center, 
 }
 
 void add_floor(ContactPoints& set, const MeshGeometry& mesh, const MeshFloor& floor) {
-    const InScratch<FloorFaces> all(mesh, floor, set.body.at.position, set.body.reach + set.body.radius);
-    const FloorFaces& faces = *all;
+    const InScratch<FloorFaces> faces(mesh, floor, set.body.at.position, set.body.reach + set.body.radius);
     if (set.body.count > 0)
-        add_points(set, faces, floor.even);
+        add_points(set, *faces, floor.even);
     else
-        add_ellipsoid(set, faces, floor.up);
+        add_ellipsoid(set, *faces, floor.up);
     if (floor.even) return;
     for (uint32_t k = 0; k < floor.count; ++k) {
         const Triangle t = mesh_triangle(mesh, floor.triangles[k]);

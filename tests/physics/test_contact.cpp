@@ -255,6 +255,46 @@ TEST_CASE("without friction a vertical blow throws no tilted body sideways") {
             }
 }
 
+namespace {
+void hit_obliquely(int32_t kind, double radius, double friction, double spin, float rate) {
+    CAPTURE(kind);
+    CAPTURE(radius);
+    CAPTURE(friction);
+    CAPTURE(spin);
+    CAPTURE(rate);
+    const Asset asset = make(ellipsoid(radius, radius, radius, 900.0));
+    const lr_asset_info info = info_of(asset);
+    const double mass = info.mass + info.added_mass[0], slip = 3.0 + spin * radius;
+    const double rolls = info.inertia[0] / (info.inertia[0] + mass * radius * radius);
+    const double e = 0.2, lost = std::min(friction * (1.0 + e) * 2.0, rolls * std::abs(slip));
+    const double change = slip > 0.0 ? -lost : lost;
+    lr_world_desc weightless = world_desc();
+    put(weightless.gravity, Vec{});
+    const World world = make(weightless);
+    const lr_batch batch = add_batch(world, unloaded(), asset, 20);
+    set_contact(world, batch, contact_desc(narrow(friction), narrow(e)));
+    lr_collider_desc ground = kind == LR_COLLIDER_PLANE ? collider_desc(kind) : box_collider(3.0f, 1.0f, 30.0f);
+    if (kind == LR_COLLIDER_BOX) ground.position[1] = -1.0f;
+    add_collider(world, surface(ground, narrow(friction), narrow(e)));
+    Random random(3);
+    std::vector<lr_body> balls;
+    for (int i = 0; i < 20; ++i) {
+        lr_body_desc d = turned_anyhow(random, {0.0, radius + 0.02 + 0.05 * i / 20.0, 1.0 * i});
+        d.linear_velocity[0] = 3.0f, d.linear_velocity[1] = -2.0f;
+        put(d.angular_velocity, Vec{0.0, 0.0, spin});
+        balls.push_back(add_body(world, batch, d));
+    }
+    steps(world, static_cast<int>(0.1f * rate) + 2, 1.0f / rate, 1);
+    for (const lr_body ball : balls) {
+        const lr_body_state s = state_of(world, ball);
+        CHECK(wide(s.linear_velocity[0]) == doctest::Approx(3.0 + change).epsilon(0.001));
+        CHECK(wide(s.linear_velocity[1]) == doctest::Approx(e * 2.0).epsilon(0.01));
+        const double turned = mass * radius / info.inertia[0] * change;
+        CHECK(std::abs(wide(s.angular_velocity[2]) - spin - turned) < 0.003 * (std::abs(turned) + std::abs(spin)));
+    }
+}
+} // namespace
+
 // Coulomb's law: friction takes mu (1 + e) of the closing speed, until the ball rolls. If the contact turned with a ball that friction turns within the
 // substep, the speed would be 0.3 m/s off at any step. On boxes, where a body is swept, it turned on from where it met them: up to 0.4 m/s.
 TEST_CASE("a ball that hits the ground obliquely slips by Coulomb's law, or rolls, at any step") {
@@ -262,45 +302,7 @@ TEST_CASE("a ball that hits the ground obliquely slips by Coulomb's law, or roll
         for (const double radius : {0.005, 0.02, 0.1})
             for (const double friction : {0.1, 0.5})
                 for (const double spin : {0.0, -100.0, 60.0})
-                    for (const float rate : {30.0f, 60.0f, 240.0f}) {
-                        CAPTURE(kind);
-                        CAPTURE(radius);
-                        CAPTURE(friction);
-                        CAPTURE(spin);
-                        CAPTURE(rate);
-                        const Asset asset = make(ellipsoid(radius, radius, radius, 900.0));
-                        const lr_asset_info info = info_of(asset);
-                        const double mass = info.mass + info.added_mass[0], slip = 3.0 + spin * radius;
-                        const double rolls = info.inertia[0] / (info.inertia[0] + mass * radius * radius);
-                        const double e = 0.2, lost = std::min(friction * (1.0 + e) * 2.0, rolls * std::abs(slip));
-                        const double change = slip > 0.0 ? -lost : lost;
-                        lr_world_desc weightless = world_desc();
-                        put(weightless.gravity, Vec{});
-                        const World world = make(weightless);
-                        const lr_batch batch = add_batch(world, unloaded(), asset, 20);
-                        set_contact(world, batch, contact_desc(narrow(friction), narrow(e)));
-                        lr_collider_desc ground =
-                            kind == LR_COLLIDER_PLANE ? collider_desc(kind) : box_collider(3.0f, 1.0f, 30.0f);
-                        if (kind == LR_COLLIDER_BOX) ground.position[1] = -1.0f;
-                        add_collider(world, surface(ground, narrow(friction), narrow(e)));
-                        Random random(3);
-                        std::vector<lr_body> balls;
-                        for (int i = 0; i < 20; ++i) {
-                            lr_body_desc d = turned_anyhow(random, {0.0, radius + 0.02 + 0.05 * i / 20.0, 1.0 * i});
-                            d.linear_velocity[0] = 3.0f, d.linear_velocity[1] = -2.0f;
-                            put(d.angular_velocity, Vec{0.0, 0.0, spin});
-                            balls.push_back(add_body(world, batch, d));
-                        }
-                        steps(world, static_cast<int>(0.1f * rate) + 2, 1.0f / rate, 1);
-                        for (const lr_body ball : balls) {
-                            const lr_body_state s = state_of(world, ball);
-                            CHECK(wide(s.linear_velocity[0]) == doctest::Approx(3.0 + change).epsilon(0.001));
-                            CHECK(wide(s.linear_velocity[1]) == doctest::Approx(e * 2.0).epsilon(0.01));
-                            const double turned = mass * radius / info.inertia[0] * change;
-                            CHECK(std::abs(wide(s.angular_velocity[2]) - spin - turned) <
-                                  0.003 * (std::abs(turned) + std::abs(spin)));
-                        }
-                    }
+                    for (const float rate : {30.0f, 60.0f, 240.0f}) hit_obliquely(kind, radius, friction, spin, rate);
 }
 
 TEST_CASE("a sphere rolls down without slipping, and slower by rolling resistance") {

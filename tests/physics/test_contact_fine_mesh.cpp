@@ -217,7 +217,6 @@ TEST_CASE("nothing falls through uneven ground of triangles, and all comes to re
             }
 }
 
-// The mesh that a body lay on must not make the next one solid on its far side.
 // On its way a body met more triangles than it slid past, and stopped with its whole speed: a plate got from 1 cm to 38 cm, a ball to 10 cm.
 TEST_CASE("bodies that slide or roll in a bowl of fine triangles gain no energy") {
     constexpr double gravity = 9.81, radius = 0.5, reach = 0.2; // rad: as far out as they start
@@ -269,6 +268,7 @@ TEST_CASE("bodies that slide or roll in a bowl of fine triangles gain no energy"
     }
 }
 
+// The mesh that a body lay on must not make the next one solid on its far side.
 TEST_CASE("bodies that left the ground meet a sheet above them from below") {
     const World world = make(world_desc());
     const Asset asset = make(rigid_box(0.06, 0.002, 0.06, 2000.0));
